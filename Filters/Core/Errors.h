@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The exceptions that Core throws. Every message names the cause, the offending vertex, face or loop,
+/// and the remedy; the VTK classes report it word for word.
+#pragma once
+
+#include <stdexcept>
+
+namespace flattening
+{
+
+/// Base of all exceptions of this library.
+struct FlatteningError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// Numbers that cannot be used: NaN, infinite coordinates, zero area, weights <= 0, indices out of
+/// range.
+struct InvalidInput : FlatteningError
+{
+  using FlatteningError::FlatteningError;
+};
+
+/// The surface is not of the topology asked for: non-manifold, several components, genus, boundaries.
+struct TopologyError : FlatteningError
+{
+  using FlatteningError::FlatteningError;
+};
+
+/// An iteration ended before its tolerance was met.
+struct ConvergenceError : FlatteningError
+{
+  using FlatteningError::FlatteningError;
+};
+
+/// The progress callback asked for a stop. Not a failure: nothing is reported to the user.
+struct Cancelled : FlatteningError
+{
+  Cancelled()
+    : FlatteningError("cancelled")
+  {
+  }
+};
+
+} // namespace flattening

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Between vtkPolyData and Core's plain meshes, and the arrays that the filters agree on.
+#pragma once
+
+#include "Core/TriangleMesh.h"
+
+#include <string>
+
+class vtkFieldData;
+class vtkPoints;
+class vtkPolyData;
+
+namespace flattening
+{
+
+/// Name of the point array (double x 3, input units) that says where each flattened point came from.
+inline constexpr const char* SurfacePointsName = "SurfacePoints";
+
+/// True if there is nothing to work on: no points and no cells.
+bool isEmpty(vtkPolyData* data);
+
+/// The triangles of @p data with its points; one to one with its points and cells.
+/// @throws InvalidInput if it has cells other than triangles.
+TriangleMesh toTriangleMesh(vtkPolyData* data);
+
+/// The triangles of a flattened surface with the points of its array SurfacePoints.
+/// @throws InvalidInput as toTriangleMesh, and if the array is missing or not of 3 components.
+TriangleMesh surfaceOfFlattened(vtkPolyData* flattened);
+
+/// x and y of the points (n x 2). @throws InvalidInput if one is not finite.
+Points2 toPlanarPositions(vtkPolyData* flattened);
+
+/// Points in double precision with z = 0.
+vtkPoints* newPlanarPoints(const Points2& positions);
+
+/// Sets @p output's SurfacePoints array from @p surface.
+void addSurfacePoints(vtkPolyData* output, const Points3& surface);
+
+/// Adds a per-point array; returns nothing, replaces an array of that name.
+void addPointArray(vtkPolyData* output, const char* name, const Eigen::VectorXd& values);
+
+/// One-tuple arrays in field data, so that figures survive composite data sets and client/server.
+void setFigure(vtkFieldData* fieldData, const char* name, double value);
+void setFigure(vtkFieldData* fieldData, const char* name, long long value);
+void setFigure(vtkFieldData* fieldData, const char* name, const std::string& value);
+
+} // namespace flattening
