@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkDistortionMetrics.h"
+
+#include "Core/DistortionMeasures.h"
+#include "Core/DistortionSummary.h"
+#include "FilterExecution.h"
+#include "PolyDataConversion.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkDistortionMetrics);
+
+namespace
+{
+
+using flattening::DistortionSummary;
+using flattening::FaceDistortion;
+using flattening::InvalidInput;
+using flattening::TriangleMesh;
+
+using Label = long long;
+using Regions = std::map<Label, std::vector<int>>; // faces of each label
+
+// The growth that vtkOMTAreaPreservingFilter was asked for at each vertex; empty if it was not.
+Eigen::VectorXd weightsFromTargetArea(vtkPolyData* input, const TriangleMesh& surface)
+{
+  vtkDataArray* targets = input->GetPointData()->GetArray("TargetArea");
+  if (!targets)
+  {
+    return {};
+  }
+  if (targets->GetNumberOfComponents() != 1)
+  {
+    throw InvalidInput("the point array TargetArea has " +
+                       std::to_string(targets->GetNumberOfComponents()) +
+                       " components, not 1: run OMT Area Preserving again or turn UseTargetArea off");
+  }
+  Eigen::VectorXd weights = flattening::vertexAreas(
+    surface.Faces, flattening::faceAreas(surface.Vertices, surface.Faces), surface.vertexCount());
+  for (int v = 0; v < surface.vertexCount(); ++v)
+  {
+    const double target = targets->GetComponent(v, 0);
+    if (!(target > 0.0 && std::isfinite(target)) && weights[v] > 0.0)
+    {
+      throw InvalidInput(
+        "point " + std::to_string(v) + " has the TargetArea " + std::to_string(target) +
+        ", not a positive number: run OMT Area Preserving again or turn UseTargetArea off");
+    }
+    weights[v] = weights[v] > 0.0 ? target / weights[v] : 1.0;
+  }
+  return weights;
+}
+
+// Labels per face from an array of labels per face or per vertex.
+std::vector<Label> faceLabels(vtkDataArray* labels, int association, const TriangleMesh& surface)
+{
+  const auto labelAt = [labels](vtkIdType i)
+  {
+    const double value = labels->GetComponent(i, 0);
+    if (!std::isfinite(value))
+    {
+      throw InvalidInput("the region array " + std::string(labels->GetName()) + " has no number at " +
+                         std::to_string(i) + ": give every point or cell a label");
+    }
+    return static_cast<Label>(std::llround(value));
+  };
+  std::vector<Label> result(surface.faceCount());
+  for (int f = 0; f < surface.faceCount(); ++f)
+  {
+    if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
+    {
+      result[f] = labelAt(f);
+      continue;
+    }
+    const Label a = labelAt(surface.Faces(f, 0));
+    const Label b = labelAt(surface.Faces(f, 1));
+    const Label c = labelAt(surface.Faces(f, 2));
+    result[f] = b == c ? b : a;
+  }
+  return result;
+}
+
+void addCellArray(vtkPolyData* output, const char* name, const Eigen::VectorXd& values)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(values.size());
+  std::copy(values.data(), values.data() + values.size(), array->GetPointer(0));
+  output->GetCellData()->AddArray(array);
+}
+
+template <typename Predicate>
+void addCellFlags(vtkPolyData* output, const char* name, int count, const Predicate& predicate)
+{
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(count);
+  for (int f = 0; f < count; ++f)
+  {
+    array->SetValue(f, predicate(f) ? 1 : 0);
+  }
+  output->GetCellData()->AddArray(array);
+}
+
+void addCellArrays(vtkPolyData* output, const FaceDistortion& distortion)
+{
+  addCellArray(output, "AreaDistortion", distortion.AreaDistortion);
+  addCellArray(output, "AngleDistortion", distortion.AngleDistortion);
+  addCellArray(output, "AreaRatio", distortion.AreaRatio);
+  addCellArray(output, "BeltramiMagnitude", distortion.BeltramiMagnitude);
+  addCellArray(output, "StretchL2", distortion.StretchL2);
+  addCellArray(output, "SymmetricDirichlet", distortion.SymmetricDirichlet);
+  addCellArray(output, "AngleError", distortion.AngleError);
+  const int count = distortion.faceCount();
+  addCellFlags(output, "Flipped", count, [&](int f) { return distortion.Flipped[f]; });
+  addCellFlags(output, "Degenerate", count, [&](int f) { return distortion.degenerate(f); });
+}
+
+void setTextureCoordinates(vtkPolyData* output, const flattening::Points2& flat)
+{
+  const Eigen::RowVector2d low = flat.colwise().minCoeff();
+  const Eigen::RowVector2d high = flat.colwise().maxCoeff();
+  const Eigen::RowVector2d centre = 0.5 * (low + high);
+  const double side = (high - low).maxCoeff();
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->SetName("TCoords");
+  coordinates->SetNumberOfComponents(2);
+  coordinates->SetNumberOfTuples(flat.rows());
+  for (Eigen::Index v = 0; v < flat.rows(); ++v)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      const double t = 0.5 + (flat(v, k) - centre[k]) / side;
+      coordinates->SetTypedComponent(v, k, std::clamp(t, 0.0, 1.0));
+    }
+  }
+  output->GetPointData()->SetTCoords(coordinates);
+}
+
+// The figures of a summary, in the order of the table's columns. @p visit is called with (name, value).
+template <typename Visit>
+void forEachFigure(const DistortionSummary& summary, const Visit& visit)
+{
+  visit("SurfaceArea", summary.SurfaceArea);
+  visit("FlatArea", summary.FlatArea);
+  visit("FacesWithin2Percent", summary.FacesWithin2Percent);
+  visit("RootMeanSquareStretch", summary.RootMeanSquareStretch);
+  for (int m = 0; m < flattening::MeasureCount; ++m)
+  {
+    const std::string name = flattening::MeasureNames[m];
+    const flattening::MeasureStatistics& statistics = summary.Measures[m];
+    visit("Mean" + name, statistics.Mean);
+    visit("AreaWeightedMean" + name, statistics.AreaWeightedMean);
+    visit("P95" + name, statistics.P95);
+    visit("P99" + name, statistics.P99);
+    visit("Max" + name, statistics.Max);
+  }
+}
+
+void setFigures(vtkFieldData* fieldData, const DistortionSummary& total)
+{
+  flattening::setFigure(fieldData, "FlippedFaces", static_cast<long long>(total.FlippedFaces));
+  flattening::setFigure(fieldData, "DegenerateFaces", static_cast<long long>(total.DegenerateFaces));
+  forEachFigure(total,
+    [fieldData](const std::string& name, double value)
+    { flattening::setFigure(fieldData, name.c_str(), value); });
+}
+
+struct Row
+{
+  vtkIdType Id;
+  std::string Name;
+  DistortionSummary Summary;
+};
+
+template <typename Array, typename Value>
+void addColumn(vtkTable* table, const char* name, const std::vector<Row>& rows, const Value& valueOf)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  for (const Row& row : rows)
+  {
+    array->InsertNextValue(valueOf(row));
+  }
+  table->AddColumn(array);
+}
+
+void fillTable(vtkTable* table, const std::vector<Row>& rows)
+{
+  addColumn<vtkIdTypeArray>(table, "RegionId", rows, [](const Row& row) { return row.Id; });
+  addColumn<vtkStringArray>(table, "Region", rows, [](const Row& row) { return row.Name; });
+  addColumn<vtkIntArray>(table, "Faces", rows, [](const Row& row) { return row.Summary.Faces; });
+  addColumn<vtkIntArray>(
+    table, "FlippedFaces", rows, [](const Row& row) { return row.Summary.FlippedFaces; });
+  addColumn<vtkIntArray>(
+    table, "DegenerateFaces", rows, [](const Row& row) { return row.Summary.DegenerateFaces; });
+  addColumn<vtkDoubleArray>(
+    table, "AreaErrorPercent", rows, [](const Row& row) { return row.Summary.AreaErrorPercent; });
+
+  std::vector<vtkSmartPointer<vtkDoubleArray>> figures;
+  for (const Row& row : rows)
+  {
+    std::size_t figure = 0;
+    forEachFigure(row.Summary,
+      [&](const std::string& name, double value)
+      {
+        if (figure == figures.size())
+        {
+          figures.push_back(vtkSmartPointer<vtkDoubleArray>::New());
+          figures.back()->SetName(name.c_str());
+        }
+        figures[figure++]->InsertNextValue(value);
+      });
+  }
+  for (vtkDoubleArray* figure : figures)
+  {
+    table->AddColumn(figure);
+  }
+}
+
+std::string regionName(vtkFieldData* fieldData, const char* arrayName, Label label)
+{
+  auto* names =
+    vtkStringArray::SafeDownCast(arrayName ? fieldData->GetAbstractArray(arrayName) : nullptr);
+  if (names && label >= 0 && label < names->GetNumberOfValues() && !names->GetValue(label).empty())
+  {
+    return names->GetValue(label);
+  }
+  return std::to_string(label);
+}
+
+} // namespace
+
+vtkDistortionMetrics::vtkDistortionMetrics()
+{
+  this->SetNumberOfOutputPorts(2);
+  this->SetRegionNamesArray("RegionNames");
+}
+
+vtkDistortionMetrics::~vtkDistortionMetrics()
+{
+  this->SetRegionNamesArray(nullptr);
+}
+
+vtkTable* vtkDistortionMetrics::GetSummary()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+int vtkDistortionMetrics::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 1)
+  {
+    info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
+    return 1;
+  }
+  return this->Superclass::FillOutputPortInformation(port, info);
+}
+
+vtkDataArray* vtkDistortionMetrics::RegionArray(vtkPolyData* input, int& association)
+{
+  vtkInformation* choice = this->GetInputArrayInformation(0);
+  const char* name = choice->Get(vtkDataObject::FIELD_NAME());
+  if (!name || !*name || std::string(name) == "None")
+  {
+    return nullptr;
+  }
+  vtkDataArray* labels = this->GetInputArrayToProcess(0, input, association);
+  if (!labels || labels->GetNumberOfComponents() != 1 ||
+      (association != vtkDataObject::FIELD_ASSOCIATION_CELLS &&
+        association != vtkDataObject::FIELD_ASSOCIATION_POINTS))
+  {
+    throw InvalidInput("the region array " + std::string(name) +
+                       " is not a point or cell array of one number each: choose another, or None");
+  }
+  return labels;
+}
+
+int vtkDistortionMetrics::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkTable* table = vtkTable::GetData(outputVector, 1);
+  if (flattening::isEmpty(input))
+  {
+    return 1;
+  }
+
+  return flattening::runFilter(this,
+    outputVector,
+    [&]
+    {
+      const flattening::ProgressCallback progress = flattening::progressOf(this);
+      flattening::report(progress, 0.0, "Reading the flattened surface");
+      const TriangleMesh surface = flattening::surfaceOfFlattened(input);
+      const flattening::Points2 flat = flattening::toPlanarPositions(input);
+      Eigen::VectorXd weights;
+      if (this->UseTargetArea)
+      {
+        weights = weightsFromTargetArea(input, surface);
+      }
+      Regions regions;
+      int association = -1;
+      if (vtkDataArray* labels = this->RegionArray(input, association))
+      {
+        const std::vector<Label> labelOfFace = faceLabels(labels, association, surface);
+        for (int f = 0; f < surface.faceCount(); ++f)
+        {
+          regions[labelOfFace[f]].push_back(f);
+        }
+      }
+
+      flattening::report(progress, 0.2, "Measuring the faces");
+      const FaceDistortion distortion = flattening::measureDistortion(surface, flat, weights);
+      output->ShallowCopy(input);
+      addCellArrays(output, distortion);
+      setTextureCoordinates(output, flat);
+
+      flattening::report(progress, 0.6, "Summing up the regions");
+      std::vector<Row> rows;
+      for (const auto& [label, faces] : regions)
+      {
+        rows.push_back({ static_cast<vtkIdType>(label),
+          regionName(input->GetFieldData(), this->RegionNamesArray, label),
+          flattening::summariseDistortion(distortion, faces) });
+      }
+      rows.push_back({ -1, "Total", flattening::summariseDistortion(distortion) });
+      fillTable(table, rows);
+      setFigures(output->GetFieldData(), rows.back().Summary);
+      flattening::report(progress, 1.0, "Done");
+    });
+}
+
+void vtkDistortionMetrics::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "UseTargetArea: " << this->UseTargetArea << "\n";
+  os << indent << "RegionNamesArray: " << (this->RegionNamesArray ? this->RegionNamesArray : "(none)")
+     << "\n";
+}

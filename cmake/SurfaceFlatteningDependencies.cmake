@@ -1,0 +1,8 @@
+# The libraries that Filters/Core is built on. Included where their targets are needed, because imported
+# targets are seen only in the folder that finds them and below.
+find_package(Eigen3 3.3 REQUIRED NO_MODULE)
+set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
+find_package(CGAL 5.0 REQUIRED)
+find_package(TBB REQUIRED CONFIG)
+list(APPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}")
+find_package(CHOLMOD REQUIRED)
