@@ -1,0 +1,434 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "PowerDiagram.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Regular_triangulation_2.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace flattening
+{
+namespace
+{
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::
+  Triangulation_vertex_base_with_info_2<int, Kernel, CGAL::Regular_triangulation_vertex_base_2<Kernel>>;
+using FaceBase = CGAL::
+  Triangulation_face_base_with_info_2<int, Kernel, CGAL::Regular_triangulation_face_base_2<Kernel>>;
+using RegularTriangulation =
+  CGAL::Regular_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+// Counter-clockwise angle from p to q, both on the unit circle, in [0, 2 pi).
+double arcAngle(const Eigen::Vector2d& p, const Eigen::Vector2d& q)
+{
+  const double angle = std::atan2(cross(p, q), p.dot(q));
+  // An arc that rounding turned around is an empty one, not the whole circle.
+  return angle >= 0.0 ? angle : angle > -1e-9 ? 0.0 : angle + 2.0 * EIGEN_PI;
+}
+
+double angleMinusSine(double angle)
+{
+  if (angle > 0.05)
+  {
+    return angle - std::sin(angle);
+  }
+  const double square = angle * angle;
+  return angle * square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0));
+}
+
+// Area and first moment of a region given by its boundary, relative to a local origin.
+class RegionMeasure
+{
+public:
+  explicit RegionMeasure(const Eigen::Vector2d& origin)
+    : Origin(origin)
+  {
+  }
+  void addSide(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
+  {
+    const Eigen::Vector2d a = from - this->Origin;
+    const Eigen::Vector2d b = to - this->Origin;
+    const double area = 0.5 * cross(a, b);
+    this->Area += area;
+    this->Moment += area / 3.0 * (a + b);
+  }
+  // An arc is its chord and a circular segment.
+  void addArc(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
+  {
+    const double angle = arcAngle(from, to);
+    this->addSide(from, to);
+    const double area = 0.5 * angleMinusSine(angle);
+    if (area > 0.0)
+    {
+      const double middle = std::atan2(from.y(), from.x()) + 0.5 * angle;
+      const double sine = std::sin(0.5 * angle);
+      const double radius = 2.0 * sine * sine * sine / (3.0 * area);
+      this->Area += area;
+      this->Moment +=
+        area * (radius * Eigen::Vector2d(std::cos(middle), std::sin(middle)) - this->Origin);
+    }
+  }
+  double area() const { return this->Area; }
+  Eigen::Vector2d centroid() const { return this->Origin + this->Moment / this->Area; }
+
+private:
+  Eigen::Vector2d Origin;
+  double Area = 0.0;
+  Eigen::Vector2d Moment = Eigen::Vector2d::Zero();
+};
+
+int next(int h)
+{
+  return h % 3 == 2 ? h - 2 : h + 1;
+}
+int previous(int h)
+{
+  return h % 3 == 0 ? h + 2 : h - 1;
+}
+
+} // namespace
+
+PowerDiagram::PowerDiagram(const Points2& sites)
+  : Sites(sites)
+  , Order(sites.rows())
+{
+  std::vector<Kernel::Point_2> points;
+  points.reserve(sites.rows());
+  for (Eigen::Index i = 0; i < sites.rows(); ++i)
+  {
+    points.emplace_back(sites(i, 0), sites(i, 1));
+  }
+  std::iota(this->Order.begin(), this->Order.end(), std::size_t(0));
+  using Traits =
+    CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::Pointer_property_map<Kernel::Point_2>::type>;
+  CGAL::spatial_sort(this->Order.begin(), this->Order.end(), Traits(CGAL::make_property_map(points)));
+}
+
+bool PowerDiagram::update(const Eigen::VectorXd& weights)
+{
+  ++this->Updates;
+  this->Weights = weights;
+  if (!this->triangulate(weights))
+  {
+    return false;
+  }
+  this->placeCentres();
+  this->clipSides();
+  this->measureCells();
+  return true;
+}
+
+bool PowerDiagram::triangulate(const Eigen::VectorXd& weights)
+{
+  RegularTriangulation triangulation;
+  RegularTriangulation::Face_handle hint;
+  for (const std::size_t i : this->Order)
+  {
+    const auto vertex = triangulation.insert(
+      Kernel::Weighted_point_2(Kernel::Point_2(this->Sites(i, 0), this->Sites(i, 1)), weights[i]), hint);
+    vertex->info() = static_cast<int>(i);
+    // A site once hidden stays so: further sites only take from its place.
+    if (triangulation.number_of_hidden_vertices() > 0)
+    {
+      return false;
+    }
+    hint = vertex->face();
+  }
+  if (triangulation.dimension() < 2)
+  {
+    return false;
+  }
+
+  int faces = 0;
+  for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face)
+  {
+    face->info() = triangulation.is_infinite(face) ? -1 : faces++;
+  }
+  this->Origins.resize(3 * faces);
+  this->Twins.resize(3 * faces);
+  this->Outgoing.assign(this->siteCount(), -1);
+  for (auto face = triangulation.finite_faces_begin(); face != triangulation.finite_faces_end(); ++face)
+  {
+    const int f = face->info();
+    for (int k = 0; k < 3; ++k)
+    {
+      // Side k runs from vertex k to vertex k + 1; CGAL numbers it by the vertex opposite.
+      const int opposite = (k + 2) % 3;
+      const auto neighbour = face->neighbor(opposite);
+      const int h = 3 * f + k;
+      this->Origins[h] = face->vertex(k)->info();
+      this->Twins[h] = neighbour->info() < 0
+                         ? -1
+                         : 3 * neighbour->info() + (triangulation.mirror_index(face, opposite) + 1) % 3;
+    }
+  }
+  for (int h = 0; h < 3 * faces; ++h)
+  {
+    int& entry = this->Outgoing[this->Origins[h]];
+    if (entry < 0 || this->Twins[h] < 0)
+    {
+      entry = h;
+    }
+  }
+  return true;
+}
+
+void PowerDiagram::placeCentres()
+{
+  const int faces = static_cast<int>(this->Origins.size() / 3);
+  this->Centres.resize(faces);
+  tbb::parallel_for(0,
+    faces,
+    [this](int f)
+    {
+      const int i = this->Origins[3 * f];
+      const int j = this->Origins[3 * f + 1];
+      const int k = this->Origins[3 * f + 2];
+      const Eigen::Vector2d origin = this->Sites.row(i);
+      const Eigen::Vector2d a = this->Sites.row(j).transpose() - origin;
+      const Eigen::Vector2d b = this->Sites.row(k).transpose() - origin;
+      const double p = 0.5 * (a.squaredNorm() - (this->Weights[j] - this->Weights[i]));
+      const double q = 0.5 * (b.squaredNorm() - (this->Weights[k] - this->Weights[i]));
+      const double determinant = cross(a, b);
+      this->Centres[f] =
+        origin + Eigen::Vector2d(p * b.y() - q * a.y(), q * a.x() - p * b.x()) / determinant;
+    });
+}
+
+void PowerDiagram::clipSides()
+{
+  const int halfedges = static_cast<int>(this->Origins.size());
+  this->Segments.resize(halfedges);
+  tbb::parallel_for(0,
+    halfedges,
+    [this](int h)
+    {
+      const int t = this->Twins[h];
+      if (t >= 0 && t < h)
+      {
+        return;
+      }
+      // Of the cell of h's origin: from the centre of the face on the right of h to the one on the left.
+      Segment& side = this->Segments[h];
+      constexpr double far = std::numeric_limits<double>::infinity();
+      const Eigen::Vector2d& left = this->Centres[h / 3];
+      const Eigen::Vector2d& right = t < 0 ? left : this->Centres[t / 3];
+      side = { right, left, false, false, true };
+      if (t >= 0 && left.squaredNorm() <= 1.0 && right.squaredNorm() <= 1.0)
+      {
+        return;
+      }
+      const int i = this->Origins[h];
+      const int j = this->Origins[next(h)];
+      const Eigen::Vector2d origin = this->Sites.row(i);
+      Eigen::Vector2d along = this->Sites.row(j).transpose() - origin;
+      const double distance = along.norm();
+      along /= distance;
+      const double offset = 0.5 * (distance - (this->Weights[j] - this->Weights[i]) / distance);
+      const Eigen::Vector2d middle = origin + offset * along;
+      const Eigen::Vector2d normal(-along.y(), along.x());
+      // The power line middle + s normal meets the circle where s = -b -+ sqrt(b^2 - c).
+      const double b = middle.dot(normal);
+      const double d = middle.dot(along); // its distance from the disk's centre
+      if (!(std::abs(d) < 1.0))
+      {
+        side.Inside = false;
+        return;
+      }
+      const double root = std::sqrt((1.0 - d) * (1.0 + d));
+      const double first = t < 0 ? -far : (right - middle).dot(normal);
+      const double last = (left - middle).dot(normal);
+      const double enter = -b - root;
+      const double leave = -b + root;
+      if (first < enter)
+      {
+        side.From = d * along - root * normal;
+        side.FromOnCircle = true;
+      }
+      if (last > leave)
+      {
+        side.To = d * along + root * normal;
+        side.ToOnCircle = true;
+      }
+      side.Inside = std::max(first, enter) < std::min(last, leave);
+    });
+
+  this->Sides.clear();
+  for (int h = 0; h < halfedges; ++h)
+  {
+    if ((this->Twins[h] < 0 || h < this->Twins[h]) && this->Segments[h].Inside)
+    {
+      const int i = this->Origins[h];
+      const int j = this->Origins[next(h)];
+      this->Sides.push_back({ i,
+        j,
+        (this->Segments[h].To - this->Segments[h].From).norm(),
+        (this->Sites.row(i) - this->Sites.row(j)).norm() });
+    }
+  }
+}
+
+PowerDiagram::Segment PowerDiagram::sideOf(int site, int halfedge) const
+{
+  const int t = this->Twins[halfedge];
+  Segment side = this->Segments[t >= 0 ? std::min(halfedge, t) : halfedge];
+  if (t >= 0 && t < halfedge ? this->Origins[t] != site : this->Origins[halfedge] != site)
+  {
+    std::swap(side.From, side.To);
+    std::swap(side.FromOnCircle, side.ToOnCircle);
+  }
+  return side;
+}
+
+// The straight sides of a cell inside the disk, counter-clockwise.
+void PowerDiagram::sidesOf(int site, std::vector<Segment>& sides) const
+{
+  sides.clear();
+  const auto add = [&](int halfedge)
+  {
+    const Segment side = this->sideOf(site, halfedge);
+    if (side.Inside)
+    {
+      sides.push_back(side);
+    }
+  };
+  const int start = this->Outgoing[site];
+  for (int h = start; h >= 0;)
+  {
+    add(h);
+    const int arriving = previous(h);
+    h = this->Twins[arriving];
+    if (h < 0)
+    {
+      add(arriving);
+    }
+    if (h == start)
+    {
+      break;
+    }
+  }
+}
+
+bool PowerDiagram::coversDisk(int site) const
+{
+  // No side crosses the disk, so one point of it decides.
+  const double own = this->Sites.row(site).squaredNorm() - this->Weights[site];
+  return own <= (this->Sites.rowwise().squaredNorm() - this->Weights).minCoeff();
+}
+
+void PowerDiagram::measureCells()
+{
+  this->Areas.setZero(this->siteCount());
+  this->Centroids = this->Sites;
+  tbb::parallel_for(tbb::blocked_range<int>(0, this->siteCount(), 512),
+    [this](const tbb::blocked_range<int>& range)
+    {
+      std::vector<Segment> sides;
+      for (int i = range.begin(); i < range.end(); ++i)
+      {
+        this->sidesOf(i, sides);
+        if (sides.empty())
+        {
+          if (this->coversDisk(i))
+          {
+            this->Areas[i] = EIGEN_PI;
+            this->Centroids.row(i).setZero();
+          }
+          continue;
+        }
+        RegionMeasure region(sides.front().From);
+        for (std::size_t s = 0; s < sides.size(); ++s)
+        {
+          const Segment& side = sides[s];
+          const Segment& following = sides[(s + 1) % sides.size()];
+          region.addSide(side.From, side.To);
+          if (side.ToOnCircle && following.FromOnCircle)
+          {
+            region.addArc(side.To, following.From);
+          }
+          else if (side.To != following.From)
+          {
+            region.addSide(side.To, following.From);
+          }
+        }
+        this->Areas[i] = region.area();
+        if (region.area() > 0.0)
+        {
+          this->Centroids.row(i) = region.centroid();
+        }
+      }
+    });
+}
+
+PowerDiagram::Arc PowerDiagram::arc(int site) const
+{
+  std::vector<Segment> sides;
+  this->sidesOf(site, sides);
+  Arc longest;
+  for (std::size_t s = 0; s < sides.size(); ++s)
+  {
+    const Segment& following = sides[(s + 1) % sides.size()];
+    if (sides[s].ToOnCircle && following.FromOnCircle)
+    {
+      const double length = arcAngle(sides[s].To, following.From);
+      if (length > longest.Length)
+      {
+        longest = { std::atan2(sides[s].To.y(), sides[s].To.x()) + 0.5 * length, length };
+      }
+    }
+  }
+  return longest;
+}
+
+std::vector<Eigen::Vector2d> PowerDiagram::outline(int site, double maximumStep) const
+{
+  std::vector<Segment> sides;
+  this->sidesOf(site, sides);
+  std::vector<Eigen::Vector2d> outline;
+  const auto addArc = [&](double from, double length)
+  {
+    const int steps = std::max(1, static_cast<int>(std::ceil(length / maximumStep)));
+    for (int k = 1; k < steps; ++k)
+    {
+      const double angle = from + length * k / steps;
+      outline.emplace_back(std::cos(angle), std::sin(angle));
+    }
+  };
+  if (sides.empty() && this->Areas[site] > 0.0)
+  {
+    outline.emplace_back(1.0, 0.0);
+    addArc(0.0, 2.0 * EIGEN_PI);
+  }
+  for (std::size_t s = 0; s < sides.size(); ++s)
+  {
+    const Segment& following = sides[(s + 1) % sides.size()];
+    outline.push_back(sides[s].From);
+    if (sides[s].To != following.From)
+    {
+      outline.push_back(sides[s].To);
+    }
+    if (sides[s].ToOnCircle && following.FromOnCircle)
+    {
+      addArc(std::atan2(sides[s].To.y(), sides[s].To.x()), arcAngle(sides[s].To, following.From));
+    }
+  }
+  return outline;
+}
+
+} // namespace flattening

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The power diagram of weighted sites, clipped exactly to the unit disk.
+#pragma once
+
+#include "TriangleMesh.h"
+
+#include <vector>
+
+namespace flattening
+{
+
+/// Cells W_i = { x in disk : |x - y_i|^2 - w_i <= |x - y_j|^2 - w_j for all j } of sites y_i with
+/// weights w_i (paper, equations 3 and 4; w_i = 2 h_i + |y_i|^2). Polygon sides are straight, the rest
+/// of a cell's boundary is arcs of the unit circle; areas, centroids and side lengths count both
+/// exactly.
+///
+/// The sites stay, the weights change: what depends on the sites alone is done once.
+class PowerDiagram
+{
+public:
+  /// @p sites n x 2, n >= 3, pairwise distinct, not all on a line.
+  explicit PowerDiagram(const Points2& sites);
+
+  /// Computes the cells for @p weights (n, same unit as squared lengths). Returns false, and leaves the
+  /// cells undefined, if a site has no cell in the plane.
+  bool update(const Eigen::VectorXd& weights);
+
+  int siteCount() const { return static_cast<int>(this->Sites.rows()); }
+  const Points2& sites() const { return this->Sites; }
+  /// Diagrams computed so far, failed ones included.
+  int updates() const { return this->Updates; }
+
+  /// Area of every cell in the disk (n). Zero for a cell outside.
+  const Eigen::VectorXd& areas() const { return this->Areas; }
+  /// Centroid of every cell in the disk (n x 2); the site itself for a cell without area.
+  const Points2& centroids() const { return this->Centroids; }
+
+  /// A common side of two cells: its length inside the disk and the distance of the sites.
+  /// The area of cell First changes by -Length / (2 Distance) per unit of the weight of Second.
+  struct CommonSide
+  {
+    int First;
+    int Second;
+    double Length;
+    double Distance;
+  };
+  const std::vector<CommonSide>& commonSides() const { return this->Sides; }
+
+  /// The middle of the arc that a cell has on the unit circle, as an angle, and the arc's length; length
+  /// 0 if the cell does not reach the circle. With several arcs: the longest.
+  struct Arc
+  {
+    double Middle = 0.0;
+    double Length = 0.0;
+  };
+  Arc arc(int site) const;
+
+  /// Outline of a cell, counter-clockwise, its arcs as polylines with steps of at most @p maximumStep
+  /// radians. Empty for a cell outside the disk.
+  std::vector<Eigen::Vector2d> outline(int site, double maximumStep) const;
+
+private:
+  // Half-edges 3 f + k of the regular triangulation's finite faces, as in IntrinsicTriangulation.
+  struct Segment
+  {
+    Eigen::Vector2d From;
+    Eigen::Vector2d To;
+    bool FromOnCircle;
+    bool ToOnCircle;
+    bool Inside; ///< false: no part in the disk
+  };
+
+  bool triangulate(const Eigen::VectorXd& weights);
+  void placeCentres();
+  void clipSides();
+  void measureCells();
+  Segment sideOf(int site, int halfedge) const;
+  void sidesOf(int site, std::vector<Segment>& sides) const;
+  bool coversDisk(int site) const;
+
+  Points2 Sites;
+  std::vector<std::size_t> Order; ///< space-filling order for insertion
+  Eigen::VectorXd Weights;
+  int Updates = 0;
+
+  std::vector<int> Origins;
+  std::vector<int> Twins;               ///< -1 on the convex hull
+  std::vector<int> Outgoing;            ///< per site; the hull's half-edge where there is one
+  std::vector<Eigen::Vector2d> Centres; ///< per face: the point of equal power
+  std::vector<Segment> Segments; ///< per half-edge that stands for its edge (the lower of the two)
+  std::vector<CommonSide> Sides;
+  Eigen::VectorXd Areas;
+  Points2 Centroids;
+};
+
+} // namespace flattening

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Transport.h"
+
+#include "ConvexPotential.h"
+#include "Errors.h"
+#include "SparseCholesky.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace flattening
+{
+namespace
+{
+
+// Greatest ratio of an intermediate target to the present area of a cell.
+constexpr double LargestRatio = 10.0;
+
+double relativeError(const Eigen::VectorXd& areas, const Eigen::VectorXd& targets)
+{
+  return ((areas - targets).array() / targets.array()).abs().maxCoeff();
+}
+
+double largestLogRatio(const Eigen::VectorXd& areas, const Eigen::VectorXd& targets)
+{
+  return areas.minCoeff() > 0.0 ? (targets.array() / areas.array()).log().abs().maxCoeff()
+                                : std::numeric_limits<double>::infinity();
+}
+
+// Minus the derivative of the areas by the weights without the last row and column: weights count up to
+// a common constant, so the last one stays.
+SparseMatrix areaJacobian(const PowerDiagram& diagram)
+{
+  const int n = diagram.siteCount() - 1;
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(3 * diagram.commonSides().size());
+  for (const PowerDiagram::CommonSide& side : diagram.commonSides())
+  {
+    const double value = side.Length / (2.0 * side.Distance);
+    const int i = std::max(side.First, side.Second);
+    const int j = std::min(side.First, side.Second);
+    entries.emplace_back(j, j, value);
+    if (i < n)
+    {
+      entries.emplace_back(i, i, value);
+      entries.emplace_back(i, j, -value);
+    }
+  }
+  SparseMatrix matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+// Of the start without weights (the paper's) and the radially symmetric potential the one whose cells
+// are nearer to their targets; both leave no cell empty in the plane.
+Eigen::VectorXd startWeights(PowerDiagram& diagram, const Eigen::VectorXd& targets)
+{
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(diagram.siteCount());
+  const Eigen::VectorXd radial = radialPotentialWeights(diagram.sites(), targets);
+  double zeroRatio = std::numeric_limits<double>::infinity();
+  double radialRatio = zeroRatio;
+  if (diagram.update(zero))
+  {
+    zeroRatio = largestLogRatio(diagram.areas(), targets);
+  }
+  if (diagram.update(radial))
+  {
+    radialRatio = largestLogRatio(diagram.areas(), targets);
+  }
+  if (std::isinf(zeroRatio) && std::isinf(radialRatio))
+  {
+    throw ConvergenceError(
+      "the transport has no start without empty power cells: sites of the conformal map lie "
+      "too close together for double precision; remesh the surface (Surface To Disk, Remesh)");
+  }
+  return zeroRatio <= radialRatio ? zero : radial;
+}
+
+} // namespace
+
+TransportResult transportNewton(PowerDiagram& diagram,
+  const Eigen::VectorXd& targets,
+  const TransportOptions& options,
+  const ProgressCallback& progress)
+{
+  report(progress, 0.0, "First power diagram");
+  TransportResult result;
+  result.Weights = startWeights(diagram, targets);
+  diagram.update(result.Weights);
+
+  Eigen::VectorXd areas = diagram.areas();
+  double error = relativeError(areas, targets);
+  // Progress measures the way in decades, of ratios first and of the error afterwards.
+  const double start = largestLogRatio(areas, targets) - std::log(options.Tolerance);
+  double fraction = 0.0;
+  SparseCholesky cholesky;
+  while (error > options.Tolerance)
+  {
+    const double ratio = largestLogRatio(areas, targets);
+    const double way = ratio + std::log(std::min(error, 1.0) / options.Tolerance);
+    fraction = std::max(fraction, std::clamp(1.0 - way / start, 0.0, 1.0));
+    report(progress, fraction, "Optimal mass transport");
+    if (result.NewtonIterations >= options.MaximumIterations)
+    {
+      break;
+    }
+
+    // The next targets on the way, at most LargestRatio from the present areas.
+    const double share = std::min(1.0, std::log(LargestRatio) / ratio);
+    Eigen::VectorXd aims = targets;
+    if (share < 1.0)
+    {
+      aims = areas.array().pow(1.0 - share) * targets.array().pow(share);
+      aims *= targets.sum() / aims.sum();
+    }
+
+    const Eigen::VectorXd gap = aims - areas;
+    cholesky.compute(areaJacobian(diagram));
+    if (cholesky.info() != Eigen::Success)
+    {
+      break;
+    }
+    Eigen::VectorXd step = Eigen::VectorXd::Zero(gap.size());
+    step.head(gap.size() - 1) = cholesky.solve(gap.head(gap.size() - 1));
+
+    const double smallest = 0.5 * std::min(areas.minCoeff(), aims.minCoeff());
+    bool accepted = false;
+    double length = 1.0;
+    for (int trial = 0; trial < 30 && !accepted; ++trial, length *= 0.5)
+    {
+      report(progress, fraction, "Optimal mass transport");
+      accepted = diagram.update(result.Weights + length * step) &&
+                 diagram.areas().minCoeff() >= smallest &&
+                 (diagram.areas() - aims).norm() <= (1.0 - 0.5 * length) * gap.norm();
+      if (accepted)
+      {
+        result.Weights += length * step;
+      }
+    }
+    ++result.NewtonIterations;
+    if (!accepted)
+    {
+      diagram.update(result.Weights);
+      break; // at the rounding floor, or stuck: the error decides below
+    }
+    areas = diagram.areas();
+    error = relativeError(areas, targets);
+  }
+  result.MaxCellError = error;
+  if (!(error <= options.Tolerance))
+  {
+    std::ostringstream message;
+    message << "the optimal transport stopped after " << result.NewtonIterations
+            << " Newton steps at a cell error of " << error << ", above the tolerance "
+            << options.Tolerance
+            << ": slivers or nearly coincident points set a floor; remesh the surface (Surface To Disk, "
+               "Remesh) or "
+               "raise Tolerance";
+    throw ConvergenceError(message.str());
+  }
+  report(progress, 1.0, "Optimal mass transport");
+  return result;
+}
+
+} // namespace flattening
