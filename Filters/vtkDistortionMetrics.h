@@ -17,7 +17,8 @@
  * - `StretchL2`, sqrt((Gamma^2 + gamma^2) / 2), 1
  * - `SymmetricDirichlet`, Gamma^2 + gamma^2 + Gamma^-2 + gamma^-2, 4
  * - `AngleError`, mean over the corners of the change of angle in degrees, 0
- * - `Flipped` (unsigned char), 1 where the flat triangle is clockwise, by an exact predicate, 0
+ * - `Flipped` (unsigned char), 1 where the flat triangle is clockwise or has no area (exact predicate),
+ * 0
  * - `Degenerate` (unsigned char), 1 where the surface or the flat triangle has no area, 0
  *
  * A degenerate face has no shape: its measures hold the value of a perfect face, so that colour maps and

@@ -2,6 +2,7 @@
 #include "DistortionMeasures.h"
 
 #include "Errors.h"
+#include "FaceOrientation.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <Eigen/Geometry>
@@ -101,26 +102,11 @@ EdgePair scaled(const EdgePair& edges, double factor)
   return { factor * edges.First, factor * edges.Second };
 }
 
-// Areas, orientation and degeneracy of face f.
-void classifyFace(const TriangleMesh& surface,
-  const Points2& flat,
-  const Eigen::VectorXd& signedFlatArea,
-  int f,
-  FaceDistortion& result)
+bool collinear(const Points3& vertices, const Eigen::RowVector3i& face)
 {
-  std::array<Kernel::Point_3, 3> p;
-  std::array<Kernel::Point_2, 3> q;
-  for (int k = 0; k < 3; ++k)
-  {
-    const int v = surface.Faces(f, k);
-    p[k] = { surface.Vertices(v, 0), surface.Vertices(v, 1), surface.Vertices(v, 2) };
-    q[k] = { flat(v, 0), flat(v, 1) };
-  }
-  const CGAL::Orientation orientation = CGAL::orientation(q[0], q[1], q[2]);
-  // A face whose rounded area contradicts the exact sign is too thin to be measured.
-  result.FlatDegenerate[f] = !(static_cast<int>(orientation) * signedFlatArea[f] > 0.0);
-  result.Flipped[f] = orientation == CGAL::RIGHT_TURN;
-  result.SurfaceDegenerate[f] = CGAL::collinear(p[0], p[1], p[2]) || !(result.SurfaceArea[f] > 0.0);
+  const auto point = [&vertices](int v)
+  { return Kernel::Point_3(vertices(v, 0), vertices(v, 1), vertices(v, 2)); };
+  return CGAL::collinear(point(face[0]), point(face[1]), point(face[2]));
 }
 
 // The measures of face f beside its area ratio. @p scale takes lengths of its surface triangle to flat
@@ -214,6 +200,7 @@ FaceDistortion measureDistortion(const TriangleMesh& surface,
   requireMeasurable(surface, flat, vertexWeights);
   const int faceCount = surface.faceCount();
   FaceDistortion result = undistorted(faceCount);
+  const std::vector<signed char> orientations = faceOrientations(flat, surface.Faces);
   const Eigen::VectorXd signedFlatArea = signedFaceAreas(flat, surface.Faces);
   result.SurfaceArea = faceAreas(surface.Vertices, surface.Faces);
   result.TargetArea = targetAreas(surface.Faces, result.SurfaceArea, vertexWeights);
@@ -233,7 +220,11 @@ FaceDistortion measureDistortion(const TriangleMesh& surface,
   forEachFace(faceCount,
     [&](int f)
     {
-      classifyFace(surface, flat, signedFlatArea, f, result);
+      result.Flipped[f] = orientations[f] <= 0;
+      // A face whose rounded area contradicts the exact sign is too thin to be measured.
+      result.FlatDegenerate[f] = !(orientations[f] * signedFlatArea[f] > 0.0);
+      result.SurfaceDegenerate[f] =
+        !(result.SurfaceArea[f] > 0.0) || collinear(surface.Vertices, surface.Faces.row(f));
       if (!result.SurfaceDegenerate[f])
       {
         const double flatShare = result.FlatDegenerate[f] ? 0.0 : result.FlatArea[f] / totalFlat;

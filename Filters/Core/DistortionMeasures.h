@@ -29,9 +29,9 @@ struct FaceDistortion
   Eigen::VectorXd StretchL2;         ///< sqrt((Gamma^2 + gamma^2) / 2), Sander et al. 2001; 1 is perfect
   Eigen::VectorXd SymmetricDirichlet;  ///< Gamma^2 + gamma^2 + Gamma^-2 + gamma^-2; 4 is perfect
   Eigen::VectorXd AngleError;          ///< mean over the corners of |flat - surface angle|, degrees
-  std::vector<char> Flipped;           ///< 1 if the flat triangle is clockwise (exact predicate)
-  std::vector<char> SurfaceDegenerate; ///< 1 if the surface triangle has no area (exact predicate)
-  std::vector<char> FlatDegenerate;    ///< 1 if the flat triangle has no area (exact predicate)
+  std::vector<char> Flipped;           ///< 1 if the flat triangle is clockwise or has no area (exact)
+  std::vector<char> SurfaceDegenerate; ///< 1 if the surface triangle has no area (exact)
+  std::vector<char> FlatDegenerate;    ///< 1 if the flat triangle has no area, exact or after rounding
 
   int faceCount() const { return static_cast<int>(this->AreaRatio.size()); }
   bool degenerate(int face) const { return this->SurfaceDegenerate[face] || this->FlatDegenerate[face]; }

@@ -52,7 +52,7 @@ struct DistortionSummary
   /// Percent of the faces, except those without surface area, that are not flipped and whose AreaRatio
   /// is within 0.02 of 1.
   double FacesWithin2Percent = 0.0;
-  int FlippedFaces = 0;
+  int FlippedFaces = 0;               ///< clockwise or without area in the flat
   int DegenerateFaces = 0;            ///< without area on the surface or in the flat
   double RootMeanSquareStretch = 0.0; ///< area-weighted, Sander et al. 2001; 1 is perfect
   std::array<MeasureStatistics, MeasureCount> Measures;
