@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# Installs what is missing to build, test and demonstrate SurfaceFlattening on Debian 12. Safe to run again;
+# needs root or sudo only if something is missing.
+#   Utilities/setup.sh           for the ParaView plugin
+#   Utilities/setup.sh --vtk     for the VTK module alone, on a VTK without ParaView
+set -euo pipefail
+
+packages=(
+  cmake ninja-build g++
+  libcgal-dev libeigen3-dev libsuitesparse-dev libtbb-dev
+  libgtest-dev libbenchmark-dev
+  python3 python3-dev
+  libopenmpi-dev libutfcpp-dev libdouble-conversion-dev libfreetype-dev libgl-dev libglew-dev
+  xvfb xauth libgl1-mesa-dri iproute2
+)
+if [ "${1:-}" = --vtk ]; then
+  # python3-vtk9 and python3-paraview exclude each other.
+  packages+=(libvtk9-dev python3-vtk9)
+else
+  packages+=(paraview paraview-dev python3-paraview mricron-data)
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query -W -f '${Status}' "$package" 2>/dev/null || true)
+  [ "$status" = "install ok installed" ] || missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then
+  exit 0
+fi
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || {
+    echo "setup.sh: missing packages: ${missing[*]}; run it as root, or install sudo" >&2
+    exit 1
+  }
+  as_root=(sudo)
+fi
+echo "Installing ${#missing[@]} packages: ${missing[*]}"
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+apt() {
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y "$@" >"$log" 2>&1 || {
+    tail -n 20 "$log" >&2
+    echo "setup.sh: apt-get $1 failed" >&2
+    exit 1
+  }
+}
+apt update
+apt install --no-install-recommends "${missing[@]}"
+echo "Installed."
