@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The connected components of a surface and the choice of one.
+#pragma once
+
+#include "TriangleMesh.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace flattening
+{
+
+struct SurfaceComponents
+{
+  int Count = 0;
+  std::vector<int> OfFace; ///< 0 .. Count-1 per face, numbered by their first faces
+
+  /// Indices of the faces of one component, ascending.
+  std::vector<int> faces(int component) const;
+};
+
+/// Faces that share a vertex belong together.
+SurfaceComponents connectedComponents(const TriangleMesh& mesh);
+
+/// The component of the largest area; the first one of equals.
+int largestComponent(const TriangleMesh& mesh, const SurfaceComponents& components);
+
+/// The component with the face nearest to @p point (input units).
+int closestComponent(const TriangleMesh& mesh,
+  const SurfaceComponents& components,
+  const Eigen::Vector3d& point);
+
+} // namespace flattening
