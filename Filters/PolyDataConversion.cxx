@@ -15,6 +15,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -109,14 +110,34 @@ TriangleMesh surfaceOfFlattened(vtkPolyData* flattened)
   return mesh;
 }
 
+namespace
+{
+
+// Guards against a surface that was warped back into space: its x and y alone would be nonsense.
+void requireFlat(vtkPolyData* flattened)
+{
+  double bounds[6];
+  flattened->GetBounds(bounds);
+  const double extent = std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
+  if (bounds[5] - bounds[4] > 1e-6 * extent)
+  {
+    throw InvalidInput("the input is not flat (z runs from " + std::to_string(bounds[4]) + " to " +
+                       std::to_string(bounds[5]) +
+                       "): pass the output of Conformal Disk or OMT Area Preserving as it is");
+  }
+}
+
+} // namespace
+
 Points2 toPlanarPositions(vtkPolyData* flattened)
 {
+  requireFlat(flattened);
   Points2 positions(flattened->GetNumberOfPoints(), 2);
   for (vtkIdType i = 0; i < flattened->GetNumberOfPoints(); ++i)
   {
     double x[3];
     flattened->GetPoint(i, x);
-    if (!std::isfinite(x[0]) || !std::isfinite(x[1]))
+    if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
     {
       throw InvalidInput("point " + std::to_string(i) +
                          " of the flat surface is not finite: clean the data before flattening");

@@ -27,7 +27,8 @@ TriangleMesh toTriangleMesh(vtkPolyData* data);
 /// @throws InvalidInput as toTriangleMesh, and if the array is missing or not of 3 components.
 TriangleMesh surfaceOfFlattened(vtkPolyData* flattened);
 
-/// x and y of the points (n x 2). @throws InvalidInput if one is not finite.
+/// x and y of the points (n x 2). @throws InvalidInput if one is not finite, or if z is not constant (to
+/// 1e-6 of the larger of the extents in x and y).
 Points2 toPlanarPositions(vtkPolyData* flattened);
 
 /// Points in double precision with z = 0.
