@@ -18,6 +18,8 @@ namespace
 {
 
 using Complex = std::complex<double>;
+// Opposite to a boundary edge, before the flow.
+constexpr double LargestBoundaryAngle = 75.0 / 180.0 * EIGEN_PI;
 const Complex Infinity(std::numeric_limits<double>::infinity(), 0.0);
 
 // The surface while it is being mapped: more triangles and boundary points than the mesh has.
@@ -31,7 +33,7 @@ Workpiece prepare(const TriangleMesh& mesh, int& flips, int& inserted)
 {
   Workpiece piece{ IntrinsicTriangulation(mesh), mesh.Vertices };
   flips += piece.Triangulation.flipToDelaunay();
-  const auto splits = piece.Triangulation.splitObtuseBoundaryEdges();
+  const auto splits = piece.Triangulation.splitBoundaryEdges(LargestBoundaryAngle);
   inserted = static_cast<int>(splits.size());
   piece.Points.conservativeResize(mesh.vertexCount() + inserted, 3);
   for (int s = 0; s < inserted; ++s)
@@ -110,7 +112,7 @@ int vertexForInfinity(const IntrinsicTriangulation& t, const std::vector<char>& 
 // link of the vertex at infinity, whose shape the angles at its vertices tell. Returns which vertices it
 // placed.
 std::vector<char> layOutBoundary(const IntrinsicTriangulation& t,
-  const Eigen::VectorXd& u,
+  const IntrinsicTriangulation::Factors& u,
   int firstOnAxis,
   int lastOnAxis,
   ComplexVector& position)
@@ -135,7 +137,8 @@ std::vector<char> layOutBoundary(const IntrinsicTriangulation& t,
   {
     const int h = t.anyOutgoing()[v];
     const int next = t.tip(h);
-    const Complex place = position[v] + std::polar(std::exp(t.scaledLogLength(h, u)), heading);
+    const Complex place =
+      position[v] + std::polar(std::exp(static_cast<double>(t.scaledLogLength(h, u))), heading);
     if (next == firstOnAxis)
     {
       // Spread what rounding left open over the link.
@@ -162,7 +165,7 @@ std::vector<char> layOutBoundary(const IntrinsicTriangulation& t,
 // the boundary known one linear solve gives them all; laying out face by face from the boundary would be
 // a Cauchy problem, whose rounding errors grow exponentially. Vertices without a face get Infinity.
 ComplexVector layOut(const IntrinsicTriangulation& t,
-  const Eigen::VectorXd& u,
+  const IntrinsicTriangulation::Factors& u,
   int firstOnAxis,
   int lastOnAxis)
 {
@@ -229,13 +232,13 @@ ComplexVector layOut(const IntrinsicTriangulation& t,
 }
 
 double layoutError(const IntrinsicTriangulation& t,
-  const Eigen::VectorXd& u,
+  const IntrinsicTriangulation::Factors& u,
   const ComplexVector& position)
 {
   double worst = 0.0;
   for (int h = 0; h < t.halfedgeCount(); ++h)
   {
-    const double wanted = std::exp(t.scaledLogLength(h, u));
+    const double wanted = std::exp(static_cast<double>(t.scaledLogLength(h, u)));
     worst =
       std::max(worst, std::abs(std::abs(position[t.origin(h)] - position[t.tip(h)]) / wanted - 1.0));
   }
@@ -248,7 +251,7 @@ TriangleMesh subdivided(const TriangleMesh& mesh);
 struct HalfPlaneMap
 {
   ComplexVector Positions; // of the mesh's vertices and the inserted ones
-  Eigen::VectorXd LogFactors;
+  IntrinsicTriangulation::Factors LogFactors;
   int AtInfinity = -1;
 };
 
@@ -266,7 +269,7 @@ HalfPlaneMap mapToHalfPlane(Workpiece& piece,
 
   const int n = t.vertexCount();
   Eigen::VectorXd targets(n);
-  Eigen::VectorXd start(n);
+  IntrinsicTriangulation::Factors start(n);
   for (int v = 0; v < n; ++v)
   {
     targets[v] = onBoundary[v] ? EIGEN_PI : 2.0 * EIGEN_PI;
@@ -366,9 +369,9 @@ ConformalDiskMap conformalDiskMap(const TriangleMesh& mesh,
     map.Positions.row(v) << w.real(), w.imag();
     map.LogFactors[v] =
       std::log(2.0 * centre.imag()) +
-      (v == half.AtInfinity
-          ? 0.0
-          : half.LogFactors[v] - 2.0 * std::log(std::abs(half.Positions[v] - std::conj(centre))));
+      (v == half.AtInfinity ? 0.0
+                            : static_cast<double>(half.LogFactors[v]) -
+                                2.0 * std::log(std::abs(half.Positions[v] - std::conj(centre))));
   }
   map.FlippedFaces = countFlippedFaces(map.Positions, mesh.Faces);
   report(progress, 1.0, "Conformal disk");

@@ -16,10 +16,10 @@ namespace
 
 // Cosine of the angle opposite to the side of length exp(opposite); outside [-1, 1] where the triangle
 // inequality fails.
-double cosineOpposite(double opposite, double left, double right)
+double cosineOpposite(long double opposite, long double left, long double right)
 {
-  const double x = std::exp(left - opposite);
-  const double y = std::exp(right - opposite);
+  const double x = std::exp(static_cast<double>(left - opposite));
+  const double y = std::exp(static_cast<double>(right - opposite));
   return (x * x + y * y - 1.0) / (2.0 * x * y);
 }
 
@@ -80,7 +80,7 @@ IntrinsicTriangulation::IntrinsicTriangulation(const TriangleMesh& mesh)
   }
 }
 
-void IntrinsicTriangulation::flip(int h, double logLength)
+void IntrinsicTriangulation::flip(int h, long double logLength)
 {
   // Faces (a b c) and (b a d), h from a to b, become (c d b) and (d c a).
   const int t = this->Twins[h];
@@ -88,7 +88,7 @@ void IntrinsicTriangulation::flip(int h, double logLength)
   const int newSlot[4] = { previous(h), next(t), previous(t), next(h) }; // where each of them goes
   int twins[4];
   int origins[4];
-  double lengths[4];
+  long double lengths[4];
   for (int k = 0; k < 4; ++k)
   {
     twins[k] = this->Twins[slot[k]];
@@ -179,14 +179,14 @@ int IntrinsicTriangulation::flipAll(ShouldFlip&& shouldFlip, NewLogLength&& newL
 }
 
 // Log-length of the other diagonal of the two triangles at h, unfolded into the plane.
-double IntrinsicTriangulation::otherDiagonal(int h) const
+long double IntrinsicTriangulation::otherDiagonal(int h) const
 {
   const int t = this->Twins[h];
-  const double unit = this->LogLengths[h]; // edge h from (0,0) to (1,0)
+  const long double unit = this->LogLengths[h]; // edge h from (0,0) to (1,0)
   const auto apex = [&](int fromOrigin, int fromTip, double side)
   {
-    const double p = std::exp(this->LogLengths[fromOrigin] - unit);
-    const double q = std::exp(this->LogLengths[fromTip] - unit);
+    const double p = std::exp(static_cast<double>(this->LogLengths[fromOrigin] - unit));
+    const double q = std::exp(static_cast<double>(this->LogLengths[fromTip] - unit));
     const double x = 0.5 * (1.0 + (p - q) * (p + q));
     return Eigen::Vector2d(x, side * std::sqrt(std::max(0.0, (p - x) * (p + x))));
   };
@@ -234,7 +234,7 @@ void IntrinsicTriangulation::growStar(int vertex, const std::vector<char>& onBou
   }
 }
 
-int IntrinsicTriangulation::flipToDelaunay(const Eigen::VectorXd& u)
+int IntrinsicTriangulation::flipToDelaunay(const Factors& u)
 {
   const auto cosine = [&](int h)
   {
@@ -246,36 +246,39 @@ int IntrinsicTriangulation::flipToDelaunay(const Eigen::VectorXd& u)
     [&](int h)
     {
       const int t = this->Twins[h];
-      const double x = this->LogLengths[previous(h)] + this->LogLengths[previous(t)]; // ca + db
-      const double y = this->LogLengths[next(h)] + this->LogLengths[next(t)];         // bc + ad
-      return std::max(x, y) + std::log1p(std::exp(-std::abs(x - y))) - this->LogLengths[h];
+      const long double x = this->LogLengths[previous(h)] + this->LogLengths[previous(t)]; // ca + db
+      const long double y = this->LogLengths[next(h)] + this->LogLengths[next(t)];         // bc + ad
+      return std::max(x, y) + std::log1p(std::exp(static_cast<double>(-std::abs(x - y)))) -
+             this->LogLengths[h];
     });
 }
 
 int IntrinsicTriangulation::splitBoundaryEdge(int h)
 {
-  // Face (a b c), boundary edge ab, becomes (a f c) and (f b c), f the foot of the altitude from c.
+  // Face (a b c), boundary edge ab, becomes (a f c) and (f b c), f the foot of the altitude from c or
+  // near it.
   const int bc = next(h);
   const int ca = previous(h);
   const int b = this->Origins[bc];
   const int c = this->Origins[ca];
-  const double unit = this->LogLengths[h];
-  const double p = std::exp(this->LogLengths[ca] - unit);
-  const double q = std::exp(this->LogLengths[bc] - unit);
-  const double x = std::clamp(0.5 * (1.0 + (p - q) * (p + q)), 1e-6, 1.0 - 1e-6);
-  const double altitude = std::sqrt(std::max((p - x) * (p + x), 1e-30));
-  const double logAltitude = unit + std::log(altitude);
+  const long double unit = this->LogLengths[h];
+  const double p = std::exp(static_cast<double>(this->LogLengths[ca] - unit));
+  const double q = std::exp(static_cast<double>(this->LogLengths[bc] - unit));
+  const double foot = 0.5 * (1.0 + (p - q) * (p + q));
+  const double x = std::clamp(foot, 0.2, 0.8);
+  const double altitude = std::sqrt(std::max(0.0, (p - foot) * (p + foot)));
+  const long double logMedian = unit + std::log(std::hypot(altitude, foot - x));
 
   const int f = this->VertexCount++;
   const int n = this->halfedgeCount();
   const int bcTwin = this->Twins[bc];
-  const double bcLength = this->LogLengths[bc];
+  const long double bcLength = this->LogLengths[bc];
   this->Origins[bc] = f; // the old face: a f, f c, c a
   this->LogLengths[h] = unit + std::log(x);
-  this->LogLengths[bc] = logAltitude;
+  this->LogLengths[bc] = logMedian;
   this->Twins[bc] = n + 2;
   const int origins[3] = { f, b, c };
-  const double lengths[3] = { unit + std::log1p(-x), bcLength, logAltitude };
+  const long double lengths[3] = { unit + std::log1p(-x), bcLength, logMedian };
   const int twins[3] = { -1, bcTwin, bc };
   this->Origins.insert(this->Origins.end(), origins, origins + 3);
   this->LogLengths.insert(this->LogLengths.end(), lengths, lengths + 3);
@@ -288,9 +291,11 @@ int IntrinsicTriangulation::splitBoundaryEdge(int h)
   return f;
 }
 
-std::vector<IntrinsicTriangulation::BoundarySplit> IntrinsicTriangulation::splitObtuseBoundaryEdges(
+std::vector<IntrinsicTriangulation::BoundarySplit> IntrinsicTriangulation::splitBoundaryEdges(
+  double largestAngle,
   int maximumRounds)
 {
+  const double smallestCosine = std::cos(largestAngle) - 1e-9;
   std::vector<BoundarySplit> splits;
   for (int round = 0; round < maximumRounds; ++round)
   {
@@ -299,13 +304,13 @@ std::vector<IntrinsicTriangulation::BoundarySplit> IntrinsicTriangulation::split
     {
       if (this->Twins[h] < 0 &&
           cosineOpposite(this->LogLengths[h], this->LogLengths[next(h)], this->LogLengths[previous(h)]) <
-            -1e-9)
+            smallestCosine)
       {
         const int from = this->origin(h);
         const int to = this->tip(h);
-        const double length = this->LogLengths[h];
+        const long double length = this->LogLengths[h];
         this->splitBoundaryEdge(h);
-        splits.push_back({ from, to, std::exp(this->LogLengths[h] - length) });
+        splits.push_back({ from, to, std::exp(static_cast<double>(this->LogLengths[h] - length)) });
       }
     }
     if (this->halfedgeCount() == before)
@@ -394,13 +399,28 @@ std::vector<IntrinsicTriangulation::Spoke> IntrinsicTriangulation::removeStar(in
   return link;
 }
 
-TriangleAngles triangleAngles(double logA, double logB, double logC)
+TriangleAngles triangleAngles(long double logA, long double logB, long double logC)
 {
-  const double unit = std::max({ logA, logB, logC });
-  const double side[3] = { std::exp(logA - unit), std::exp(logB - unit), std::exp(logC - unit) };
-  const double excess[3] = {
-    side[1] + side[2] - side[0], side[2] + side[0] - side[1], side[0] + side[1] - side[2]
-  };
+  const long double log[3] = { logA, logB, logC };
+  const long double unit = std::max({ logA, logB, logC });
+  double side[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    side[k] = std::exp(static_cast<double>(log[k] - unit));
+  }
+  // How far the sum of the other two sides exceeds side k, with the nearly equal pair of a needle
+  // subtracted as logarithms.
+  double excess[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    int near = (k + 1) % 3;
+    int other = (k + 2) % 3;
+    if (std::abs(log[other] - log[k]) < std::abs(log[near] - log[k]))
+    {
+      std::swap(near, other);
+    }
+    excess[k] = side[other] - side[near] * std::expm1(static_cast<double>(log[k] - log[near]));
+  }
   TriangleAngles result;
   result.Degenerate = false;
   for (int k = 0; k < 3; ++k)

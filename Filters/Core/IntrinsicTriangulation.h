@@ -14,10 +14,14 @@ namespace flattening
 /// to itself), so neighbours are known by their half-edges, never by their vertices.
 ///
 /// Lengths are kept as logarithms: they stay representable whatever the conformal factors, and Ptolemy's
-/// flip is a sum of positive terms in them.
+/// flip is a sum of positive terms in them. They are of extended precision because the angles of needles
+/// depend on small differences of them.
 class IntrinsicTriangulation
 {
 public:
+  /// One logarithmic conformal factor u per vertex.
+  using Factors = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+
   /// The metric of @p mesh. If a face violates or merely attains the triangle inequality (to a relative
   /// 1e-10), the same small length is added to every edge until none does (Sharp and Crane 2020,
   /// "intrinsic mollification"); addedLength() tells how much, 0 for a mesh without degenerate faces.
@@ -34,13 +38,13 @@ public:
   int origin(int h) const { return this->Origins[h]; }
   int tip(int h) const { return this->Origins[next(h)]; }
   int twin(int h) const { return this->Twins[h]; } ///< -1 on the boundary
-  double logLength(int h) const { return this->LogLengths[h]; }
+  long double logLength(int h) const { return this->LogLengths[h]; }
 
   /// Natural logarithm of each half-edge's length after the conformal change
   /// l_ij -> l_ij exp((u_i + u_j) / 2) (Luo 2004). @p u holds one value per vertex.
-  double scaledLogLength(int h, const Eigen::VectorXd& u) const
+  long double scaledLogLength(int h, const Factors& u) const
   {
-    return this->LogLengths[h] + 0.5 * (u[this->origin(h)] + u[this->tip(h)]);
+    return this->LogLengths[h] + 0.5L * (u[this->origin(h)] + u[this->tip(h)]);
   }
 
   /// Flips edges until the triangulation is Delaunay in its own flat metric, which it keeps. Returns
@@ -51,20 +55,21 @@ public:
   /// conformal class* (lengths change by Ptolemy's relation: Springborn, Schroeder, Pinkall 2008; Gu,
   /// Luo, Sun, Wu 2018). The scaled lengths then satisfy every triangle inequality away from the
   /// boundary.
-  int flipToDelaunay(const Eigen::VectorXd& u);
+  int flipToDelaunay(const Factors& u);
 
-  /// Splits every boundary edge whose opposite angle is obtuse at the foot of that altitude, and makes
-  /// the triangulation Delaunay again, until there is none (or @p maximumRounds are done). Such an edge
-  /// cannot be flipped and is where a triangulation with boundary can fail to have a uniformization.
-  /// New vertices lie on the boundary. Returns for each new vertex the ends of its edge and its
-  /// parameter.
+  /// Splits every boundary edge whose opposite angle exceeds @p largestAngle (radians, at most pi / 2)
+  /// at the foot of that altitude (or what is nearest to it in the middle three fifths), and makes the
+  /// triangulation Delaunay again, until there is none (or
+  /// @p maximumRounds are done). A boundary edge cannot be flipped, so its triangle is where the flow of
+  /// a triangulation with boundary can degenerate; a narrow one stays far from that. New vertices lie on
+  /// the boundary. Returns for each new vertex the ends of its edge and its parameter.
   struct BoundarySplit
   {
     int From;
     int To;
     double Parameter; ///< 0 at From, 1 at To
   };
-  std::vector<BoundarySplit> splitObtuseBoundaryEdges(int maximumRounds = 20);
+  std::vector<BoundarySplit> splitBoundaryEdges(double largestAngle, int maximumRounds = 20);
 
   /// Flips edges of the link of boundary vertex @p vertex until the two angles opposite to each of them
   /// sum to less than pi - @p slack (radians), as far as the new neighbours are neither on the boundary
@@ -77,7 +82,7 @@ public:
   struct Spoke
   {
     int Vertex;
-    double LogLength;
+    long double LogLength;
   };
   std::vector<Spoke> removeStar(int vertex);
 
@@ -89,8 +94,8 @@ public:
   const std::vector<int>& anyOutgoing() const;
 
 private:
-  void flip(int h, double logLength);
-  double otherDiagonal(int h) const;
+  void flip(int h, long double logLength);
+  long double otherDiagonal(int h) const;
   int splitBoundaryEdge(int h);
   template <typename ShouldFlip, typename NewLogLength>
   int flipAll(ShouldFlip&& shouldFlip, NewLogLength&& newLogLength);
@@ -99,7 +104,7 @@ private:
   double AddedLength = 0.0;
   std::vector<int> Origins;
   std::vector<int> Twins;
-  std::vector<double> LogLengths;
+  std::vector<long double> LogLengths;
   mutable std::vector<int> Outgoing; ///< empty when stale
 };
 
@@ -112,6 +117,6 @@ struct TriangleAngles
   double Cotangent[3]; ///< 0 where the triangle is degenerate
   bool Degenerate;
 };
-TriangleAngles triangleAngles(double logA, double logB, double logC);
+TriangleAngles triangleAngles(long double logA, long double logB, long double logC);
 
 } // namespace flattening

@@ -120,11 +120,11 @@ PowerDiagram::PowerDiagram(const Points2& sites)
   CGAL::spatial_sort(this->Order.begin(), this->Order.end(), Traits(CGAL::make_property_map(points)));
 }
 
-bool PowerDiagram::update(const Eigen::VectorXd& weights)
+bool PowerDiagram::update(const Weights& weights)
 {
   ++this->Updates;
-  this->Weights = weights;
-  if (!this->triangulate(weights))
+  this->SiteWeights = weights;
+  if (!this->triangulate())
   {
     return false;
   }
@@ -134,14 +134,23 @@ bool PowerDiagram::update(const Eigen::VectorXd& weights)
   return true;
 }
 
-bool PowerDiagram::triangulate(const Eigen::VectorXd& weights)
+double PowerDiagram::weightDifference(int from, int to) const
+{
+  return static_cast<double>(this->SiteWeights[to] - this->SiteWeights[from]);
+}
+
+// The triangulation is exact for the weights rounded to double; what that gets wrong is sides too short
+// to count, whose areas enter with their sign.
+bool PowerDiagram::triangulate()
 {
   RegularTriangulation triangulation;
   RegularTriangulation::Face_handle hint;
   for (const std::size_t i : this->Order)
   {
     const auto vertex = triangulation.insert(
-      Kernel::Weighted_point_2(Kernel::Point_2(this->Sites(i, 0), this->Sites(i, 1)), weights[i]), hint);
+      Kernel::Weighted_point_2(Kernel::Point_2(this->Sites(i, 0), this->Sites(i, 1)),
+        static_cast<double>(this->SiteWeights[i])),
+      hint);
     vertex->info() = static_cast<int>(i);
     // A site once hidden stays so: further sites only take from its place.
     if (triangulation.number_of_hidden_vertices() > 0)
@@ -203,8 +212,8 @@ void PowerDiagram::placeCentres()
       const Eigen::Vector2d origin = this->Sites.row(i);
       const Eigen::Vector2d a = this->Sites.row(j).transpose() - origin;
       const Eigen::Vector2d b = this->Sites.row(k).transpose() - origin;
-      const double p = 0.5 * (a.squaredNorm() - (this->Weights[j] - this->Weights[i]));
-      const double q = 0.5 * (b.squaredNorm() - (this->Weights[k] - this->Weights[i]));
+      const double p = 0.5 * (a.squaredNorm() - this->weightDifference(i, j));
+      const double q = 0.5 * (b.squaredNorm() - this->weightDifference(i, k));
       const double determinant = cross(a, b);
       this->Centres[f] =
         origin + Eigen::Vector2d(p * b.y() - q * a.y(), q * a.x() - p * b.x()) / determinant;
@@ -240,7 +249,7 @@ void PowerDiagram::clipSides()
       Eigen::Vector2d along = this->Sites.row(j).transpose() - origin;
       const double distance = along.norm();
       along /= distance;
-      const double offset = 0.5 * (distance - (this->Weights[j] - this->Weights[i]) / distance);
+      const double offset = 0.5 * (distance - this->weightDifference(i, j) / distance);
       const Eigen::Vector2d middle = origin + offset * along;
       const Eigen::Vector2d normal(-along.y(), along.x());
       // The power line middle + s normal meets the circle where s = -b -+ sqrt(b^2 - c).
@@ -328,8 +337,15 @@ void PowerDiagram::sidesOf(int site, std::vector<Segment>& sides) const
 bool PowerDiagram::coversDisk(int site) const
 {
   // No side crosses the disk, so one point of it decides.
-  const double own = this->Sites.row(site).squaredNorm() - this->Weights[site];
-  return own <= (this->Sites.rowwise().squaredNorm() - this->Weights).minCoeff();
+  const auto power = [this](int i) { return this->Sites.row(i).squaredNorm() - this->SiteWeights[i]; };
+  for (int i = 0; i < this->siteCount(); ++i)
+  {
+    if (power(i) < power(site))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 void PowerDiagram::measureCells()

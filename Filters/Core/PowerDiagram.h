@@ -14,16 +14,21 @@ namespace flattening
 /// of a cell's boundary is arcs of the unit circle; areas, centroids and side lengths count both
 /// exactly.
 ///
+/// Weights are of extended precision because cells depend on their differences divided by the distance
+/// of the sites, which on slivers is 1e-8 and less.
+///
 /// The sites stay, the weights change: what depends on the sites alone is done once.
 class PowerDiagram
 {
 public:
+  using Weights = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+
   /// @p sites n x 2, n >= 3, pairwise distinct, not all on a line.
   explicit PowerDiagram(const Points2& sites);
 
   /// Computes the cells for @p weights (n, same unit as squared lengths). Returns false, and leaves the
   /// cells undefined, if a site has no cell in the plane.
-  bool update(const Eigen::VectorXd& weights);
+  bool update(const Weights& weights);
 
   int siteCount() const { return static_cast<int>(this->Sites.rows()); }
   const Points2& sites() const { return this->Sites; }
@@ -70,7 +75,8 @@ private:
     bool Inside; ///< false: no part in the disk
   };
 
-  bool triangulate(const Eigen::VectorXd& weights);
+  bool triangulate();
+  double weightDifference(int from, int to) const;
   void placeCentres();
   void clipSides();
   void measureCells();
@@ -80,7 +86,7 @@ private:
 
   Points2 Sites;
   std::vector<std::size_t> Order; ///< space-filling order for insertion
-  Eigen::VectorXd Weights;
+  Weights SiteWeights;
   int Updates = 0;
 
   std::vector<int> Origins;

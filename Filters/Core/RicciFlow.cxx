@@ -37,7 +37,7 @@ public:
 
   int unknowns() const { return static_cast<int>(this->Vertex.size()); }
 
-  void evaluate(const Eigen::VectorXd& u)
+  void evaluate(const IntrinsicTriangulation::Factors& u)
   {
     const int faces = this->Triangulation.faceCount();
     this->Gradient.resize(this->unknowns());
@@ -94,7 +94,7 @@ public:
     return matrix;
   }
 
-  void addTo(Eigen::VectorXd& u, const Eigen::VectorXd& step, double length) const
+  void addTo(IntrinsicTriangulation::Factors& u, const Eigen::VectorXd& step, double length) const
   {
     for (int r = 0; r < this->unknowns(); ++r)
     {
@@ -118,7 +118,7 @@ private:
 RicciFlowResult discreteRicciFlow(IntrinsicTriangulation& triangulation,
   const Eigen::VectorXd& targetAngles,
   const std::vector<char>& fixed,
-  const Eigen::VectorXd& start,
+  const IntrinsicTriangulation::Factors& start,
   const RicciFlowOptions& options,
   const ProgressCallback& progress)
 {
@@ -157,7 +157,7 @@ RicciFlowResult discreteRicciFlow(IntrinsicTriangulation& triangulation,
     // as soon as the derivative has shrunk, too long once it is as steep upwards as it was downwards.
     const double slope = system.Gradient.dot(step);
     const double previous = error();
-    const Eigen::VectorXd origin = result.LogFactors;
+    const IntrinsicTriangulation::Factors origin = result.LogFactors;
     double length = std::min(1.0, 8.0 / std::max(step.lpNorm<Eigen::Infinity>(), 1e-300));
     for (int trial = 0; trial < 40; ++trial, length *= 0.5)
     {

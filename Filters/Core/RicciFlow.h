@@ -19,7 +19,7 @@ struct RicciFlowOptions
 
 struct RicciFlowResult
 {
-  Eigen::VectorXd LogFactors; ///< u of l_ij exp((u_i + u_j) / 2), one per vertex
+  IntrinsicTriangulation::Factors LogFactors; ///< u of l_ij exp((u_i + u_j) / 2), one per vertex
   int NewtonIterations = 0;
   int Flips = 0;
   double MaxCurvatureError = 0.0; ///< radians
@@ -38,7 +38,7 @@ struct RicciFlowResult
 RicciFlowResult discreteRicciFlow(IntrinsicTriangulation& triangulation,
   const Eigen::VectorXd& targetAngles,
   const std::vector<char>& fixed,
-  const Eigen::VectorXd& start,
+  const IntrinsicTriangulation::Factors& start,
   const RicciFlowOptions& options = {},
   const ProgressCallback& progress = {});
 

@@ -54,10 +54,11 @@ SparseMatrix areaJacobian(const PowerDiagram& diagram)
 
 // Of the start without weights (the paper's) and the radially symmetric potential the one whose cells
 // are nearer to their targets; both leave no cell empty in the plane.
-Eigen::VectorXd startWeights(PowerDiagram& diagram, const Eigen::VectorXd& targets)
+PowerDiagram::Weights startWeights(PowerDiagram& diagram, const Eigen::VectorXd& targets)
 {
-  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(diagram.siteCount());
-  const Eigen::VectorXd radial = radialPotentialWeights(diagram.sites(), targets);
+  const PowerDiagram::Weights zero = PowerDiagram::Weights::Zero(diagram.siteCount());
+  const PowerDiagram::Weights radial =
+    radialPotentialWeights(diagram.sites(), targets).cast<long double>();
   double zeroRatio = std::numeric_limits<double>::infinity();
   double radialRatio = zeroRatio;
   if (diagram.update(zero))
@@ -130,12 +131,12 @@ TransportResult transportNewton(PowerDiagram& diagram,
     for (int trial = 0; trial < 30 && !accepted; ++trial, length *= 0.5)
     {
       report(progress, fraction, "Optimal mass transport");
-      accepted = diagram.update(result.Weights + length * step) &&
-                 diagram.areas().minCoeff() >= smallest &&
+      const PowerDiagram::Weights weights = result.Weights + (length * step).cast<long double>();
+      accepted = diagram.update(weights) && diagram.areas().minCoeff() >= smallest &&
                  (diagram.areas() - aims).norm() <= (1.0 - 0.5 * length) * gap.norm();
       if (accepted)
       {
-        result.Weights += length * step;
+        result.Weights = weights;
       }
     }
     ++result.NewtonIterations;

@@ -17,7 +17,7 @@ struct TransportOptions
 
 struct TransportResult
 {
-  Eigen::VectorXd Weights; ///< power weights, one per site
+  PowerDiagram::Weights Weights; ///< power weights, one per site
   int NewtonIterations = 0;
   double MaxCellError = 0.0; ///< max_i |A_i - nu_i| / nu_i
 };
