@@ -5,6 +5,8 @@
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -122,6 +124,25 @@ double EditableSurface::squaredLength(Halfedge edge) const
 {
   return CGAL::squared_distance(
     this->Mesh.point(this->Mesh.source(edge)), this->Mesh.point(this->Mesh.target(edge)));
+}
+
+double EditableSurface::longestEdge(Face face) const
+{
+  double longest = 0.0;
+  for (const Halfedge h : this->Mesh.halfedges_around_face(this->Mesh.halfedge(face)))
+  {
+    longest = std::max(longest, this->squaredLength(h));
+  }
+  return std::sqrt(longest);
+}
+
+double EditableSurface::area(Face face) const
+{
+  const Halfedge h = this->Mesh.halfedge(face);
+  const Kernel::Point_3& p = this->Mesh.point(this->Mesh.source(h));
+  const Kernel::Vector_3 u = this->Mesh.point(this->Mesh.target(h)) - p;
+  const Kernel::Vector_3 v = this->Mesh.point(this->Mesh.target(this->Mesh.next(h))) - p;
+  return 0.5 * std::sqrt(CGAL::cross_product(u, v).squared_length());
 }
 
 DerivedMesh EditableSurface::derived() const

@@ -55,9 +55,11 @@ public:
   Split splitEdge(Halfedge edge, double t);
 
   double squaredLength(Halfedge edge) const;
+  double longestEdge(Face face) const;
+  double area(Face face) const;
 
   Origin& origin(Vertex vertex) { return this->VertexOrigin[vertex]; }
-  int& origin(Face face) { return this->FaceOrigin[face]; }
+  int origin(Face face) const { return this->FaceOrigin[face]; }
 
   /// The edited mesh, compacted, with its origins.
   DerivedMesh derived() const;

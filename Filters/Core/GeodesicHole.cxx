@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GeodesicHole.h"
 
-#include "BoundarySlivers.h"
+#include "BoundaryConditioning.h"
 #include "EditableSurface.h"
 #include "GeodesicDistance.h"
 #include "HolePlacement.h"
 #include "LongestEdgeBisection.h"
 #include "MeshTopology.h"
+#include "SurfaceNeighbourhood.h"
 #include "SurfaceProjection.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
 #include <string>
 #include <utility>
 
@@ -28,9 +28,11 @@ using Halfedge = EditableSurface::Halfedge;
 using Face = EditableSurface::Face;
 
 constexpr double Pi = 3.14159265358979323846;
-// Edges that the curve crosses are at most this share of the spacing asked for, so that enough curve
-// points are left after the short edges are collapsed.
-constexpr double EdgePerSpacing = 0.75;
+// Longest edge that the curve may cross, in units of the spacing asked for. A curve crosses more than
+// two edges per edge length, so that enough points are left after the short edges are collapsed.
+constexpr double EdgePerSpacing = 1.25;
+// If it crosses too few all the same.
+constexpr double Refinement = 0.7;
 // The distance is computed on a neighbourhood of this many times the hole's area: its edge is then more
 // than twice the radius away, where it has no influence on the curve.
 constexpr double NeighbourhoodAreas = 6.0;
@@ -56,14 +58,21 @@ public:
     this->placeCentre(subrange(progress, 0.0, 0.4));
     report(progress, 0.4, "refining around the hole");
     this->refineBall();
+    std::vector<Halfedge> crossed;
     for (int i = 0;; ++i)
     {
       report(progress, std::min(0.9, 0.5 + 0.1 * i), "measuring distances around the hole");
       this->measure();
-      const std::vector<Face> coarse = this->coarseFacesAtCurve();
+      std::vector<Face> coarse = this->coarseFacesAtCurve();
       if (coarse.empty())
       {
-        break;
+        crossed = this->crossedEdges();
+        if (static_cast<int>(crossed.size()) >= this->Options.BoundaryVertices)
+        {
+          break;
+        }
+        this->EdgeShare *= Refinement;
+        coarse = this->coarseFacesAtCurve();
       }
       if (i == MostRefinements)
       {
@@ -73,7 +82,7 @@ public:
       bisectLongEdges(this->Surface, coarse, this->longestCrossedEdge());
     }
     report(progress, 0.9, "cutting the hole");
-    this->splitAtCurve();
+    this->splitAtCurve(crossed);
     this->removeInside();
 
     OpenedSurface opened;
@@ -82,7 +91,7 @@ public:
     opened.RemovedArea = this->TotalArea;
     const TriangleMesh rest = toTriangleMesh(this->Mesh);
     opened.RemovedArea -= faceAreas(rest.Vertices, rest.Faces).sum();
-    collapseShortEdgesAtBoundary(this->Surface, this->Options.BoundaryVertices);
+    conditionBoundary(this->Surface, this->Options.BoundaryVertices);
     opened.Surface = this->Surface.derived();
     return opened;
   }
@@ -109,59 +118,24 @@ private:
     return { this->Centre.x(), this->Centre.y(), this->Centre.z() };
   }
 
-  double squaredDistance(Face face) const
-  {
-    const Halfedge h = this->Mesh.halfedge(face);
-    return CGAL::to_double(CGAL::squared_distance(this->centrePoint(),
-      Kernel::Triangle_3(this->Mesh.point(this->Mesh.source(h)),
-        this->Mesh.point(this->Mesh.target(h)),
-        this->Mesh.point(this->Mesh.target(this->Mesh.next(h))))));
-  }
-
-  double longestEdge(Face face) const
-  {
-    double longest = 0.0;
-    for (const Halfedge h : this->Mesh.halfedges_around_face(this->Mesh.halfedge(face)))
-    {
-      longest = std::max(longest, this->Surface.squaredLength(h));
-    }
-    return std::sqrt(longest);
-  }
-
   // The part of the original face CentreFace that the centre lies on.
-  Face faceAtCentre()
+  Face faceAtCentre() const
   {
     Face nearest = SurfaceMesh::null_face();
     double distance = HUGE_VAL;
     for (const Face face : this->Mesh.faces())
     {
-      if (this->Surface.origin(face) == this->CentreFace && this->squaredDistance(face) < distance)
+      if (this->Surface.origin(face) == this->CentreFace)
       {
-        distance = this->squaredDistance(face);
-        nearest = face;
-      }
-    }
-    return nearest;
-  }
-
-  // Faces connected to the centre within a Euclidean ball; not those of other folds.
-  std::vector<Face> facesInBall(double radius)
-  {
-    std::vector<Face> faces{ this->faceAtCentre() };
-    std::vector<char> visited(this->Mesh.num_faces(), 0);
-    visited[faces.front()] = 1;
-    for (std::size_t i = 0; i < faces.size(); ++i)
-    {
-      for (const Face next : this->Mesh.faces_around_face(this->Mesh.halfedge(faces[i])))
-      {
-        if (!visited[next] && this->squaredDistance(next) < radius * radius)
+        const double d = squaredDistance(this->Mesh, face, this->centrePoint());
+        if (d < distance)
         {
-          visited[next] = 1;
-          faces.push_back(next);
+          distance = d;
+          nearest = face;
         }
       }
     }
-    return faces;
+    return nearest;
   }
 
   // A first guess, as if the surface were flat here; halved edge by edge so that big faces are refined
@@ -170,19 +144,21 @@ private:
   {
     const double radius = std::sqrt(this->HoleArea / Pi);
     const double wanted = EdgePerSpacing * 2.0 * Pi * radius / this->Options.BoundaryVertices;
+    const auto faces = [this, radius]
+    { return facesInBall(this->Mesh, this->faceAtCentre(), this->centrePoint(), RingWidth * radius); };
     double longest = 0.0;
-    for (const Face face : this->facesInBall(RingWidth * radius))
+    for (const Face face : faces())
     {
-      longest = std::max(longest, this->longestEdge(face));
+      longest = std::max(longest, this->Surface.longestEdge(face));
     }
     while (longest > wanted)
     {
       longest = std::max(wanted, 0.5 * longest);
-      bisectLongEdges(this->Surface, this->facesInBall(RingWidth * radius), longest);
+      bisectLongEdges(this->Surface, faces(), longest);
     }
   }
 
-  Vertex centreVertex()
+  Vertex centreVertex() const
   {
     const Face face = this->faceAtCentre();
     Vertex nearest;
@@ -199,62 +175,13 @@ private:
     return nearest;
   }
 
-  // Faces nearest to the centre along edges, of the given total area at least.
-  std::vector<Face> neighbourhood(Vertex centre, double area) const
-  {
-    using Entry = std::pair<double, Vertex>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    std::vector<double> distance(this->Mesh.num_vertices(), HUGE_VAL);
-    std::vector<char> taken(this->Mesh.num_faces(), 0);
-    std::vector<Face> faces;
-    distance[centre] = 0.0;
-    queue.emplace(0.0, centre);
-    double sum = 0.0;
-    while (!queue.empty() && sum < area)
-    {
-      const auto [d, v] = queue.top();
-      queue.pop();
-      if (d > distance[v])
-      {
-        continue;
-      }
-      for (const Halfedge h : this->Mesh.halfedges_around_target(this->Mesh.halfedge(v)))
-      {
-        const Face face = this->Mesh.face(h);
-        if (!taken[face])
-        {
-          taken[face] = 1;
-          faces.push_back(face);
-          sum += this->area(face);
-        }
-        const Vertex w = this->Mesh.source(h);
-        const double length = d + std::sqrt(this->Surface.squaredLength(h));
-        if (length < distance[w])
-        {
-          distance[w] = length;
-          queue.emplace(length, w);
-        }
-      }
-    }
-    return faces;
-  }
-
-  double area(Face face) const
-  {
-    const Halfedge h = this->Mesh.halfedge(face);
-    const Kernel::Point_3& p = this->Mesh.point(this->Mesh.source(h));
-    const auto normal = CGAL::cross_product(this->Mesh.point(this->Mesh.target(h)) - p,
-      this->Mesh.point(this->Mesh.target(this->Mesh.next(h))) - p);
-    return 0.5 * std::sqrt(normal.squared_length());
-  }
-
   // Sets Distance, Radius and Spacing from the heat method on the neighbourhood of the centre.
   void measure()
   {
     const Vertex centre = this->centreVertex();
     const TriangleMesh whole = toTriangleMesh(this->Mesh);
     std::vector<int> faces;
-    for (const Face face : this->neighbourhood(centre, NeighbourhoodAreas * this->HoleArea))
+    for (const Face face : facesNearestTo(this->Surface, centre, NeighbourhoodAreas * this->HoleArea))
     {
       faces.push_back(static_cast<int>(face.idx()));
     }
@@ -279,7 +206,7 @@ private:
     }
   }
 
-  double longestCrossedEdge() const { return EdgePerSpacing * this->Spacing; }
+  double longestCrossedEdge() const { return this->EdgeShare * this->Spacing; }
 
   std::vector<Face> coarseFacesAtCurve() const
   {
@@ -294,7 +221,7 @@ private:
         high = std::max(high, this->Distance[v]);
       }
       if (low <= RingWidth * this->Radius && high >= this->Radius / RingWidth &&
-          this->longestEdge(face) > this->longestCrossedEdge())
+          this->Surface.longestEdge(face) > this->longestCrossedEdge())
       {
         coarse.push_back(face);
       }
@@ -304,8 +231,7 @@ private:
 
   bool isInside(Vertex v) const { return this->Distance[v] < this->Radius; }
 
-  // Afterwards no edge crosses the curve: every face lies on one side.
-  void splitAtCurve()
+  std::vector<Halfedge> crossedEdges() const
   {
     std::vector<Halfedge> crossed;
     for (const auto edge : this->Mesh.edges())
@@ -316,6 +242,12 @@ private:
         crossed.push_back(h);
       }
     }
+    return crossed;
+  }
+
+  // Afterwards no edge crosses the curve: every face lies on one side.
+  void splitAtCurve(const std::vector<Halfedge>& crossed)
+  {
     for (const Halfedge h : crossed)
     {
       const double from = this->Distance[this->Mesh.source(h)];
@@ -362,7 +294,7 @@ private:
     auto size = this->Mesh.add_property_map<Face, double>("f:area", 0.0).first;
     for (const Face face : this->Mesh.faces())
     {
-      size[face] = this->area(face);
+      size[face] = this->Surface.area(face);
     }
     CGAL::Polygon_mesh_processing::keep_largest_connected_components(
       this->Mesh, 1, CGAL::parameters::face_size_map(size));
@@ -379,6 +311,7 @@ private:
   std::vector<double> Distance; // of every vertex from the centre; infinite beyond the neighbourhood
   double Radius = 0.0;
   double Spacing = 0.0; // of the boundary vertices asked for
+  double EdgeShare = EdgePerSpacing;
 };
 
 } // namespace
@@ -400,6 +333,14 @@ OpenedSurface cutGeodesicHole(const TriangleMesh& closed,
   if (options.Centre && !options.Centre->allFinite())
   {
     throw InvalidInput("the hole's point is not finite: set all of its coordinates");
+  }
+  const MeshTopology topology = analyseTopology(closed.Faces, closed.vertexCount());
+  if (topology.Components != 1 || topology.Genus != 0 || !topology.BoundaryLoops.empty())
+  {
+    throw TopologyError(
+      "a hole can be cut into one closed surface of genus 0 only; this one has " +
+      std::to_string(topology.Components) + " components, genus " + std::to_string(topology.Genus) +
+      " and " + std::to_string(topology.BoundaryLoops.size()) + " boundary loops: run Surface To Disk");
   }
   return HoleCutter(closed, options).cut(progress);
 }

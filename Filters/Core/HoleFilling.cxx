@@ -5,7 +5,6 @@
 #include "SurfaceProjection.h"
 
 #include <CGAL/Polygon_mesh_processing/refine.h>
-#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 
 #include <algorithm>
@@ -142,16 +141,9 @@ double loopLength(const Points3& vertices, const std::vector<int>& loop)
   return length;
 }
 
-FilledSurface fillHolesButLongest(const TriangleMesh& mesh,
-  bool sewCoincidentBorders,
-  const ProgressCallback& progress)
+FilledSurface fillHolesButLongest(const TriangleMesh& mesh, const ProgressCallback& progress)
 {
   EditableSurface surface(mesh);
-  if (sewCoincidentBorders)
-  {
-    PMP::stitch_borders(surface.mesh());
-  }
-
   std::vector<Halfedge> borders;
   std::vector<double> lengths;
   std::vector<char> visited(surface.mesh().num_halfedges(), 0);

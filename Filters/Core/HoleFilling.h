@@ -24,11 +24,6 @@ double loopLength(const Points3& vertices, const std::vector<int>& loop);
 /// Patches are of least dihedral angle and area (Liepa 2003, "Filling holes in meshes"), then refined to
 /// the density of the surface around them (CGAL triangulate_hole, refine). Old vertices and faces stay,
 /// in their order; the faces of patches have origin -1, their vertices are made of the loop's vertices.
-///
-/// Borders that coincide point for point, as the cuts along non-manifold edges do, are first sewn
-/// together where @p sewCoincidentBorders says so.
-FilledSurface fillHolesButLongest(const TriangleMesh& mesh,
-  bool sewCoincidentBorders,
-  const ProgressCallback& progress = {});
+FilledSurface fillHolesButLongest(const TriangleMesh& mesh, const ProgressCallback& progress = {});
 
 } // namespace flattening

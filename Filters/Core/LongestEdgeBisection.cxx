@@ -11,6 +11,9 @@ namespace
 using Halfedge = EditableSurface::Halfedge;
 using Face = EditableSurface::Face;
 
+// Of a squared length: an edge as long as the limit is not too long at any scale.
+constexpr double Rounding = 1e-6;
+
 // A strict order of the edges, or propagation could run in circles. Lengths are compared in single
 // precision, so that edges equal up to rounding tie, and the same mesh at another scale is split alike.
 bool isLonger(const EditableSurface& surface, Halfedge a, Halfedge b)
@@ -56,12 +59,13 @@ void bisectLongEdges(EditableSurface& surface, const std::vector<Face>& faces, d
   {
     wanted[f] = 1;
   }
+  const double limit = (1.0 + Rounding) * longestEdge * longestEdge;
   std::deque<Face> queue(faces.begin(), faces.end());
   while (!queue.empty())
   {
     const Face face = queue.front();
     const Halfedge side = longestSide(surface, face);
-    if (surface.squaredLength(side) <= longestEdge * longestEdge)
+    if (surface.squaredLength(side) <= limit)
     {
       queue.pop_front();
       continue;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "BoundarySlivers.h"
+#include "BoundaryConditioning.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <queue>
-#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace flattening
 {
@@ -20,8 +23,12 @@ using Face = EditableSurface::Face;
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
 
-constexpr double ShortShare = 0.5;   // of the mean boundary edge
+constexpr double ShortShare = 0.8; // of the mean boundary edge
+constexpr double VeryShortShare = 0.2;
 constexpr double SmallestTilt = 0.5; // cosine of 60 degrees
+constexpr double FlatTilt = 0.98;    // cosine of 11 degrees
+constexpr double Rounding = 1e-6;    // of angles
+constexpr double GoodAngle = 0.35;   // 20 degrees; a collapse need not leave a larger one
 
 double smallestAngle(const std::array<Point, 3>& corners)
 {
@@ -36,10 +43,10 @@ double smallestAngle(const std::array<Point, 3>& corners)
   return smallest;
 }
 
-class BoundaryCollapse
+class BoundaryConditioner
 {
 public:
-  BoundaryCollapse(EditableSurface& surface, int minimumVertices)
+  BoundaryConditioner(EditableSurface& surface, int minimumVertices)
     : Surface(surface)
     , Mesh(surface.mesh())
     , MinimumVertices(minimumVertices)
@@ -55,9 +62,22 @@ public:
     }
     const double mean = length / std::max(this->BoundaryVertices, 1);
     this->Short = ShortShare * ShortShare * mean * mean;
+    this->VeryShort = VeryShortShare * VeryShortShare * mean * mean;
   }
 
   void run()
+  {
+    // A collapse or flip may be what another one waits for.
+    do
+    {
+      this->Changed = false;
+      this->collapseShortEdges();
+      this->flipAtBoundary();
+    } while (this->Changed);
+  }
+
+private:
+  void collapseShortEdges()
   {
     for (const Vertex v : this->Mesh.vertices())
     {
@@ -78,7 +98,71 @@ public:
     }
   }
 
-private:
+  // Turns edges beside the boundary over where that makes the smallest of the six angles larger and the
+  // surface is nearly flat.
+  void flipAtBoundary()
+  {
+    std::vector<Edge> edges;
+    for (const Edge edge : this->Mesh.edges())
+    {
+      const Halfedge h = this->Mesh.halfedge(edge);
+      if (!this->Mesh.is_border(edge) &&
+          (this->Mesh.is_border(this->Mesh.source(h)) || this->Mesh.is_border(this->Mesh.target(h)) ||
+            this->Mesh.is_border(this->Mesh.target(this->Mesh.next(h))) ||
+            this->Mesh.is_border(this->Mesh.target(this->Mesh.next(this->Mesh.opposite(h))))))
+      {
+        edges.push_back(edge);
+      }
+    }
+    bool flipped = true;
+    while (flipped)
+    {
+      flipped = false;
+      for (const Edge edge : edges)
+      {
+        if (this->flipImproves(this->Mesh.halfedge(edge)))
+        {
+          CGAL::Euler::flip_edge(this->Mesh.halfedge(edge), this->Mesh);
+          flipped = true;
+          this->Changed = true;
+        }
+      }
+    }
+  }
+
+  bool flipImproves(Halfedge h) const
+  {
+    const Vertex a = this->Mesh.source(h);
+    const Vertex b = this->Mesh.target(h);
+    const Vertex c = this->Mesh.target(this->Mesh.next(h));
+    const Vertex d = this->Mesh.target(this->Mesh.next(this->Mesh.opposite(h)));
+    const Point& p = this->Mesh.point(a);
+    const Point& q = this->Mesh.point(b);
+    const Point& r = this->Mesh.point(c);
+    const Point& s = this->Mesh.point(d);
+    const double before = std::min(smallestAngle({ p, q, r }), smallestAngle({ q, p, s }));
+    const double after = std::min(smallestAngle({ s, q, r }), smallestAngle({ p, s, r }));
+    if (!(after > (1.0 + Rounding) * before))
+    {
+      return false;
+    }
+    const Vector first = CGAL::cross_product(q - p, r - p);
+    const Vector second = CGAL::cross_product(p - q, s - q);
+    const Vector third = CGAL::cross_product(q - s, r - s);
+    const Vector fourth = CGAL::cross_product(s - p, r - p);
+    for (const Vector& old : { first, second })
+    {
+      for (const Vector& now : { third, fourth })
+      {
+        if (!(old * now > FlatTilt * std::sqrt(old.squared_length() * now.squared_length())))
+        {
+          return false;
+        }
+      }
+    }
+    return !this->Mesh.halfedge(c, d).is_valid();
+  }
+
   // Single precision, so that equal lengths up to rounding tie and go by index.
   using Candidate = std::pair<float, Edge>;
 
@@ -103,22 +187,29 @@ private:
       {
         return;
       }
-      if (!this->improves(h))
+    }
+    else
+    {
+      if (this->Mesh.is_border(this->Mesh.source(h)))
       {
         h = this->Mesh.opposite(h);
       }
+      if (this->Mesh.is_border(this->Mesh.source(h)))
+      {
+        return; // a chord between boundary vertices
+      }
     }
-    else if (this->Mesh.is_border(this->Mesh.source(h)))
+    // An inner vertex all but on the curve may become a boundary vertex where it is.
+    if (!this->improves(h) &&
+        (this->Mesh.is_border(edge) || this->Surface.squaredLength(h) < this->VeryShort))
     {
       h = this->Mesh.opposite(h);
     }
-    const Vertex goes = this->Mesh.source(h);
-    const Vertex stays = this->Mesh.target(h);
-    const bool chord = !this->Mesh.is_border(edge) && this->Mesh.is_border(goes);
-    if (chord || !this->improves(h) || !CGAL::Euler::does_satisfy_link_condition(edge, this->Mesh))
+    if (!this->improves(h) || !CGAL::Euler::does_satisfy_link_condition(edge, this->Mesh))
     {
       return;
     }
+    const Vertex stays = this->Mesh.target(h);
     const Point position = this->Mesh.point(stays);
     const EditableSurface::Origin origin = this->Surface.origin(stays);
     this->BoundaryVertices -= this->Mesh.is_border(edge);
@@ -126,6 +217,7 @@ private:
     this->Mesh.point(kept) = position;
     this->Surface.origin(kept) = origin;
     this->enqueueAround(kept);
+    this->Changed = true;
   }
 
   // Whether the faces around the source keep their side and a smallest angle no worse if it moves to the
@@ -165,7 +257,7 @@ private:
       }
       after = std::min(after, smallestAngle(moved));
     }
-    return after >= before;
+    return after >= (1.0 - Rounding) * std::min(before, GoodAngle);
   }
 
   EditableSurface& Surface;
@@ -173,14 +265,16 @@ private:
   int MinimumVertices;
   int BoundaryVertices = 0;
   double Short = 0.0; // squared length
+  double VeryShort = 0.0;
+  bool Changed = false;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<Candidate>> Queue;
 };
 
 } // namespace
 
-void collapseShortEdgesAtBoundary(EditableSurface& surface, int minimumVertices)
+void conditionBoundary(EditableSurface& surface, int minimumVertices)
 {
-  BoundaryCollapse(surface, minimumVertices).run();
+  BoundaryConditioner(surface, minimumVertices).run();
 }
 
 } // namespace flattening

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SurfaceToDisk.h"
+
+#include "BorderStitching.h"
+#include "Errors.h"
+#include "HoleFilling.h"
+#include "IsotropicRemeshing.h"
+#include "MeshTopology.h"
+#include "SurfaceComponents.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace flattening
+{
+namespace
+{
+
+void requireValid(const SurfaceToDiskOptions& options)
+{
+  if (!(options.MergeTolerance >= 0.0) || !std::isfinite(options.MergeTolerance))
+  {
+    throw InvalidInput("the merge tolerance is " + std::to_string(options.MergeTolerance) +
+                       ": set it to 0 or a small length in the units of the surface");
+  }
+  if (options.ComponentPoint && !options.ComponentPoint->allFinite())
+  {
+    throw InvalidInput("the component's point is not finite: set all of its coordinates");
+  }
+}
+
+// Takes one component and gives it one side that is the outer one.
+MeshTopology chooseComponent(DiskSurface& disk,
+  RepairedSurface&& repaired,
+  const SurfaceToDiskOptions& options)
+{
+  disk.Surface = std::move(repaired.Surface);
+  const SurfaceComponents components = connectedComponents(disk.Surface.Mesh);
+  const std::vector<int> faces = components.faces(
+    options.ComponentPoint ? closestComponent(disk.Surface.Mesh, components, *options.ComponentPoint)
+                           : largestComponent(disk.Surface.Mesh, components));
+  disk.Report.Components = components.Count;
+
+  std::vector<char> reversed;
+  reversed.reserve(faces.size());
+  for (const int f : faces)
+  {
+    reversed.push_back(repaired.Reversed[f]);
+    if (repaired.OneSided[f])
+    {
+      throw TopologyError("the surface is one-sided, like a Moebius strip, at face " +
+                          std::to_string(disk.Surface.Faces[f]) +
+                          ": cut it open there first, e.g. with Clip");
+    }
+  }
+  follow(disk.Surface, extractFaces(disk.Surface.Mesh, faces));
+  if (disk.Report.Repair.SplitPoints > 0)
+  {
+    follow(disk.Surface, stitchCoincidentBorders(disk.Surface.Mesh));
+  }
+  TriangleMesh& mesh = disk.Surface.Mesh;
+  MeshTopology topology = analyseTopology(mesh.Faces, mesh.vertexCount());
+  disk.Report.ReorientedFaces = orientOutward(mesh, reversed, topology.BoundaryLoops.empty());
+  return topology;
+}
+
+void requireNoHandles(int genus)
+{
+  if (genus > 0)
+  {
+    throw TopologyError("the surface has genus " + std::to_string(genus) + ", that is " +
+                        std::to_string(genus) + (genus > 1 ? " handles" : " handle") +
+                        " or tunnels: smooth the volume more before Contour (a Gaussian of 2 voxels or "
+                        "more), change the isovalue, or cut the handles off with Clip");
+  }
+}
+
+} // namespace
+
+DiskSurface surfaceToDisk(const TriangleMesh& soup,
+  const SurfaceToDiskOptions& options,
+  const ProgressCallback& progress)
+{
+  requireValid(options);
+  DiskSurface disk;
+  SurfaceToDiskReport& figures = disk.Report;
+
+  report(progress, 0.0, "repairing");
+  RepairedSurface repaired = repairTriangleSoup(soup, options.MergeTolerance);
+  figures.Repair = repaired.Report;
+  report(progress, 0.2, "choosing the component");
+  const MeshTopology topology = chooseComponent(disk, std::move(repaired), options);
+  figures.Genus = topology.Genus;
+  requireNoHandles(figures.Genus);
+
+  report(progress, 0.25, "filling holes");
+  if (topology.BoundaryLoops.size() > 1)
+  {
+    FilledSurface filled = fillHolesButLongest(disk.Surface.Mesh, subrange(progress, 0.25, 0.35));
+    figures.FilledHoles = filled.FilledHoles;
+    figures.FilledArea = filled.FilledArea;
+    follow(disk.Surface, std::move(filled.Surface));
+  }
+
+  if (options.RemeshEdgeLength)
+  {
+    const double length = *options.RemeshEdgeLength;
+    figures.RemeshEdgeLength = length == 0.0 ? meanEdgeLength(disk.Surface.Mesh) : length;
+    follow(disk.Surface,
+      remeshIsotropically(
+        disk.Surface.Mesh, figures.RemeshEdgeLength, 3, subrange(progress, 0.35, 0.65)));
+  }
+
+  if (topology.BoundaryLoops.empty())
+  {
+    OpenedSurface opened =
+      cutGeodesicHole(disk.Surface.Mesh, options.Hole, subrange(progress, 0.65, 0.95));
+    figures.HoleCentre = opened.Centre;
+    figures.HoleRadius = opened.Radius;
+    figures.RemovedArea = opened.RemovedArea;
+    follow(disk.Surface, std::move(opened.Surface));
+  }
+
+  report(progress, 0.95, "checking the disk");
+  const TriangleMesh& mesh = disk.Surface.Mesh;
+  const std::vector<int> boundary = requireDisk(mesh);
+  figures.BoundaryVertices = static_cast<int>(boundary.size());
+  figures.BoundaryLength = loopLength(mesh.Vertices, boundary);
+  figures.SurfaceArea = faceAreas(mesh.Vertices, mesh.Faces).sum();
+  report(progress, 1.0, "done");
+  return disk;
+}
+
+} // namespace flattening
