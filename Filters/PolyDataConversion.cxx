@@ -5,6 +5,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
+#include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
@@ -156,6 +157,12 @@ vtkPoints* newPlanarPoints(const Points2& positions)
     points->SetPoint(i, positions(i, 0), positions(i, 1), 0.0);
   }
   return points;
+}
+
+void deactivateNormals(vtkPolyData* flattened)
+{
+  flattened->GetPointData()->SetActiveAttribute(-1, vtkDataSetAttributes::NORMALS);
+  flattened->GetCellData()->SetActiveAttribute(-1, vtkDataSetAttributes::NORMALS);
 }
 
 void addSurfacePoints(vtkPolyData* output, const Points3& surface)

@@ -34,6 +34,9 @@ Points2 toPlanarPositions(vtkPolyData* flattened);
 /// Points in double precision with z = 0.
 vtkPoints* newPlanarPoints(const Points2& positions);
 
+/// Keeps the arrays of normals but as plain arrays: those of the surface would shade the flat picture.
+void deactivateNormals(vtkPolyData* flattened);
+
 /// Sets @p output's SurfacePoints array from @p surface.
 void addSurfacePoints(vtkPolyData* output, const Points3& surface);
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The area-preserving map of a surface to the unit disk, from its conformal map (paper, section 4).
+#pragma once
+
+#include "PowerDiagram.h"
+#include "Progress.h"
+#include "Transport.h"
+#include "TriangleMesh.h"
+
+#include <vector>
+
+namespace flattening
+{
+
+/// The area that each vertex is to have in the unit disk: a third of its incident faces' areas times its
+/// weight, scaled to the sum pi (paper, section 4.1). @p weights (n) may be empty: all 1.
+/// @throws InvalidInput if a weight is not a positive number or a vertex has no area.
+Eigen::VectorXd targetAreas(const TriangleMesh& mesh, const Eigen::VectorXd& weights);
+
+struct AreaPreservingMap
+{
+  Points2 Positions;            ///< n x 2, unit disk; boundary vertices on the circle
+  Eigen::VectorXd TargetAreas;  ///< n, sum pi
+  Eigen::VectorXd CellAreas;    ///< n, sum pi; coincident vertices share their cell by target area
+  Eigen::VectorXd PowerWeights; ///< n, squared lengths of the unit disk
+  int NewtonIterations = 0;
+  int PowerDiagrams = 0;
+  int CoincidentVertices = 0; ///< vertices that shared the conformal position of another
+  double MaxCellError = 0.0;  ///< max_i |A_i - nu_i| / nu_i
+  int FlippedFaces = 0;       ///< faces not positively oriented (exact)
+};
+
+struct AreaPreservingResult
+{
+  AreaPreservingMap Map;
+  PowerDiagram Diagram;          ///< of the distinct conformal positions, unit disk
+  std::vector<int> SiteOfVertex; ///< n
+};
+
+/// Optimal transport of the surface's area, concentrated at @p conformal (n x 2, unit disk, the boundary
+/// on the circle), to the uniform measure of the disk. Interior vertices go to the centroids of their
+/// power cells, boundary vertices to the circle.
+/// @throws InvalidInput, TopologyError (see requireDisk, targetAreas), InvalidInput if @p conformal is
+/// not such a map, ConvergenceError, Cancelled.
+AreaPreservingResult areaPreservingDiskMap(const TriangleMesh& mesh,
+  const Points2& conformal,
+  const Eigen::VectorXd& weights = {},
+  const TransportOptions& options = {},
+  const ProgressCallback& progress = {});
+
+} // namespace flattening

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkOMTAreaPreservingFilter.h"
+
+#include "Core/AreaPreservingDisk.h"
+#include "Core/MeshTopology.h"
+#include "FilterExecution.h"
+#include "PolyDataConversion.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkOMTAreaPreservingFilter);
+
+namespace
+{
+
+constexpr const char* DefaultWeights = "AreaWeight";
+
+// The weights per point; empty if all are 1.
+Eigen::VectorXd readWeights(vtkPolyData* input, const char* chosen)
+{
+  const std::string name = chosen && *chosen ? chosen : DefaultWeights;
+  if (name == "None")
+  {
+    return {};
+  }
+  vtkDataArray* array = input->GetPointData()->GetArray(name.c_str());
+  if (!array)
+  {
+    if (!chosen || !*chosen || name == DefaultWeights)
+    {
+      return {};
+    }
+    throw flattening::InvalidInput(
+      "the input has no point array " + name + " for the area weights: choose another, or None");
+  }
+  if (array->GetNumberOfComponents() != 1)
+  {
+    throw flattening::InvalidInput("the area weights " + name + " have " +
+                                   std::to_string(array->GetNumberOfComponents()) +
+                                   " components, not 1: choose another array, or None");
+  }
+  Eigen::VectorXd weights(array->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    weights[i] = array->GetComponent(i, 0);
+  }
+  return weights;
+}
+
+// Radius of the disk that the boundary loop lies on.
+double diskRadius(const flattening::Points2& positions, const std::vector<int>& loop)
+{
+  double sum = 0.0;
+  for (const int v : loop)
+  {
+    sum += positions.row(v).norm();
+  }
+  const double radius = sum / loop.size();
+  if (!(radius > 0.0))
+  {
+    throw flattening::InvalidInput(
+      "the boundary of the flat surface is a single point: run Conformal Disk first");
+  }
+  return radius;
+}
+
+void fillPowerDiagram(vtkPolyData* output, const flattening::AreaPreservingResult& result, double radius)
+{
+  constexpr double oneDegree = EIGEN_PI / 180.0;
+  const flattening::PowerDiagram& diagram = result.Diagram;
+  std::vector<vtkIdType> pointOfSite(diagram.siteCount(), -1);
+  Eigen::VectorXd targets = Eigen::VectorXd::Zero(diagram.siteCount());
+  for (std::size_t v = 0; v < result.SiteOfVertex.size(); ++v)
+  {
+    const int site = result.SiteOfVertex[v];
+    pointOfSite[site] = pointOfSite[site] < 0 ? static_cast<vtkIdType>(v) : pointOfSite[site];
+    targets[site] += result.Map.TargetAreas[v];
+  }
+
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> polygons;
+  vtkNew<vtkIdTypeArray> siteIds;
+  siteIds->SetName("SiteId");
+  vtkNew<vtkDoubleArray> cellAreas;
+  cellAreas->SetName("CellArea");
+  vtkNew<vtkDoubleArray> targetAreas;
+  targetAreas->SetName("TargetArea");
+  for (int site = 0; site < diagram.siteCount(); ++site)
+  {
+    const std::vector<Eigen::Vector2d> outline = diagram.outline(site, oneDegree);
+    polygons->InsertNextCell(static_cast<int>(outline.size()));
+    for (const Eigen::Vector2d& corner : outline)
+    {
+      polygons->InsertCellPoint(points->InsertNextPoint(radius * corner.x(), radius * corner.y(), 0.0));
+    }
+    siteIds->InsertNextValue(pointOfSite[site]);
+    cellAreas->InsertNextValue(radius * radius * diagram.areas()[site]);
+    targetAreas->InsertNextValue(radius * radius * targets[site]);
+  }
+  output->SetPoints(points);
+  output->SetPolys(polygons);
+  output->GetCellData()->AddArray(siteIds);
+  output->GetCellData()->AddArray(cellAreas);
+  output->GetCellData()->AddArray(targetAreas);
+}
+
+} // namespace
+
+vtkOMTAreaPreservingFilter::vtkOMTAreaPreservingFilter()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkPolyData* vtkOMTAreaPreservingFilter::GetPowerDiagram()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+int vtkOMTAreaPreservingFilter::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  vtkPolyData* cells = vtkPolyData::GetData(outputVector, 1);
+  if (flattening::isEmpty(input))
+  {
+    return 1;
+  }
+
+  return flattening::runFilter(this,
+    outputVector,
+    [&]
+    {
+      const flattening::TriangleMesh surface = flattening::surfaceOfFlattened(input);
+      const std::vector<int> loop = flattening::requireDisk(surface);
+      const flattening::Points2 flat = flattening::toPlanarPositions(input);
+      const double inputRadius = diskRadius(flat, loop);
+      Eigen::VectorXd weights;
+      if (this->UseAreaWeight)
+      {
+        weights =
+          readWeights(input, this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME()));
+      }
+      flattening::TransportOptions options;
+      options.Tolerance = this->Tolerance;
+
+      const flattening::AreaPreservingResult result = flattening::areaPreservingDiskMap(
+        surface, flat / inputRadius, weights, options, flattening::progressOf(this));
+      const flattening::AreaPreservingMap& map = result.Map;
+
+      const double radius =
+        this->NormalizeTo == SURFACE_AREA
+          ? std::sqrt(flattening::faceAreas(surface.Vertices, surface.Faces).sum() / EIGEN_PI)
+          : 1.0;
+      const double area = radius * radius;
+      output->ShallowCopy(input);
+      output->SetPoints(vtk::TakeSmartPointer(flattening::newPlanarPoints(radius * map.Positions)));
+      flattening::deactivateNormals(output);
+      flattening::addPointArray(output, "TargetArea", area * map.TargetAreas);
+      flattening::addPointArray(output, "CellArea", area * map.CellAreas);
+      flattening::addPointArray(output, "PowerWeight", area * map.PowerWeights);
+      fillPowerDiagram(cells, result, radius);
+
+      vtkFieldData* figures = output->GetFieldData();
+      flattening::setFigure(figures, "NewtonIterations", static_cast<long long>(map.NewtonIterations));
+      flattening::setFigure(figures, "PowerDiagrams", static_cast<long long>(map.PowerDiagrams));
+      flattening::setFigure(figures, "MaxCellAreaError", map.MaxCellError);
+      flattening::setFigure(figures, "CoincidentPoints", static_cast<long long>(map.CoincidentVertices));
+      flattening::setFigure(figures, "FlippedFaces", static_cast<long long>(map.FlippedFaces));
+    });
+}
+
+void vtkOMTAreaPreservingFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NormalizeTo: " << (this->NormalizeTo == SURFACE_AREA ? "SurfaceArea" : "UnitDomain")
+     << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "UseAreaWeight: " << this->UseAreaWeight << "\n";
+}

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkOMTAreaPreservingFilter
+ * @brief   moves the points of a conformal disk map so that every point keeps its share of the area
+ *
+ * The input is the output of vtkConformalDiskFilter. Each of its points is a site that carries a third
+ * of the surface area of its triangles, times the point's weight. The filter finds power weights for
+ * which the power cell of every site, clipped exactly to the disk, has the area that the site carries:
+ * the optimal transport of the surface's area to the uniform disk (Monge-Brenier). Interior points then
+ * go to the centroids of their cells, boundary points to the middle of their cells' arcs on the circle.
+ *
+ * The areas of the *cells* are exact to Tolerance. Areas of *triangles* follow only as well as the
+ * triangulation allows: measure them with vtkDistortionMetrics.
+ *
+ * Output port 0 has the input's points and cells, one to one and with all of their arrays (among them
+ * `SurfacePoints`), in the disk around the origin of z = 0, and adds the point arrays (double)
+ * - `TargetArea`, the area asked for, and `CellArea`, the area of the point's power cell (output units
+ *   squared; both sum to the area of the disk)
+ * - `PowerWeight` (output units squared), the weight w_i of the power diagram of the input points,
+ * scaled to the size of the output
+ *
+ * Output port 1 is the power diagram: one polygon per cell, arcs as polylines of steps of at most one
+ * degree, with the cell arrays `SiteId` (point id), `CellArea` and `TargetArea` (paper, figure 4).
+ * Points that share a position share a cell; SiteId is the lowest of their ids.
+ *
+ * Field data of port 0 (one tuple each): `NewtonIterations`; `PowerDiagrams` computed;
+ * `MaxCellAreaError`, max_i |CellArea - TargetArea| / TargetArea; `CoincidentPoints`, points that shared
+ * the position of another; `FlippedFaces`, triangles not positively oriented.
+ *
+ * Newton's method on the convex energy is damped by the rule of Kitagawa, Merigot and Thibert, which
+ * converges from any start without empty cells.
+ *
+ * An empty input gives empty outputs. Errors, each with empty outputs: no array `SurfacePoints`, a
+ * boundary that is not a circle around the origin, weights that are not positive and finite, a weight
+ * array that does not exist, what vtkConformalDiskFilter refuses, no convergence to Tolerance.
+ *
+ * Sources: Zhao et al., "Area-Preservation Mapping using Optimal Mass Transport", TVCG 2013, section 4
+ * and Algorithm 1; Kitagawa, Merigot, Thibert, "Convergence of a Newton algorithm for semi-discrete
+ * optimal transport", 2016.
+ *
+ * @sa vtkConformalDiskFilter vtkDistortionMetrics
+ */
+#ifndef vtkOMTAreaPreservingFilter_h
+#define vtkOMTAreaPreservingFilter_h
+
+#include "SurfaceFlatteningFiltersModule.h" // for the export macro
+
+#include <vtkPolyDataAlgorithm.h>
+
+class SURFACEFLATTENINGFILTERS_EXPORT vtkOMTAreaPreservingFilter : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkOMTAreaPreservingFilter* New();
+  vtkTypeMacro(vtkOMTAreaPreservingFilter, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// What the size of the disk is.
+  enum Normalization
+  {
+    SURFACE_AREA = 0, ///< area of the disk = area of the surface, in input units
+    UNIT_DOMAIN = 1   ///< radius 1
+  };
+
+  ///@{
+  /**
+   * Size of the disk: SURFACE_AREA (0) or UNIT_DOMAIN (1). Default: SURFACE_AREA, so that areas can be
+   * measured on the flat picture in input units.
+   */
+  vtkSetClampMacro(NormalizeTo, int, SURFACE_AREA, UNIT_DOMAIN);
+  vtkGetMacro(NormalizeTo, int);
+  void SetNormalizeToSurfaceArea() { this->SetNormalizeTo(SURFACE_AREA); }
+  void SetNormalizeToUnitDomain() { this->SetNormalizeTo(UNIT_DOMAIN); }
+  ///@}
+
+  ///@{
+  /**
+   * Greatest relative error of a cell's area, max_i |A_i - nu_i| / nu_i. Range [1e-12, 0.1]. Default:
+   * 1e-6. What cannot be reached is an error that says how near it came.
+   */
+  vtkSetClampMacro(Tolerance, double, 1e-12, 0.1);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the points have weights. If on, the input array to process 0 (SetInputArrayToProcess; by
+   * default the point array `AreaWeight`) gives each point the factor by which its area is to grow
+   * relative to the others: dimensionless, > 0, 1 everywhere = no change. If the array has not been
+   * chosen and there is no `AreaWeight`, all are 1. Default: on.
+   */
+  vtkSetMacro(UseAreaWeight, bool);
+  vtkGetMacro(UseAreaWeight, bool);
+  vtkBooleanMacro(UseAreaWeight, bool);
+  ///@}
+
+  /**
+   * The power diagram of output port 1.
+   */
+  vtkPolyData* GetPowerDiagram();
+
+protected:
+  vtkOMTAreaPreservingFilter();
+  ~vtkOMTAreaPreservingFilter() override = default;
+
+  int RequestData(vtkInformation* request,
+    vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int NormalizeTo = SURFACE_AREA;
+  double Tolerance = 1e-6;
+  bool UseAreaWeight = true;
+
+private:
+  vtkOMTAreaPreservingFilter(const vtkOMTAreaPreservingFilter&) = delete;
+  void operator=(const vtkOMTAreaPreservingFilter&) = delete;
+};
+
+#endif
