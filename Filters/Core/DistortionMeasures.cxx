@@ -206,8 +206,8 @@ FaceDistortion measureDistortion(const TriangleMesh& surface,
   result.TargetArea = targetAreas(surface.Faces, result.SurfaceArea, vertexWeights);
   result.FlatArea = signedFlatArea.cwiseAbs();
 
-  const double totalTarget = result.TargetArea.sum();
-  const double totalFlat = result.FlatArea.sum();
+  const double totalTarget = result.TotalTargetArea = result.TargetArea.sum();
+  const double totalFlat = result.TotalFlatArea = result.FlatArea.sum();
   if (!(totalTarget > 0.0))
   {
     throw InvalidInput("the surface has zero area: all of its triangles are degenerate");

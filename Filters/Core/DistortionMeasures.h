@@ -32,6 +32,8 @@ struct FaceDistortion
   std::vector<char> Flipped;           ///< 1 if the flat triangle is clockwise or has no area (exact)
   std::vector<char> SurfaceDegenerate; ///< 1 if the surface triangle has no area (exact)
   std::vector<char> FlatDegenerate;    ///< 1 if the flat triangle has no area, exact or after rounding
+  double TotalTargetArea = 0.0;        ///< sum of TargetArea
+  double TotalFlatArea = 0.0;          ///< sum of FlatArea
 
   int faceCount() const { return static_cast<int>(this->AreaRatio.size()); }
   bool degenerate(int face) const { return this->SurfaceDegenerate[face] || this->FlatDegenerate[face]; }

@@ -100,8 +100,8 @@ DistortionSummary summariseDistortion(const FaceDistortion& distortion, const st
   }
   if (targetArea > 0.0)
   {
-    const double flatShare = summary.FlatArea / distortion.FlatArea.sum();
-    summary.AreaErrorPercent = 100.0 * (flatShare / (targetArea / distortion.TargetArea.sum()) - 1.0);
+    const double flatShare = summary.FlatArea / distortion.TotalFlatArea;
+    summary.AreaErrorPercent = 100.0 * (flatShare / (targetArea / distortion.TotalTargetArea) - 1.0);
   }
   if (measurable > 0)
   {

@@ -19,6 +19,8 @@ FaceDistortion withAreaRatios(const Eigen::VectorXd& ratios, double surfaceArea)
   FaceDistortion d;
   d.SurfaceArea = d.TargetArea = surfaceArea * ones;
   d.AreaRatio = d.FlatArea = ratios;
+  d.TotalTargetArea = d.TargetArea.sum();
+  d.TotalFlatArea = d.FlatArea.sum();
   d.AreaDistortion = -ratios.array().log();
   d.AngleDistortion = d.BeltramiMagnitude = d.AngleError = 0.0 * ones;
   d.StretchL2 = ones;
