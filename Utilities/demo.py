@@ -11,6 +11,7 @@ import sys
 import time
 
 from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "demo"))
 
@@ -49,13 +50,20 @@ class StageProgress:
         self.line(f"    {points:,} points, {cells:,} cells")
 
 
-def regions_of(metrics, array):
+def labels_of(surface, array):
     """The labels that occur on the surface, in increasing order."""
-    from vtkmodules.numpy_interface import dataset_adapter
-    import numpy
+    points = servermanager.Fetch(surface).GetPointData()
+    return sorted(set(vtk_to_numpy(points.GetArray(array)).tolist()))
 
-    data = dataset_adapter.WrapDataObject(servermanager.Fetch(metrics))
-    return [int(label) for label in numpy.unique(data.PointData[array])]
+
+def summary(map_name, metrics):
+    figure = {array.Name: array.GetRange()[0] for array in metrics.FieldData}
+    return (
+        f"{map_name} map: mean area error {figure['AreaWeightedMeanAreaError']:.2g} %, mean angle error "
+        f"{figure['AreaWeightedMeanAngleError']:.2g} degrees, "
+        f"{figure['FacesWithin2Percent']:.3g} % of the faces within 2 % of their area, "
+        f"{figure['FlippedFaces']:.0f} flipped"
+    )
 
 
 def write_distortion(path, maps, names):
@@ -100,7 +108,7 @@ def main():
     names[aal_atlas.UNLABELLED] = "unlabelled"
     colours = {label: aal_atlas.colour_of(name) for label, name in names.items()}
     region, shade = flattening_pipeline.REGION, flattening_pipeline.SHADE
-    labels = regions_of(pipeline.surface, region)
+    labels = labels_of(pipeline.surface, region)
     figure.region_colour_map(region, labels, names, colours)
     low, high = pipeline.surface.PointData[shade].GetRange()
     figure.shade_map(shade, low + 0.4 * (high - low), low + 0.8 * (high - low))
@@ -117,12 +125,11 @@ def main():
     )
     # Debian's ParaView cannot read the writer's default, appended data.
     simple.SaveData(output("flattened.vtp"), pipeline.area_preserving, DataMode="Binary")
-    write_distortion(
-        output("distortion.csv"),
-        (("conformal", pipeline.conformal), ("area-preserving", pipeline.area_preserving)),
-        names,
-    )
+    maps = (("conformal", pipeline.conformal), ("area-preserving", pipeline.area_preserving))
+    write_distortion(output("distortion.csv"), maps, names)
     simple.SaveState(output("flattening.pvsm"))
+    for map_name, metrics in maps:
+        run.line(summary(map_name, metrics))
     run.line(f"written to {arguments.output}: " + ", ".join(sorted(os.listdir(arguments.output))))
 
 

@@ -6,7 +6,7 @@ UNLABELLED_COLOUR = "#d9d9d9"
 
 # Left and right share a colour. A lobe is a family of hues: frontal blue, parietal green, occipital red,
 # temporal orange, limbic purple, cerebellum brown. Regions that touch on the left half of the brain are
-# at least 28 units apart in CIELAB, which no formula from label to colour gave.
+# at least 25 units apart in CIELAB, which no formula from label to colour gave.
 REGION_COLOURS = {
     "Precentral": "#2e86e9",
     "Frontal_Sup": "#1819e6",

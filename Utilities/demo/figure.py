@@ -11,13 +11,12 @@ from paraview import simple
 # Pixels of layout and picture alike: a chart saved larger than it is writes its titles over its labels.
 SIZE = (2100, 1180)
 MAP_COLOURS = {"conformal": (0.85, 0.45, 0.15), "area-preserving": (0.15, 0.45, 0.70)}
-# Array of Distortion Metrics, axis title, range of its histogram
+# Array of Distortion Metrics, title of the axis, its range, number of bars, highest share of faces shown.
+# The first and last bar include what lies beyond the range.
 DISTORTIONS = (
-    ("AreaDistortion", "area distortion (log of the area ratio)", (-2.0, 2.0)),
-    ("AngleDistortion", "angle distortion (log of the axis ratio)", (0.0, 2.0)),
+    ("AreaDistortion", "area distortion (log of the area ratio)", (-1.5, 1.5), 75, 0.5),
+    ("AngleDistortion", "angle distortion (log of the axis ratio)", (0.0, 1.5), 30, 1.0),
 )
-BINS = 50
-LARGEST_SHARE = 0.40  # of the faces, in one bin: top of every histogram
 INK = (0.1, 0.1, 0.1)
 
 
@@ -133,12 +132,12 @@ def legend_view(surface, array, title):
     return view
 
 
-def histogram_view(metrics, map_name, array, axis_title, value_range):
+def histogram_view(metrics, map_name, array, axis_title, value_range, bars, top):
     histogram = simple.Histogram(
         registrationName=f"Histogram, {map_name}, {array}",
         Input=metrics,
         SelectInputArray=["CELLS", array],
-        BinCount=BINS,
+        BinCount=bars,
         UseCustomBinRanges=1,
         CustomBinRanges=list(value_range),
         Normalize=1,
@@ -152,7 +151,7 @@ def histogram_view(metrics, map_name, array, axis_title, value_range):
     view.LeftAxisTitle = "share of faces"
     view.BottomAxisTitle = axis_title
     view.LeftAxisUseCustomRange = 1
-    view.LeftAxisRangeMinimum, view.LeftAxisRangeMaximum = 0.0, LARGEST_SHARE
+    view.LeftAxisRangeMinimum, view.LeftAxisRangeMaximum = 0.0, top
     view.BottomAxisUseCustomRange = 1
     view.BottomAxisRangeMinimum, view.BottomAxisRangeMaximum = value_range
     view.LeftAxisTitleFontSize = view.BottomAxisTitleFontSize = 17

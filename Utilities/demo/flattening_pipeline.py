@@ -145,7 +145,14 @@ def build(scan_path, labels_path, run):
         TargetEdgeLength=EDGE_LENGTH,
     )
     run(disk, "one clean disk")
-    conformal = simple.ConformalDisk(registrationName="Conformal disk", Input=disk)
+    # The back of the head to the right end of the disk, as in the lateral view; y points to the front.
+    bounds = disk.GetDataInformation().GetBounds()
+    conformal = simple.ConformalDisk(
+        registrationName="Conformal disk",
+        Input=disk,
+        UseBoundaryPoint=1,
+        BoundaryPoint=[mid_plane, bounds[2], (bounds[4] + bounds[5]) / 2],
+    )
     run(conformal, "conformal map")
     area_preserving = simple.OMTAreaPreserving(
         registrationName="Area-preserving disk", Input=conformal
@@ -154,7 +161,10 @@ def build(scan_path, labels_path, run):
     maps = []
     for name, flattened in (("Conformal", conformal), ("Area-preserving", area_preserving)):
         metrics = simple.DistortionMetrics(
-            registrationName=f"{name} map, measured", Input=flattened, RegionArray=["POINTS", REGION]
+            registrationName=f"{name} map, measured",
+            Input=flattened,
+            UseRegionArray=1,
+            RegionArray=["POINTS", REGION],
         )
         run(metrics, f"distortion of the {name.lower()} map")
         maps.append(metrics)
