@@ -282,7 +282,7 @@ vtkDataArray* vtkDistortionMetrics::RegionArray(vtkPolyData* input, int& associa
 {
   vtkInformation* choice = this->GetInputArrayInformation(0);
   const char* name = choice->Get(vtkDataObject::FIELD_NAME());
-  if (!name || !*name || std::string(name) == "None")
+  if (!this->UseRegionArray || !name || !*name || std::string(name) == "None")
   {
     return nullptr;
   }
@@ -358,6 +358,7 @@ void vtkDistortionMetrics::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "UseTargetArea: " << this->UseTargetArea << "\n";
+  os << indent << "UseRegionArray: " << this->UseRegionArray << "\n";
   os << indent << "RegionNamesArray: " << (this->RegionNamesArray ? this->RegionNamesArray : "(none)")
      << "\n";
 }

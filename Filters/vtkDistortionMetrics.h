@@ -82,6 +82,16 @@ public:
 
   ///@{
   /**
+   * Whether the table has a row per region, from the array chosen as input array to process 0. Default:
+   * on; without a chosen array there is only the row `Total` all the same.
+   */
+  vtkSetMacro(UseRegionArray, bool);
+  vtkGetMacro(UseRegionArray, bool);
+  vtkBooleanMacro(UseRegionArray, bool);
+  ///@}
+
+  ///@{
+  /**
    * Name of a string array in the input's field data whose tuple i is the name of the region with label
    * i, for the table. Regions without a name are called by their label. Default: "RegionNames"; an array
    * that does not exist is no error.
@@ -109,6 +119,7 @@ protected:
     vtkInformationVector* outputVector) override;
 
   bool UseTargetArea = true;
+  bool UseRegionArray = true;
   char* RegionNamesArray = nullptr;
 
 private:

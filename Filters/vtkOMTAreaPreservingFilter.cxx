@@ -33,26 +33,23 @@ constexpr const char* DefaultWeights = "AreaWeight";
 // The weights per point; empty if all are 1.
 Eigen::VectorXd readWeights(vtkPolyData* input, const char* chosen)
 {
-  const std::string name = chosen && *chosen ? chosen : DefaultWeights;
-  if (name == "None")
+  const bool isChosen = chosen && *chosen && std::string(chosen) != "None";
+  const std::string name = isChosen ? chosen : DefaultWeights;
+  vtkDataArray* array = input->GetPointData()->GetArray(name.c_str());
+  if (!array && !isChosen)
   {
     return {};
   }
-  vtkDataArray* array = input->GetPointData()->GetArray(name.c_str());
   if (!array)
   {
-    if (!chosen || !*chosen || name == DefaultWeights)
-    {
-      return {};
-    }
-    throw flattening::InvalidInput(
-      "the input has no point array " + name + " for the area weights: choose another, or None");
+    throw flattening::InvalidInput("the input has no point array " + name +
+                                   " for the area weights: choose another or turn UseAreaWeight off");
   }
   if (array->GetNumberOfComponents() != 1)
   {
     throw flattening::InvalidInput("the area weights " + name + " have " +
                                    std::to_string(array->GetNumberOfComponents()) +
-                                   " components, not 1: choose another array, or None");
+                                   " components, not 1: choose another array or turn UseAreaWeight off");
   }
   Eigen::VectorXd weights(array->GetNumberOfTuples());
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
