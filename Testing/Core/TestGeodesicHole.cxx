@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Errors.h"
+#include "GeodesicHole.h"
+#include "HoleFilling.h"
+#include "HolePlacement.h"
+#include "MeshTopology.h"
+#include "SampleSurfaces.h"
+
+#include <algorithm>
+
+namespace
+{
+
+using namespace flattening;
+using namespace flattening::samples;
+
+GeodesicHoleOptions holeAt(double x, double y, double z, double areaFraction = 1e-3)
+{
+  GeodesicHoleOptions options;
+  options.Centre = Eigen::Vector3d(x, y, z);
+  options.AreaFraction = areaFraction;
+  return options;
+}
+
+double smallestAngleAtBoundary(const TriangleMesh& mesh, const std::vector<int>& boundary)
+{
+  const std::set<int> onBoundary(boundary.begin(), boundary.end());
+  double smallest = 180.0;
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    if (!onBoundary.count(mesh.Faces(f, 0)) && !onBoundary.count(mesh.Faces(f, 1)) &&
+        !onBoundary.count(mesh.Faces(f, 2)))
+    {
+      continue;
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      const Eigen::Vector3d a = mesh.Vertices.row(mesh.Faces(f, k));
+      const Eigen::Vector3d u = mesh.Vertices.row(mesh.Faces(f, (k + 1) % 3)).transpose() - a;
+      const Eigen::Vector3d v = mesh.Vertices.row(mesh.Faces(f, (k + 2) % 3)).transpose() - a;
+      smallest = std::min(smallest, std::atan2(u.cross(v).norm(), u.dot(v)) * 180.0 / Pi);
+    }
+  }
+  return smallest;
+}
+
+// 4 pi A / L^2: 1 for a flat disk, 2 pi / angle for a disk around the tip of a cone of that total angle.
+double roundness(const OpenedSurface& opened)
+{
+  const auto boundary = requireDisk(opened.Surface.Mesh);
+  const double length = loopLength(opened.Surface.Mesh.Vertices, boundary);
+  return 4.0 * Pi * opened.RemovedArea / (length * length);
+}
+
+TEST(GeodesicHole, OfASphereIsTheSphericalCap)
+{
+  const TriangleMesh closed = sphere(5);
+  for (const double fraction : { 1e-4, 1e-3, 1e-2, 0.25 })
+  {
+    const OpenedSurface opened = cutGeodesicHole(closed, holeAt(0.3, -0.5, 0.8, fraction));
+    const TriangleMesh& mesh = opened.Surface.Mesh;
+    const std::vector<int> boundary = requireDisk(mesh);
+    EXPECT_GE(boundary.size(), 128u);
+    EXPECT_NEAR(opened.RemovedArea, fraction * totalArea(closed), 1e-9 * fraction);
+    // Conditioning moves vertices within the boundary's triangles only.
+    EXPECT_NEAR(totalArea(mesh) + opened.RemovedArea, totalArea(closed), 2e-3 * opened.RemovedArea);
+
+    const double radius = std::acos(1.0 - 2.0 * fraction);
+    EXPECT_NEAR(opened.Radius, radius, 0.01 * radius);
+    EXPECT_NEAR(loopLength(mesh.Vertices, boundary), 2.0 * Pi * std::sin(radius), 0.01 * radius);
+    const Eigen::Vector3d centre = opened.Centre.normalized();
+    for (const int v : boundary)
+    {
+      const Eigen::Vector3d x = mesh.Vertices.row(v).normalized();
+      EXPECT_NEAR(std::acos(x.dot(centre)), radius, 0.06 * radius);
+    }
+    EXPECT_GT(smallestAngleAtBoundary(mesh, boundary), 8.0);
+  }
+}
+
+TEST(GeodesicHole, IsCentredAtThePointAskedFor)
+{
+  const OpenedSurface opened = cutGeodesicHole(sphere(4), holeAt(0, 0, 5));
+  EXPECT_NEAR(opened.Centre.x(), 0.0, 1e-12);
+  EXPECT_NEAR(opened.Centre.y(), 0.0, 1e-12);
+  Eigen::RowVector3d mean = Eigen::RowVector3d::Zero();
+  const auto boundary = requireDisk(opened.Surface.Mesh);
+  for (const int v : boundary)
+  {
+    mean += opened.Surface.Mesh.Vertices.row(v) / static_cast<double>(boundary.size());
+  }
+  EXPECT_LT(mean.head<2>().norm(), 0.1 * opened.Radius);
+}
+
+TEST(GeodesicHole, IsRoundOnTheCoarsestMeshes)
+{
+  // In the flat, on an edge, at a vertex with five triangles, and at one with three right angles.
+  const OpenedSurface face = cutGeodesicHole(tetrahedron(), holeAt(0.3, 0.2, -0.1));
+  const OpenedSurface edge = cutGeodesicHole(tetrahedron(), holeAt(0.5, 0.0, 0.0));
+  const OpenedSurface five = cutGeodesicHole(icosahedron());
+  const OpenedSurface corner = cutGeodesicHole(tetrahedron(), holeAt(0.0, 0.0, 0.0));
+  EXPECT_NEAR(roundness(face), 1.0, 0.01);
+  EXPECT_NEAR(roundness(edge), 1.0, 0.01);
+  EXPECT_NEAR(roundness(five), 6.0 / 5.0, 0.012);
+  EXPECT_NEAR(roundness(corner), 4.0 / 3.0, 0.013);
+  for (const OpenedSurface* opened : { &face, &edge, &five, &corner })
+  {
+    const auto boundary = requireDisk(opened->Surface.Mesh);
+    EXPECT_GE(boundary.size(), 128u);
+    EXPECT_LE(boundary.size(), 512u);
+    EXPECT_GT(smallestAngleAtBoundary(opened->Surface.Mesh, boundary), 4.0);
+    EXPECT_LT(opened->Surface.Mesh.vertexCount(), 10000);
+  }
+}
+
+TEST(GeodesicHole, BoundaryHasAsManyVerticesAsAskedFor)
+{
+  for (const int wanted : { 16, 300, 1000 })
+  {
+    GeodesicHoleOptions options;
+    options.BoundaryVertices = wanted;
+    const auto boundary = requireDisk(cutGeodesicHole(icosahedron(), options).Surface.Mesh);
+    EXPECT_GE(static_cast<int>(boundary.size()), wanted);
+    EXPECT_LE(static_cast<int>(boundary.size()), 4 * wanted);
+  }
+}
+
+TEST(GeodesicHole, TracesEveryVertexAndFace)
+{
+  const TriangleMesh closed = icosahedron();
+  const OpenedSurface opened = cutGeodesicHole(closed);
+  const DerivedMesh& surface = opened.Surface;
+  EXPECT_LT((surface.Vertices * closed.Vertices - surface.Mesh.Vertices).cwiseAbs().maxCoeff(), 1e-13);
+  EXPECT_LT(
+    (surface.Vertices * Eigen::VectorXd::Ones(12) - Eigen::VectorXd::Ones(surface.Mesh.vertexCount()))
+      .cwiseAbs()
+      .maxCoeff(),
+    1e-14);
+  for (int f = 0; f < surface.Mesh.faceCount(); ++f)
+  {
+    std::set<int> corners;
+    ASSERT_GE(surface.Faces[f], 0);
+    for (int k = 0; k < 3; ++k)
+    {
+      corners.insert(closed.Faces(surface.Faces[f], k));
+    }
+    // Only the collapse of short edges may carry a corner of a face over an edge of the icosahedron.
+    int foreign = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      for (VertexOrigins::InnerIterator weight(surface.Vertices, surface.Mesh.Faces(f, k)); weight;
+           ++weight)
+      {
+        foreign += !corners.count(weight.col()) && weight.value() > 0.02;
+      }
+    }
+    EXPECT_EQ(foreign, 0) << f;
+  }
+}
+
+// A power of two scales without rounding, so that not one decision may differ.
+TEST(GeodesicHole, DoesNotDependOnTheUnit)
+{
+  const TriangleMesh closed = sphere(3);
+  const OpenedSurface opened = cutGeodesicHole(closed);
+  for (const double scale : { std::ldexp(1.0, -30), std::ldexp(1.0, 30) })
+  {
+    TriangleMesh scaled = closed;
+    scaled.Vertices *= scale;
+    const OpenedSurface other = cutGeodesicHole(scaled);
+    EXPECT_EQ(other.Surface.Mesh.Faces, opened.Surface.Mesh.Faces);
+    EXPECT_EQ(other.Surface.Mesh.Vertices, (scale * opened.Surface.Mesh.Vertices).eval());
+    EXPECT_EQ(other.Radius, scale * opened.Radius);
+  }
+}
+
+TEST(GeodesicHole, IsPlacedOnTheSideOfALongShape)
+{
+  TriangleMesh cigar = sphere(4);
+  cigar.Vertices.col(2) *= 5.0;
+  const int centre = geodesicCentre(cigar);
+  EXPECT_LT(std::abs(cigar.Vertices(centre, 2)), 0.75);
+  EXPECT_EQ(geodesicCentre(cigar), centre);
+}
+
+TEST(GeodesicHole, RefusesWhatItCannotCut)
+{
+  EXPECT_TRUE(contains(
+    messageOf<TopologyError>([] { cutGeodesicHole(cylinder(8, 2, 1.0)); }), "2 boundary loops"));
+  EXPECT_TRUE(contains(messageOf<TopologyError>([] { cutGeodesicHole(torus(20, 10)); }), "genus 1"));
+  EXPECT_TRUE(contains(
+    messageOf<InvalidInput>([] { cutGeodesicHole(sphere(1), holeAt(0, 0, 1, 0.0)); }), "share"));
+  EXPECT_TRUE(contains(
+    messageOf<InvalidInput>([] { cutGeodesicHole(sphere(1), holeAt(0, 0, 1, 0.7)); }), "share"));
+  EXPECT_TRUE(contains(
+    messageOf<InvalidInput>([] { cutGeodesicHole(sphere(1), holeAt(NAN, 0, 1)); }), "not finite"));
+  EXPECT_THROW(cutGeodesicHole(sphere(1), {}, [](double, const char*) { return false; }), Cancelled);
+}
+
+} // namespace

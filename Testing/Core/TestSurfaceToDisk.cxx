@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Errors.h"
+#include "HoleFilling.h"
+#include "IsotropicRemeshing.h"
+#include "MeshTopology.h"
+#include "SampleSurfaces.h"
+#include "SurfaceToDisk.h"
+
+#include <algorithm>
+
+namespace
+{
+
+using namespace flattening;
+using namespace flattening::samples;
+
+double weightError(const VertexOrigins& origins)
+{
+  return (origins * Eigen::VectorXd::Ones(origins.cols()) - Eigen::VectorXd::Ones(origins.rows()))
+    .cwiseAbs()
+    .maxCoeff();
+}
+
+// Each of the ends is a regular polygon; one of them is wider, so longer.
+TEST(HoleFilling, ClosesTheShorterEndOfATube)
+{
+  constexpr int n = 60;
+  TriangleMesh tube = cylinder(n, 20, 3.0);
+  for (int v = 0; v < tube.vertexCount(); ++v)
+  {
+    tube.Vertices.row(v).head<2>() *= 1.0 + 0.1 * tube.Vertices(v, 2);
+  }
+  const FilledSurface filled = fillHolesButLongest(tube);
+  EXPECT_EQ(filled.FilledHoles, 1);
+  EXPECT_NEAR(filled.FilledArea, 0.5 * n * std::sin(2.0 * Pi / n), 1e-12); // radius 1 at z = 0
+  const DerivedMesh& surface = filled.Surface;
+  const std::vector<int> boundary = requireDisk(surface.Mesh);
+  for (const int v : boundary)
+  {
+    EXPECT_EQ(surface.Mesh.Vertices(v, 2), 3.0);
+  }
+  // Old parts first and untouched; the patch is refined, flat, and made of its rim alone.
+  EXPECT_EQ(surface.Mesh.Vertices.topRows(tube.vertexCount()), tube.Vertices);
+  EXPECT_GT(surface.Mesh.vertexCount(), tube.vertexCount() + 20);
+  EXPECT_LT(weightError(surface.Vertices), 1e-14);
+  EXPECT_LT((surface.Vertices * tube.Vertices - surface.Mesh.Vertices).cwiseAbs().maxCoeff(), 1e-12);
+  for (int f = 0; f < surface.Mesh.faceCount(); ++f)
+  {
+    EXPECT_EQ(surface.Faces[f], f < tube.faceCount() ? f : -1);
+  }
+}
+
+TEST(HoleFilling, ClosesManyHolesOfASphere)
+{
+  const TriangleMesh whole = sphere(4);
+  // Faces far from each other; the last hole is of four faces and has the longest boundary.
+  const TriangleMesh pierced = withoutFaces(whole, { 0, 700, 1500, 2500, 4000, 4001, 4002, 4003 });
+  ASSERT_EQ(analyseTopology(pierced.Faces, pierced.vertexCount()).BoundaryLoops.size(), 5u);
+  const FilledSurface filled = fillHolesButLongest(pierced);
+  EXPECT_EQ(filled.FilledHoles, 4);
+  EXPECT_EQ(requireDisk(filled.Surface.Mesh).size(), 6u);
+  const Eigen::VectorXd areas = faceAreas(whole.Vertices, whole.Faces);
+  EXPECT_NEAR(filled.FilledArea, areas[0] + areas[700] + areas[1500] + areas[2500], 1e-14);
+}
+
+TEST(IsotropicRemeshing, ReachesTheEdgeLengthAndTracesEveryVertex)
+{
+  const TriangleMesh old = cylinder(100, 30, 2.0);
+  constexpr double length = 0.1;
+  const DerivedMesh remeshed = remeshIsotropically(old, length);
+  const TriangleMesh& mesh = remeshed.Mesh;
+  EXPECT_NEAR(meanEdgeLength(mesh), length, 0.1 * length);
+  EXPECT_NEAR(totalArea(mesh), totalArea(old), 0.01 * totalArea(old));
+  const MeshTopology topology = analyseTopology(mesh.Faces, mesh.vertexCount());
+  EXPECT_EQ(topology.Components, 1);
+  EXPECT_EQ(topology.Genus, 0);
+  EXPECT_EQ(topology.BoundaryLoops.size(), 2u);
+  EXPECT_LT(weightError(remeshed.Vertices), 1e-14);
+  EXPECT_LT((remeshed.Vertices * old.Vertices - mesh.Vertices).cwiseAbs().maxCoeff(), 1e-12);
+  // A face's origin lies where the face does.
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    const auto centroid = [](const TriangleMesh& m, int face)
+    {
+      return ((m.Vertices.row(m.Faces(face, 0)) + m.Vertices.row(m.Faces(face, 1)) +
+                m.Vertices.row(m.Faces(face, 2))) /
+              3.0)
+        .eval();
+    };
+    EXPECT_LT((centroid(mesh, f) - centroid(old, remeshed.Faces[f])).norm(), 0.06) << f;
+  }
+}
+
+TEST(IsotropicRemeshing, RefusesLengthsThatMakeNoSense)
+{
+  const TriangleMesh mesh = sphere(2);
+  for (const double length : { -1.0, 0.0, double(INFINITY), double(NAN), 1.0 })
+  {
+    EXPECT_TRUE(contains(
+      messageOf<InvalidInput>([&] { remeshIsotropically(mesh, length); }), "target edge length"))
+      << length;
+  }
+}
+
+TEST(SurfaceToDisk, OpensAClosedSurface)
+{
+  const TriangleMesh closed = sphere(4);
+  const DiskSurface disk = surfaceToDisk(soupOf(closed));
+  EXPECT_NEAR(disk.Report.RemovedArea, 1e-3 * totalArea(closed), 1e-12);
+  EXPECT_GE(disk.Report.BoundaryVertices, 128);
+  EXPECT_EQ(requireDisk(disk.Surface.Mesh).size(), std::size_t(disk.Report.BoundaryVertices));
+  EXPECT_NEAR(disk.Report.BoundaryLength, 2.0 * Pi * std::sin(std::acos(1.0 - 2e-3)), 0.01 * 0.4);
+  EXPECT_NEAR(disk.Report.SurfaceArea, totalArea(disk.Surface.Mesh), 1e-12);
+}
+
+TEST(SurfaceToDisk, NamesTheGenus)
+{
+  std::string message = messageOf<TopologyError>([] { surfaceToDisk(torus(30, 12)); });
+  EXPECT_TRUE(contains(message, "genus 1") && contains(message, "smooth the volume")) << message;
+  // A torus with a hole in it has a boundary, and a handle all the same.
+  const TriangleMesh pierced = withoutFaces(torus(30, 12), { 0, 1, 2, 3 });
+  message = messageOf<TopologyError>([&] { surfaceToDisk(pierced); });
+  EXPECT_TRUE(contains(message, "genus 1")) << message;
+}
+
+TEST(SurfaceToDisk, KeepsTheComponentAskedFor)
+{
+  TriangleMesh small = moved(sphere(2), 5, 0, 0);
+  TriangleMesh big = sphere(3);
+  big.Vertices *= 2.0;
+  const TriangleMesh two = both(small, big); // the smaller one first
+  const DiskSurface largest = surfaceToDisk(two);
+  EXPECT_EQ(largest.Report.Components, 2);
+  EXPECT_NEAR(largest.Report.SurfaceArea, 0.999 * totalArea(big), 1e-4 * totalArea(big));
+
+  SurfaceToDiskOptions options;
+  options.ComponentPoint = Eigen::Vector3d(5, 0, 0);
+  const DiskSurface closest = surfaceToDisk(two, options);
+  EXPECT_NEAR(closest.Report.SurfaceArea, 0.999 * totalArea(small), 1e-4 * totalArea(small));
+  options.ComponentPoint = Eigen::Vector3d(2.9, 0, 0); // 0.9 from the big one, 1.1 from the small one
+  EXPECT_NEAR(surfaceToDisk(two, options).Report.SurfaceArea, largest.Report.SurfaceArea, 1e-12);
+}
+
+// The hole is remeshed around, not with the rest: its boundary stays resolved.
+TEST(SurfaceToDisk, RemeshesBeforeItCuts)
+{
+  SurfaceToDiskOptions options;
+  options.RemeshEdgeLength = 0.15;
+  const DiskSurface disk = surfaceToDisk(sphere(4), options);
+  EXPECT_GE(disk.Report.BoundaryVertices, 128);
+  EXPECT_EQ(disk.Report.RemeshEdgeLength, 0.15);
+  options.RemeshEdgeLength = 0.0;
+  EXPECT_EQ(surfaceToDisk(sphere(4), options).Report.RemeshEdgeLength, meanEdgeLength(sphere(4)));
+}
+
+TEST(SurfaceToDisk, SlitsOfNonManifoldEdgesDoNotStay)
+{
+  // Two spheres that touch along an edge: that of one is moved onto the other's.
+  TriangleMesh a = sphere(3);
+  TriangleMesh b = moved(sphere(3), 0, 0, 2.5);
+  const int u = a.Faces(0, 0);
+  const int v = a.Faces(0, 1);
+  b.Vertices.row(u) = a.Vertices.row(u);
+  b.Vertices.row(v) = a.Vertices.row(v);
+  const DiskSurface disk = surfaceToDisk(both(a, b));
+  EXPECT_EQ(disk.Report.Repair.SplitPoints, 2);
+  EXPECT_EQ(disk.Report.Components, 2);
+  EXPECT_EQ(disk.Report.FilledHoles, 0);
+  EXPECT_GT(disk.Report.HoleRadius, 0.0);
+}
+
+TEST(SurfaceToDisk, GivesTheSameTwice)
+{
+  TriangleMesh cigar = sphere(4);
+  cigar.Vertices.col(2) *= 3.0;
+  SurfaceToDiskOptions options;
+  options.RemeshEdgeLength = 0.1;
+  const DiskSurface one = surfaceToDisk(cigar, options);
+  const DiskSurface two = surfaceToDisk(cigar, options);
+  EXPECT_EQ(one.Surface.Mesh.Faces, two.Surface.Mesh.Faces);
+  EXPECT_EQ(one.Surface.Mesh.Vertices, two.Surface.Mesh.Vertices);
+}
+
+TEST(SurfaceToDisk, ReportsProgressThatNeverFallsAndStopsWhenTold)
+{
+  double last = 0.0;
+  SurfaceToDiskOptions options;
+  options.RemeshEdgeLength = 0.15;
+  surfaceToDisk(sphere(4),
+    options,
+    [&last](double fraction, const char*)
+    {
+      EXPECT_GE(fraction, last);
+      last = fraction;
+      return true;
+    });
+  EXPECT_EQ(last, 1.0);
+  for (const double stop : { 0.0, 0.3, 0.6, 0.9 })
+  {
+    EXPECT_THROW(surfaceToDisk(
+                   sphere(4), options, [stop](double fraction, const char*) { return fraction < stop; }),
+      Cancelled);
+  }
+}
+
+TEST(SurfaceToDisk, RefusesOptionsThatMakeNoSense)
+{
+  SurfaceToDiskOptions options;
+  options.MergeTolerance = -1.0;
+  EXPECT_TRUE(
+    contains(messageOf<InvalidInput>([&] { surfaceToDisk(sphere(1), options); }), "merge tolerance"));
+  options.MergeTolerance = 10.0; // everything becomes one point
+  EXPECT_TRUE(
+    contains(messageOf<InvalidInput>([&] { surfaceToDisk(sphere(1), options); }), "zero area"));
+}
+
+} // namespace
