@@ -127,6 +127,7 @@ def main():
     simple.SaveData(output("flattened.vtp"), pipeline.area_preserving, DataMode="Binary")
     maps = (("conformal", pipeline.conformal), ("area-preserving", pipeline.area_preserving))
     write_distortion(output("distortion.csv"), maps, names)
+    figure.scale_text(figure.TEXT_ON_SCREEN)
     simple.SaveState(output("flattening.pvsm"))
     for map_name, metrics in maps:
         run.line(summary(map_name, metrics))

@@ -6,10 +6,11 @@
     medial view  | its two histograms | its two histograms   |
 """
 
-from paraview import simple
+from paraview import servermanager, simple
 
 # Pixels of layout and picture alike: a chart saved larger than it is writes its titles over its labels.
 SIZE = (2100, 1180)
+TEXT_ON_SCREEN = 0.55  # size of the text in ParaView's window, relative to the picture's
 MAP_COLOURS = {"conformal": (0.85, 0.45, 0.15), "area-preserving": (0.15, 0.45, 0.70)}
 # Array of Distortion Metrics, title of the axis, its range, number of bars, highest share of faces shown.
 # The first and last bar include what lies beyond the range.
@@ -195,10 +196,20 @@ def compose(pipeline, region, shade):
         layout.AssignView(disk, disk_view(title, metrics, region, shade))
     for cell, title, direction in zip(
         split(layout, views, (0.5, 0.5), "Vertical"),
-        ("(a) Surface, lateral view", "(b) Surface, medial view (open at the mid-plane)"),
+        ("(a) Surface, lateral view", "(b) Surface, medial view (cut open)"),
         ([1, 0, 0], [-1, 0, 0]),
     ):
         layout.AssignView(cell, surface_view(title, surface, region, direction))
     layout.AssignView(legend, legend_view(surface, region, "AAL region"))
     layout.SetSize(SIZE)  # of the views, so after they are assigned
     return layout
+
+
+def scale_text(factor):
+    """Scales all text of all views: the picture is larger than ParaView's window, which has panels too."""
+    proxies = servermanager.ProxyManager()
+    for group in ("views", "representations", "scalar_bars"):
+        for proxy in proxies.GetProxiesInGroup(group).values():
+            for name in proxy.ListProperties():
+                if name.endswith("FontSize"):
+                    setattr(proxy, name, round(factor * int(getattr(proxy, name))))

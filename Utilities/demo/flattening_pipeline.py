@@ -164,7 +164,7 @@ def build(scan_path, labels_path, run):
             registrationName=f"{name} map, measured",
             Input=flattened,
             UseRegionArray=1,
-            UseRegionArray=True, RegionArray=["POINTS", REGION],
+            RegionArray=["POINTS", REGION],
         )
         run(metrics, f"distortion of the {name.lower()} map")
         maps.append(metrics)
