@@ -77,7 +77,9 @@ Complex centreOfMass(const ComplexVector& halfPlane, const Eigen::VectorXd& mass
   Complex centre(weightedMedian(x, masses), weightedMedian(y, masses));
   if (!(centre.imag() > 0.0))
   {
-    centre.imag(*std::max_element(y.begin(), y.end()));
+    const auto [left, right] = std::minmax_element(x.begin(), x.end());
+    const double highest = *std::max_element(y.begin(), y.end());
+    centre.imag(highest > 0.0 ? highest : *right - *left); // 0 if all vertices are on the boundary
   }
   const double total = masses.sum();
   Moments m = moments(cayley(halfPlane, centre), masses);
