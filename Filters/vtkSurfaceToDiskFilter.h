@@ -146,7 +146,7 @@ public:
   ///@{
   /**
    * Edge length for Remesh, in units of the input; 0 takes the mean edge length of the surface. Default:
-   * 0. Error if negative, not finite, or so large that fewer than 100 faces would be left.
+   * 0. Error if negative, not finite, or so large that fewer than 20 faces would be left.
    */
   vtkSetMacro(TargetEdgeLength, double);
   vtkGetMacro(TargetEdgeLength, double);

@@ -7,29 +7,33 @@
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 
 #include <cmath>
-#include <string>
+#include <sstream>
+#include <utility>
+#include <vector>
 
 namespace flattening
 {
 namespace
 {
 
-constexpr double FewestFaces = 100.0;
+constexpr double FewestFaces = 20.0;
 
 void requireSensibleLength(const TriangleMesh& mesh, double length)
 {
+  std::ostringstream message; // lengths of any order of magnitude
   if (!(length > 0.0) || !std::isfinite(length))
   {
-    throw InvalidInput("the target edge length is " + std::to_string(length) +
-                       ": set a positive length in the units of the surface");
+    message << "the target edge length is " << length
+            << ": set a positive length in the units of the surface";
+    throw InvalidInput(message.str());
   }
-  const double equilateral = std::sqrt(3.0) / 4.0 * length * length;
   const double area = faceAreas(mesh.Vertices, mesh.Faces).sum();
-  if (area < FewestFaces * equilateral)
+  const double longest = std::sqrt(area / FewestFaces * 4.0 / std::sqrt(3.0)); // of equilateral faces
+  if (length > longest)
   {
-    throw InvalidInput("the target edge length " + std::to_string(length) +
-                       " would leave fewer than 100 faces: set it below " +
-                       std::to_string(std::sqrt(area / FewestFaces * 4.0 / std::sqrt(3.0))));
+    message << "the target edge length " << length << " would leave fewer than " << FewestFaces
+            << " faces: set it below " << longest;
+    throw InvalidInput(message.str());
   }
 }
 

@@ -16,7 +16,7 @@ double meanEdgeLength(const TriangleMesh& mesh);
 /// new vertex is made of the corners of the old face nearest to it, with barycentric weights; every new
 /// face's origin is the old face nearest to its centroid.
 /// @param targetEdgeLength input units, > 0.
-/// @throws InvalidInput if the length is not positive and finite, or so large that fewer than a hundred
+/// @throws InvalidInput if the length is not positive and finite, or so large that fewer than 20
 /// faces would be left.
 DerivedMesh remeshIsotropically(const TriangleMesh& mesh,
   double targetEdgeLength,

@@ -3,17 +3,13 @@
 
 #include "CoincidentPoints.h"
 #include "CollinearFaces.h"
-#include "EditableSurface.h"
+#include "ConsistentOrientation.h"
 #include "Errors.h"
-
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <string>
+#include <utility>
 
 namespace flattening
 {
@@ -100,91 +96,9 @@ int dropDuplicates(FaceList& list)
   return list.dropIf([&duplicate](std::size_t f) { return duplicate[f] != 0; });
 }
 
-using Polygons = std::vector<std::array<std::size_t, 3>>;
-
-struct OrientationRecord : CGAL::Polygon_mesh_processing::Default_orientation_visitor
+// Merges the corners of the faces; counts what that concerns.
+FaceList mergedFaces(const TriangleMesh& soup, double tolerance, RepairReport& report)
 {
-  std::vector<char>* Reversed = nullptr;
-  std::vector<int>* CopyOf = nullptr; // vertex that each vertex is a copy of, or itself
-
-  void polygon_orientation_reversed(std::size_t face) { (*this->Reversed)[face] ^= 1; }
-  void duplicated_vertex(std::size_t original, std::size_t copy)
-  {
-    this->CopyOf->resize(std::max(this->CopyOf->size(), copy + 1));
-    (*this->CopyOf)[copy] = (*this->CopyOf)[original];
-  }
-};
-
-// Sides of faces by undirected edge; neighbours across an edge of exactly two faces.
-template <typename FaceVector>
-std::map<std::pair<std::size_t, std::size_t>, std::vector<int>> facesOfEdges(const FaceVector& faces,
-  const std::vector<char>& concerned)
-{
-  std::map<std::pair<std::size_t, std::size_t>, std::vector<int>> edges;
-  for (std::size_t f = 0; f < faces.size(); ++f)
-  {
-    for (int k = 0; concerned[f] && k < 3; ++k)
-    {
-      const std::size_t a = faces[f][k];
-      const std::size_t b = faces[f][(k + 1) % 3];
-      edges[std::minmax(a, b)].push_back(static_cast<int>(f));
-    }
-  }
-  return edges;
-}
-
-// A cut at an edge of just two faces has one reason only: no orientation suits both.
-std::vector<char> facesAtOneSidedEdges(const std::vector<Triangle>& before,
-  const Polygons& after,
-  const std::vector<int>& copyOf,
-  std::size_t verticesBefore)
-{
-  std::vector<char> oneSided(before.size(), 0);
-  if (copyOf.size() == verticesBefore)
-  {
-    return oneSided;
-  }
-  std::vector<char> copied(verticesBefore, 0);
-  for (std::size_t v = verticesBefore; v < copyOf.size(); ++v)
-  {
-    copied[copyOf[v]] = 1;
-  }
-  std::vector<char> concerned(before.size(), 0);
-  for (std::size_t f = 0; f < before.size(); ++f)
-  {
-    concerned[f] = copied[before[f][0]] || copied[before[f][1]] || copied[before[f][2]];
-  }
-  const auto edgesAfter = facesOfEdges(after, concerned);
-  std::map<std::pair<int, int>, int> joined;
-  for (const auto& [edge, faces] : edgesAfter)
-  {
-    if (faces.size() == 2)
-    {
-      joined[std::minmax(faces[0], faces[1])] = 1;
-    }
-  }
-  for (const auto& [edge, faces] : facesOfEdges(before, concerned))
-  {
-    if (faces.size() == 2 && !joined.count(std::minmax(faces[0], faces[1])))
-    {
-      oneSided[faces[0]] = oneSided[faces[1]] = 1;
-    }
-  }
-  return oneSided;
-}
-
-} // namespace
-
-RepairedSurface repairTriangleSoup(const TriangleMesh& soup, double tolerance)
-{
-  if (soup.faceCount() == 0)
-  {
-    throw InvalidInput("the surface has no triangles: pass a surface, e.g. from Contour");
-  }
-  requireFinite(soup);
-
-  RepairedSurface repaired;
-  RepairReport& report = repaired.Report;
   const std::vector<int> representative = coincidentPoints(soup.Vertices, tolerance);
   std::vector<char> used(soup.vertexCount(), 0);
   FaceList list;
@@ -204,7 +118,58 @@ RepairedSurface repairTriangleSoup(const TriangleMesh& soup, double tolerance)
     report.UnusedPoints += !used[v];
     report.MergedPoints += used[v] && representative[v] != v;
   }
+  return list;
+}
 
+// The faces with the vertices that they use; says which those were.
+TriangleMesh compactMesh(const Points3& vertices, const FaceList& list, std::vector<int>& original)
+{
+  std::vector<int> index(vertices.rows(), -1);
+  for (const Triangle& triangle : list.Faces)
+  {
+    for (const int v : triangle)
+    {
+      index[v] = 0;
+    }
+  }
+  for (int v = 0; v < vertices.rows(); ++v)
+  {
+    if (index[v] == 0)
+    {
+      index[v] = static_cast<int>(original.size());
+      original.push_back(v);
+    }
+  }
+  TriangleMesh mesh;
+  mesh.Vertices.resize(static_cast<Eigen::Index>(original.size()), 3);
+  for (std::size_t v = 0; v < original.size(); ++v)
+  {
+    mesh.Vertices.row(static_cast<Eigen::Index>(v)) = vertices.row(original[v]);
+  }
+  mesh.Faces.resize(static_cast<Eigen::Index>(list.Faces.size()), 3);
+  for (std::size_t f = 0; f < list.Faces.size(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      mesh.Faces(static_cast<Eigen::Index>(f), k) = index[list.Faces[f][k]];
+    }
+  }
+  return mesh;
+}
+
+} // namespace
+
+RepairedSurface repairTriangleSoup(const TriangleMesh& soup, double tolerance)
+{
+  if (soup.faceCount() == 0)
+  {
+    throw InvalidInput("the surface has no triangles: pass a surface, e.g. from Contour");
+  }
+  requireFinite(soup);
+
+  RepairedSurface repaired;
+  RepairReport& report = repaired.Report;
+  FaceList list = mergedFaces(soup, tolerance, report);
   report.DegenerateFaces = list.dropIf([&list](std::size_t f) { return repeatsVertex(list.Faces[f]); });
   report.DegenerateFaces += dissolveCollinearFaces(soup.Vertices, list.Faces, list.Origins);
   report.DuplicateFaces = dropDuplicates(list);
@@ -214,94 +179,19 @@ RepairedSurface repairTriangleSoup(const TriangleMesh& soup, double tolerance)
                        " triangles are degenerate; check the coordinates and the merge tolerance");
   }
 
-  // Number the vertices in use.
   std::vector<int> original;
-  std::vector<int> index(soup.vertexCount(), -1);
-  for (const Triangle& triangle : list.Faces)
+  OrientedMesh oriented = orientConsistently(compactMesh(soup.Vertices, list, original));
+  report.SplitPoints = static_cast<int>(oriented.CopyOf.size() - original.size());
+  for (int& v : oriented.CopyOf)
   {
-    for (const int v : triangle)
-    {
-      index[v] = 0;
-    }
+    v = original[v];
   }
-  std::vector<Kernel::Point_3> points;
-  for (int v = 0; v < soup.vertexCount(); ++v)
-  {
-    if (index[v] == 0)
-    {
-      index[v] = static_cast<int>(original.size());
-      original.push_back(v);
-      points.push_back(pointOf(soup.Vertices, v));
-    }
-  }
-  Polygons polygons(list.Faces.size());
-  for (std::size_t f = 0; f < polygons.size(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      list.Faces[f][k] = index[list.Faces[f][k]];
-      polygons[f][k] = list.Faces[f][k];
-    }
-  }
-
-  repaired.Reversed.assign(polygons.size(), 0);
-  std::vector<int> copyOf(points.size());
-  for (std::size_t v = 0; v < copyOf.size(); ++v)
-  {
-    copyOf[v] = static_cast<int>(v);
-  }
-  OrientationRecord record;
-  record.Reversed = &repaired.Reversed;
-  record.CopyOf = &copyOf;
-  CGAL::Polygon_mesh_processing::orient_polygon_soup(
-    points, polygons, CGAL::parameters::visitor(record));
-  report.SplitPoints = static_cast<int>(points.size() - original.size());
-  repaired.OneSided = facesAtOneSidedEdges(list.Faces, polygons, copyOf, original.size());
-
-  DerivedMesh& surface = repaired.Surface;
-  surface.Mesh.Vertices.resize(static_cast<Eigen::Index>(points.size()), 3);
-  std::vector<int> origins(points.size());
-  for (std::size_t v = 0; v < points.size(); ++v)
-  {
-    surface.Mesh.Vertices.row(v) << points[v].x(), points[v].y(), points[v].z();
-    origins[v] = original[copyOf[v]];
-  }
-  surface.Vertices = keptVertices(origins, soup.vertexCount());
-  surface.Mesh.Faces.resize(static_cast<Eigen::Index>(polygons.size()), 3);
-  for (std::size_t f = 0; f < polygons.size(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      surface.Mesh.Faces(f, k) = static_cast<int>(polygons[f][k]);
-    }
-  }
-  surface.Faces = std::move(list.Origins);
+  repaired.Surface.Vertices = keptVertices(oriented.CopyOf, soup.vertexCount());
+  repaired.Surface.Faces = std::move(list.Origins);
+  repaired.Surface.Mesh = std::move(oriented.Mesh);
+  repaired.Reversed = std::move(oriented.Reversed);
+  repaired.OneSided = std::move(oriented.OneSided);
   return repaired;
-}
-
-int orientOutward(TriangleMesh& component, const std::vector<char>& reversed, bool closed)
-{
-  const int faces = component.faceCount();
-  double volume = 0.0;       // six times; about the centroid, to lose fewer digits
-  double reversedArea = 0.0; // minus the area of the faces that were kept
-  const Eigen::RowVector3d centre = component.Vertices.colwise().mean();
-  const Eigen::VectorXd areas = faceAreas(component.Vertices, component.Faces);
-  int reversedFaces = 0;
-  for (int f = 0; f < faces; ++f)
-  {
-    const Eigen::Vector3d a = component.Vertices.row(component.Faces(f, 0)) - centre;
-    const Eigen::Vector3d b = component.Vertices.row(component.Faces(f, 1)) - centre;
-    const Eigen::Vector3d c = component.Vertices.row(component.Faces(f, 2)) - centre;
-    volume += a.dot(b.cross(c));
-    reversedArea += reversed[f] ? areas[f] : -areas[f];
-    reversedFaces += reversed[f] != 0;
-  }
-  if (closed ? volume < 0.0 : reversedArea > 0.0)
-  {
-    component.Faces.col(1).swap(component.Faces.col(2));
-    reversedFaces = faces - reversedFaces;
-  }
-  return reversedFaces;
 }
 
 } // namespace flattening

@@ -2,6 +2,7 @@
 #include "SurfaceToDisk.h"
 
 #include "BorderStitching.h"
+#include "ConsistentOrientation.h"
 #include "Errors.h"
 #include "HoleFilling.h"
 #include "IsotropicRemeshing.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ConsistentOrientation.h"
 #include "Errors.h"
 #include "MeshTopology.h"
 #include "SampleSurfaces.h"

@@ -1,0 +1,563 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <vtkSurfaceToDiskFilter.h>
+
+#include <vtkAppendPolyData.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCylinderSource.h>
+#include <vtkDoubleArray.h>
+#include <vtkExecutive.h>
+#include <vtkFeatureEdges.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkIntArray.h>
+#include <vtkLineSource.h>
+#include <vtkMassProperties.h>
+#include <vtkNew.h>
+#include <vtkPlaneSource.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkSphereSource.h>
+#include <vtkStringArray.h>
+#include <vtkStripper.h>
+#include <vtkTestErrorObserver.h>
+#include <vtkTriangleFilter.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+
+vtkSmartPointer<vtkPolyData> sphere(int resolution)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetThetaResolution(resolution);
+  source->SetPhiResolution(resolution);
+  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  source->Update();
+  vtkSmartPointer<vtkPolyData> result = source->GetOutput();
+  result->GetPointData()->Initialize();
+  return result;
+}
+
+// A square of n x n quads in [0,1]^2.
+vtkSmartPointer<vtkPolyData> square(int n)
+{
+  vtkNew<vtkPlaneSource> source;
+  source->SetOrigin(0, 0, 0);
+  source->SetPoint1(1, 0, 0);
+  source->SetPoint2(0, 1, 0);
+  source->SetResolution(n, n);
+  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  source->Update();
+  vtkSmartPointer<vtkPolyData> result = source->GetOutput();
+  result->GetPointData()->Initialize();
+  return result;
+}
+
+// Quads around a ring.
+vtkSmartPointer<vtkPolyData> torus(int n, int m)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> quads;
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; j < m; ++j)
+    {
+      const double u = 2 * Pi * i / n;
+      const double v = 2 * Pi * j / m;
+      const double r = 2 + std::cos(v);
+      points->InsertNextPoint(r * std::cos(u), r * std::sin(u), std::sin(v));
+      const vtkIdType next = (i + 1) % n * m;
+      const vtkIdType up = (j + 1) % m;
+      const vtkIdType ids[] = { i * m + j, next + j, next + up, i * m + up };
+      quads->InsertNextCell(4, ids);
+    }
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(points);
+  result->SetPolys(quads);
+  return result;
+}
+
+// Position as floating point numbers, the octant as a label and as a string; the cell's id squared.
+void addAttributes(vtkPolyData* data)
+{
+  vtkNew<vtkDoubleArray> position;
+  position->SetName("Position");
+  position->SetNumberOfComponents(3);
+  vtkNew<vtkIntArray> octant;
+  octant->SetName("Octant");
+  vtkNew<vtkStringArray> name;
+  name->SetName("Name");
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    data->GetPoint(i, x);
+    position->InsertNextTuple(x);
+    octant->InsertNextValue(100 + (x[0] > 0) + 2 * (x[1] > 0) + 4 * (x[2] > 0));
+    name->InsertNextValue("octant " + std::to_string(octant->GetValue(i)));
+  }
+  data->GetPointData()->AddArray(position);
+  data->GetPointData()->SetScalars(octant);
+  data->GetPointData()->AddArray(name);
+  vtkNew<vtkFloatArray> number;
+  number->SetName("CellNumber");
+  for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c)
+  {
+    number->InsertNextValue(static_cast<float>(c + 1));
+  }
+  data->GetCellData()->AddArray(number);
+}
+
+double figure(vtkPolyData* output, const char* name)
+{
+  vtkDataArray* array = output->GetFieldData()->GetArray(name);
+  if (!array || array->GetNumberOfTuples() != 1)
+  {
+    ADD_FAILURE() << "no one-tuple field array " << name;
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  return array->GetTuple1(0);
+}
+
+double areaOf(vtkPolyData* data)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(data);
+  vtkNew<vtkMassProperties> mass;
+  mass->SetInputConnection(triangles->GetOutputPort());
+  return mass->GetSurfaceArea();
+}
+
+// Euler number 1 and one closed boundary line, counted by VTK.
+void expectDisk(vtkPolyData* output)
+{
+  ASSERT_GT(output->GetNumberOfCells(), 0);
+  EXPECT_EQ(output->GetNumberOfPolys(), output->GetNumberOfCells());
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(output);
+  edges->FeatureEdgesOff();
+  edges->NonManifoldEdgesOn();
+  edges->ColoringOff();
+  edges->BoundaryEdgesOff();
+  edges->Update();
+  EXPECT_EQ(edges->GetOutput()->GetNumberOfLines(), 0);
+  edges->BoundaryEdgesOn();
+  edges->Update();
+  const vtkIdType boundary = edges->GetOutput()->GetNumberOfLines();
+  EXPECT_EQ(boundary, figure(output, "BoundaryVertices"));
+  vtkNew<vtkStripper> loops;
+  loops->SetInputConnection(edges->GetOutputPort());
+  loops->SetMaximumLength(VTK_INT_MAX);
+  loops->Update();
+  EXPECT_EQ(loops->GetOutput()->GetNumberOfLines(), 1);
+  const vtkIdType faces = output->GetNumberOfCells();
+  EXPECT_EQ(output->GetNumberOfPoints() - (3 * faces + boundary) / 2 + faces, 1);
+}
+
+vtkSmartPointer<vtkPolyData> run(vtkSurfaceToDiskFilter* filter, vtkPolyData* input)
+{
+  filter->SetInputData(input);
+  filter->Update();
+  vtkNew<vtkPolyData> output;
+  output->ShallowCopy(filter->GetOutput());
+  return output;
+}
+
+// Expects one error with these words and an empty output; then the filter works again.
+void expectError(vtkSurfaceToDiskFilter* filter, vtkPolyData* input, const char* words)
+{
+  vtkNew<vtkTest::ErrorObserver> filterErrors;
+  vtkNew<vtkTest::ErrorObserver> executiveErrors;
+  const unsigned long filterTag = filter->AddObserver(vtkCommand::ErrorEvent, filterErrors);
+  const unsigned long executiveTag =
+    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, executiveErrors);
+  filter->SetInputData(input);
+  filter->Update();
+  EXPECT_TRUE(filterErrors->GetError()) << words;
+  EXPECT_NE(filterErrors->GetErrorMessage().find(words), std::string::npos)
+    << filterErrors->GetErrorMessage() << " lacks: " << words;
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  filter->RemoveObserver(filterTag);
+  filter->GetExecutive()->RemoveObserver(executiveTag);
+
+  vtkNew<vtkSurfaceToDiskFilter> fresh;
+  filter->SetTargetEdgeLength(fresh->GetTargetEdgeLength());
+  filter->SetMergeTolerance(fresh->GetMergeTolerance());
+  expectDisk(run(filter, square(8)));
+}
+
+TEST(SurfaceToDiskFilter, TriangulatesQuadsAndTracesThem)
+{
+  const auto input = square(5);
+  addAttributes(input);
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  const auto output = run(filter, input);
+  expectDisk(output);
+  ASSERT_EQ(output->GetNumberOfCells(), 50);
+  EXPECT_EQ(output->GetNumberOfPoints(), 36);
+  auto* cells = vtkIdTypeArray::SafeDownCast(output->GetCellData()->GetArray("vtkOriginalCellIds"));
+  auto* points = vtkIdTypeArray::SafeDownCast(output->GetPointData()->GetArray("vtkOriginalPointIds"));
+  auto* numbers = vtkFloatArray::SafeDownCast(output->GetCellData()->GetArray("CellNumber"));
+  ASSERT_TRUE(cells && points && numbers);
+  for (vtkIdType c = 0; c < 50; ++c)
+  {
+    double bounds[6];
+    double whole[6];
+    output->GetCellBounds(c, bounds);
+    input->GetCellBounds(cells->GetValue(c), whole);
+    for (int k = 0; k < 6; ++k)
+    {
+      EXPECT_EQ(bounds[k], whole[k]); // half a square has its bounds
+    }
+    EXPECT_EQ(numbers->GetValue(c), cells->GetValue(c) + 1);
+    EXPECT_EQ(output->GetCellData()->GetArray("Filled")->GetTuple1(c), 0);
+  }
+  for (vtkIdType i = 0; i < 36; ++i)
+  {
+    EXPECT_EQ(points->GetValue(i), i);
+  }
+  EXPECT_EQ(figure(output, "ReorientedFaces"), 0);
+}
+
+TEST(SurfaceToDiskFilter, TakesStripsAndDropsLinesAndVertices)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(square(6));
+  vtkNew<vtkStripper> stripper;
+  stripper->SetInputConnection(triangles->GetOutputPort());
+  stripper->Update();
+  vtkPolyData* strips = stripper->GetOutput();
+  ASSERT_GT(strips->GetNumberOfStrips(), 0);
+  const vtkIdType vertex[] = { 0 };
+  vtkNew<vtkCellArray> vertices;
+  vertices->InsertNextCell(1, vertex);
+  const vtkIdType line[] = { 0, 1, 2 };
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(3, line);
+  strips->SetVerts(vertices);
+  strips->SetLines(lines);
+  strips->GetCellData()->Initialize();
+  addAttributes(strips);
+
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  const auto output = run(filter, strips);
+  expectDisk(output);
+  EXPECT_EQ(output->GetNumberOfCells(), 72);
+  EXPECT_EQ(figure(output, "DroppedCells"), 2);
+  EXPECT_NEAR(areaOf(output), 1.0, 1e-14);
+  // Two cells come before the strips; every triangle's corners are points of its strip.
+  for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
+  {
+    const auto original =
+      static_cast<vtkIdType>(output->GetCellData()->GetArray("vtkOriginalCellIds")->GetTuple1(c));
+    ASSERT_GE(original, 2);
+    EXPECT_EQ(output->GetCellData()->GetArray("CellNumber")->GetTuple1(c), original + 1);
+    vtkNew<vtkIdList> strip;
+    strips->GetCellPoints(original, strip);
+    vtkNew<vtkIdList> corners;
+    output->GetCellPoints(c, corners);
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto id = static_cast<vtkIdType>(
+        output->GetPointData()->GetArray("vtkOriginalPointIds")->GetTuple1(corners->GetId(k)));
+      EXPECT_GE(strip->IsId(id), 0);
+    }
+  }
+}
+
+// vtkSphereSource's poles and an area that the hole shares, on a mesh too coarse for a round hole.
+TEST(SurfaceToDiskFilter, OpensASphereOfAnyResolution)
+{
+  for (const int resolution : { 6, 30 })
+  {
+    const auto input = sphere(resolution);
+    addAttributes(input);
+    vtkNew<vtkSurfaceToDiskFilter> filter;
+    filter->UseHolePointOn();
+    filter->SetHolePoint(0.1, 0.2, 1);
+    filter->SetHoleAreaFraction(0.01);
+    const auto output = run(filter, input);
+    expectDisk(output);
+    const double total = areaOf(input);
+    EXPECT_NEAR(figure(output, "RemovedArea"), 0.01 * total, 1e-10 * total);
+    EXPECT_NEAR(areaOf(output), 0.99 * total, 1e-4 * total);
+    EXPECT_GE(figure(output, "BoundaryVertices"), 128);
+    const double flat = std::sqrt(4.0 * Pi * 0.01 * total);
+    EXPECT_NEAR(figure(output, "BoundaryLength"), flat, 0.05 * flat);
+
+    // Attributes: linear ones are exact on split edges, labels are one of the neighbours'.
+    vtkIdType added = 0;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      double x[3];
+      output->GetPoint(i, x);
+      const double* position = output->GetPointData()->GetArray("Position")->GetTuple3(i);
+      for (int k = 0; k < 3; ++k)
+      {
+        EXPECT_NEAR(x[k], position[k], 1e-14);
+      }
+      const double octant = output->GetPointData()->GetScalars()->GetTuple1(i);
+      EXPECT_TRUE(octant >= 100 && octant < 108 && octant == std::floor(octant));
+      const auto original =
+        static_cast<vtkIdType>(output->GetPointData()->GetArray("vtkOriginalPointIds")->GetTuple1(i));
+      added += original < 0;
+      if (original >= 0)
+      {
+        double y[3];
+        input->GetPoint(original, y);
+        EXPECT_TRUE(x[0] == y[0] && x[1] == y[1] && x[2] == y[2]);
+        EXPECT_EQ(octant, input->GetPointData()->GetScalars()->GetTuple1(original));
+      }
+      auto* names = vtkStringArray::SafeDownCast(output->GetPointData()->GetAbstractArray("Name"));
+      ASSERT_TRUE(names);
+      EXPECT_EQ(names->GetValue(i), "octant " + std::to_string(int(octant)));
+    }
+    EXPECT_GE(added, 128);
+  }
+}
+
+TEST(SurfaceToDiskFilter, FillsHolesAndMarksThem)
+{
+  // A tube of 32 sides, made of separate quads, with normals that would keep the caps apart.
+  vtkNew<vtkCylinderSource> source;
+  source->SetResolution(32);
+  source->SetRadius(1.0);
+  source->SetHeight(2.0);
+  source->CappingOff();
+  source->Update();
+  vtkPolyData* tube = source->GetOutput();
+  tube->GetPointData()->Initialize();
+  addAttributes(tube);
+  // One end is pulled wider.
+  for (vtkIdType i = 0; i < tube->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    tube->GetPoint(i, x);
+    if (x[1] > 0)
+    {
+      tube->GetPoints()->SetPoint(i, 1.5 * x[0], x[1], 1.5 * x[2]);
+    }
+  }
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  const auto output = run(filter, tube);
+  expectDisk(output);
+  EXPECT_EQ(figure(output, "FilledHoles"), 1);
+  EXPECT_NEAR(figure(output, "FilledArea"), 16.0 * std::sin(2.0 * Pi / 32), 1e-6);
+  double marked = 0.0;
+  for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
+  {
+    double p[3][3];
+    vtkNew<vtkIdList> corners;
+    output->GetCellPoints(c, corners);
+    bool onCap = true;
+    for (int k = 0; k < 3; ++k)
+    {
+      output->GetPoint(corners->GetId(k), p[k]);
+      onCap &= std::abs(p[k][1] + 1.0) < 1e-6;
+    }
+    EXPECT_EQ(output->GetCellData()->GetArray("Filled")->GetTuple1(c), onCap ? 1 : 0);
+    EXPECT_EQ(output->GetCellData()->GetArray("vtkOriginalCellIds")->GetTuple1(c) < 0, onCap);
+    EXPECT_EQ(output->GetCellData()->GetArray("CellNumber")->GetTuple1(c) == 0.0, onCap);
+    marked += onCap;
+  }
+  EXPECT_GT(marked, 30);
+}
+
+TEST(SurfaceToDiskFilter, KeepsTheChosenComponent)
+{
+  const auto small = sphere(12);
+  for (vtkIdType i = 0; i < small->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    small->GetPoint(i, x);
+    small->GetPoints()->SetPoint(i, 0.3 * x[0] + 5, 0.3 * x[1], 0.3 * x[2]);
+  }
+  vtkNew<vtkAppendPolyData> append;
+  append->AddInputData(small);
+  append->AddInputData(sphere(16));
+  append->Update();
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  const auto largest = run(filter, append->GetOutput());
+  expectDisk(largest);
+  EXPECT_EQ(figure(largest, "Components"), 2);
+  EXPECT_EQ(figure(largest, "DroppedComponents"), 1);
+  EXPECT_LT(largest->GetBounds()[1], 1.0);
+
+  filter->SetComponentModeToClosestToPoint();
+  filter->SetComponentPoint(4, 0, 0);
+  const auto closest = run(filter, append->GetOutput());
+  expectDisk(closest);
+  EXPECT_GT(closest->GetBounds()[0], 4.0);
+}
+
+TEST(SurfaceToDiskFilter, CleansATriangleSoupWithFlippedAndDuplicateFaces)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(sphere(20));
+  triangles->Update();
+  vtkPolyData* whole = triangles->GetOutput();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  const vtkIdType faces = whole->GetNumberOfCells();
+  for (vtkIdType c = 0; c < faces + 3; ++c) // three of them twice
+  {
+    vtkNew<vtkIdList> corners;
+    whole->GetCellPoints(c % faces, corners);
+    vtkIdType ids[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      ids[k] = points->InsertNextPoint(whole->GetPoint(corners->GetId(c % 4 == 1 ? 2 - k : k)));
+    }
+    cells->InsertNextCell(3, ids);
+  }
+  vtkNew<vtkPolyData> soup;
+  soup->SetPoints(points);
+  soup->SetPolys(cells);
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  const auto output = run(filter, soup);
+  expectDisk(output);
+  EXPECT_EQ(figure(output, "DuplicateFaces"), 3);
+  EXPECT_EQ(figure(output, "DroppedFaces"), 3);
+  EXPECT_EQ(figure(output, "DegenerateFaces"), 0);
+  EXPECT_EQ(figure(output, "MergedPoints"), 3 * (faces + 3) - whole->GetNumberOfPoints());
+  EXPECT_EQ(figure(output, "ReorientedFaces"), (faces + 2) / 4);
+  EXPECT_EQ(figure(output, "Components"), 1);
+}
+
+TEST(SurfaceToDiskFilter, RemeshesAndCarriesAttributesOver)
+{
+  const auto input = sphere(40);
+  addAttributes(input);
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  filter->RemeshOn();
+  filter->SetTargetEdgeLength(0.05);
+  const auto output = run(filter, input);
+  expectDisk(output);
+  EXPECT_EQ(figure(output, "RemeshEdgeLength"), 0.05);
+  EXPECT_NEAR(areaOf(output), 0.999 * areaOf(input), 0.005 * areaOf(input));
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    output->GetPoint(i, x);
+    const double* position = output->GetPointData()->GetArray("Position")->GetTuple3(i);
+    const double octant = output->GetPointData()->GetArray("Octant")->GetTuple1(i);
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_NEAR(x[k], position[k], 1e-12);
+      if (std::abs(x[k]) > 0.08) // an edge of the input away from where labels change
+      {
+        EXPECT_EQ((int(octant) - 100) >> k & 1, x[k] > 0);
+      }
+    }
+  }
+  for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
+  {
+    EXPECT_EQ(output->GetCellData()->GetArray("CellNumber")->GetTuple1(c),
+      output->GetCellData()->GetArray("vtkOriginalCellIds")->GetTuple1(c) + 1);
+  }
+}
+
+TEST(SurfaceToDiskFilter, WorksAtAnyScale)
+{
+  for (const double scale : { 1e-9, 1e9 })
+  {
+    const auto input = sphere(24);
+    for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+    {
+      double x[3];
+      input->GetPoint(i, x);
+      input->GetPoints()->SetPoint(i, scale * x[0], scale * x[1], scale * x[2]);
+    }
+    vtkNew<vtkSurfaceToDiskFilter> filter;
+    for (const bool remesh : { false, true })
+    {
+      filter->SetRemesh(remesh);
+      const auto output = run(filter, input);
+      expectDisk(output);
+      EXPECT_NEAR(areaOf(output) / areaOf(input), 0.999, 0.01);
+      EXPECT_EQ(figure(output, "MergedPoints"), 0);
+    }
+  }
+}
+
+TEST(SurfaceToDiskFilter, EmptyInputGivesEmptyOutputSilently)
+{
+  vtkNew<vtkTest::ErrorObserver> errors;
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  filter->AddObserver(vtkCommand::ErrorEvent, errors);
+  filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
+  vtkNew<vtkPolyData> empty;
+  EXPECT_EQ(run(filter, empty)->GetNumberOfPoints(), 0);
+  EXPECT_FALSE(errors->GetError());
+}
+
+TEST(SurfaceToDiskFilter, NamesWhatIsWrongAndTheRemedy)
+{
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+
+  vtkNew<vtkLineSource> line;
+  line->Update();
+  expectError(filter, line->GetOutput(), "no triangles");
+
+  for (const double bad : { double(NAN), double(INFINITY) })
+  {
+    const auto input = square(3);
+    input->GetPoints()->SetPoint(7, 0.5, bad, 0.0);
+    expectError(filter, input, "point 7 has a coordinate that is not finite");
+  }
+
+  const auto flat = square(3);
+  for (vtkIdType i = 0; i < flat->GetNumberOfPoints(); ++i)
+  {
+    flat->GetPoints()->SetPoint(i, static_cast<double>(i), 0, 0);
+  }
+  vtkNew<vtkTriangleFilter> collinear; // polygons without area do not survive triangulation
+  collinear->SetInputData(square(3));
+  collinear->Update();
+  collinear->GetOutput()->SetPoints(flat->GetPoints());
+  expectError(filter, collinear->GetOutput(), "zero area");
+
+  expectError(filter, torus(24, 10), "genus 1");
+
+  filter->RemeshOn();
+  filter->SetTargetEdgeLength(-2);
+  expectError(filter, square(8), "target edge length");
+  filter->SetTargetEdgeLength(5);
+  expectError(filter, square(8), "fewer than 20 faces");
+}
+
+TEST(SurfaceToDiskFilter, StopsWhenAborted)
+{
+  vtkNew<vtkTest::ErrorObserver> errors;
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  filter->AddObserver(vtkCommand::ErrorEvent, errors);
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*)
+    {
+      auto* algorithm = static_cast<vtkAlgorithm*>(caller);
+      if (algorithm->GetProgress() > 0.5)
+      {
+        algorithm->SetAbortExecute(1);
+      }
+    });
+  filter->AddObserver(vtkCommand::ProgressEvent, abort);
+  EXPECT_EQ(run(filter, sphere(20))->GetNumberOfPoints(), 0);
+  EXPECT_FALSE(errors->GetError());
+}
+
+} // namespace
