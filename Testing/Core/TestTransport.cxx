@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "BoundaryPlacement.h"
+#include "ConvexPotential.h"
+#include "SampleSurfaces.h"
+#include "Transport.h"
+
+#include <gtest/gtest.h>
+
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <vector>
+
+namespace
+{
+
+using namespace flattening;
+using samples::contains;
+using samples::messageOf;
+using samples::Pi;
+
+Points2 sunflower(int n)
+{
+  Points2 sites(n, 2);
+  const double goldenAngle = Pi * (3.0 - std::sqrt(5.0));
+  for (int i = 0; i < n; ++i)
+  {
+    const double r = std::sqrt((i + 0.5) / n);
+    sites.row(i) << r * std::cos(i * goldenAngle), r * std::sin(i * goldenAngle);
+  }
+  return sites;
+}
+
+// Random targets, sum pi, evenly spread in their logarithm over twice as many decades.
+Eigen::VectorXd randomTargets(int n, double decades, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-decades, decades);
+  Eigen::VectorXd targets(n);
+  for (int i = 0; i < n; ++i)
+  {
+    targets[i] = std::pow(10.0, uniform(random));
+  }
+  return targets * (Pi / targets.sum());
+}
+
+double cellError(const PowerDiagram& diagram, const Eigen::VectorXd& targets)
+{
+  return ((diagram.areas() - targets).array() / targets.array()).abs().maxCoeff();
+}
+
+TEST(Transport, CellsHaveTheirTargetAreas)
+{
+  for (const double decades : { 0.5, 1.5, 3.0 })
+  {
+    PowerDiagram diagram(sunflower(2000));
+    const Eigen::VectorXd targets = randomTargets(2000, decades, 11);
+    TransportOptions options;
+    options.Tolerance = 1e-10;
+    const TransportResult result = transportNewton(diagram, targets, options);
+    EXPECT_LE(result.MaxCellError, 1e-10);
+    EXPECT_DOUBLE_EQ(cellError(diagram, targets), result.MaxCellError);
+    // The diagram is that of the returned weights.
+    PowerDiagram again(sunflower(2000));
+    ASSERT_TRUE(again.update(result.Weights));
+    EXPECT_TRUE((again.areas().array() == diagram.areas().array()).all());
+  }
+}
+
+TEST(Transport, NothingToDoTakesNoStep)
+{
+  PowerDiagram diagram(sunflower(500));
+  ASSERT_TRUE(diagram.update(PowerDiagram::Weights::Zero(500)));
+  const Eigen::VectorXd targets = diagram.areas();
+  const TransportResult result = transportNewton(diagram, targets);
+  EXPECT_EQ(result.NewtonIterations, 0);
+  EXPECT_LT((diagram.areas() - targets).cwiseAbs().maxCoeff(), 1e-15);
+}
+
+// The optimal map is the gradient of a convex function, so it is monotone: (c_i - c_j).(y_i - y_j) >= 0
+// for the centroids of any two cells; and no exchange of two of them is cheaper.
+TEST(Transport, CentroidsAreMonotone)
+{
+  constexpr int n = 600;
+  PowerDiagram diagram(sunflower(n));
+  transportNewton(diagram, randomTargets(n, 1.0, 12));
+  const Points2& y = diagram.sites();
+  const Points2& c = diagram.centroids();
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; j < i; ++j)
+    {
+      ASSERT_GT((c.row(i) - c.row(j)).dot(y.row(i) - y.row(j)), 0.0);
+    }
+  }
+}
+
+// All sites in a ten-thousandth of the disk: without weights the areas range over six decades.
+TEST(Transport, SpreadsWhatIsCrowdedAtTheCentre)
+{
+  const Points2 sites = 0.01 * sunflower(1000);
+  PowerDiagram diagram(sites);
+  const Eigen::VectorXd targets = Eigen::VectorXd::Constant(1000, Pi / 1000);
+  const TransportResult result = transportNewton(diagram, targets);
+  EXPECT_LE(cellError(diagram, targets), 1e-6);
+  // Uniform to uniform is the dilation.
+  EXPECT_LT((diagram.centroids() - sunflower(1000)).rowwise().norm().maxCoeff(), 0.05);
+  EXPECT_LT(result.NewtonIterations, 20);
+}
+
+TEST(Transport, RadialPotentialKeepsEveryCell)
+{
+  Points2 sites = sunflower(3000);
+  for (int i = 0; i < 3000; ++i)
+  {
+    sites.row(i) *= std::pow(sites.row(i).norm(), 3.0); // crowded at the centre
+  }
+  const Eigen::VectorXd masses = Eigen::VectorXd::Constant(3000, 1.0 / 3000);
+  PowerDiagram diagram(sites);
+  ASSERT_TRUE(diagram.update(radialPotentialWeights(sites, masses).cast<long double>()));
+  EXPECT_GT(diagram.areas().minCoeff(), 0.02 * Pi / 3000);
+}
+
+TEST(Transport, SaysHowFarItCameIfItCannotMeetTheTolerance)
+{
+  PowerDiagram diagram(sunflower(500));
+  TransportOptions options;
+  options.MaximumIterations = 1;
+  const std::string message =
+    messageOf<ConvergenceError>([&] { transportNewton(diagram, randomTargets(500, 2.0, 13), options); });
+  EXPECT_TRUE(contains(message, "1 Newton steps at a cell error of ")) << message;
+  EXPECT_TRUE(contains(message, "above the tolerance 1e-06")) << message;
+}
+
+TEST(Transport, ProgressGrowsAndCancels)
+{
+  const Eigen::VectorXd targets = randomTargets(500, 1.5, 14);
+  std::vector<double> fractions;
+  PowerDiagram diagram(sunflower(500));
+  transportNewton(diagram,
+    targets,
+    {},
+    [&](double fraction, const char*)
+    {
+      fractions.push_back(fraction);
+      return true;
+    });
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_EQ(fractions.back(), 1.0);
+  for (std::size_t stop = 0; stop < fractions.size(); ++stop)
+  {
+    std::size_t calls = 0;
+    EXPECT_THROW(
+      transportNewton(diagram, targets, {}, [&](double, const char*) { return calls++ < stop; }),
+      Cancelled);
+    EXPECT_EQ(calls, stop + 1);
+  }
+}
+
+TEST(Transport, SameBitsWhateverTheThreads)
+{
+  const Eigen::VectorXd targets = randomTargets(10000, 1.0, 15);
+  PowerDiagram first(sunflower(10000));
+  const TransportResult expected = transportNewton(first, targets);
+  for (const std::size_t threads : { 1, 2, 4 })
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    PowerDiagram diagram(sunflower(10000));
+    const TransportResult result = transportNewton(diagram, targets);
+    EXPECT_TRUE((result.Weights.array() == expected.Weights.array()).all()) << threads;
+    EXPECT_TRUE((diagram.centroids().array() == first.centroids().array()).all()) << threads;
+  }
+}
+
+TEST(StrictlyIncreasingFit, KeepsWhatIncreases)
+{
+  const std::vector<double> values{ -1.0, 0.5, 0.5000001, 4.0 };
+  EXPECT_EQ(strictlyIncreasingFit(values), values);
+  EXPECT_TRUE(strictlyIncreasingFit({}).empty());
+  EXPECT_EQ(strictlyIncreasingFit({ 3.0 }), std::vector<double>{ 3.0 });
+}
+
+TEST(StrictlyIncreasingFit, PoolsAtTheMeanAndIncreases)
+{
+  const std::vector<double> fit = strictlyIncreasingFit({ 0.0, 0.3, 0.2, 0.1, 0.6 });
+  ASSERT_EQ(fit.size(), 5u);
+  EXPECT_EQ(fit[0], 0.0);
+  EXPECT_EQ(fit[4], 0.6);
+  // The pool {0.3, 0.2, 0.1} about its mean, a third of the gap of 0.2 to either side.
+  EXPECT_NEAR(fit[1], 0.2 - 0.2 / 3.0, 1e-15);
+  EXPECT_NEAR(fit[2], 0.2, 1e-15);
+  EXPECT_NEAR(fit[3], 0.2 + 0.2 / 3.0, 1e-15);
+
+  for (const auto& values : std::vector<std::vector<double>>{
+         { 1.0, 1.0 }, { 5.0, 4.0, 3.0, 2.0, 1.0 }, { 0.0, 0.0, 0.0, 1.0, 0.5, 2.0, 2.0 } })
+  {
+    const std::vector<double> increasing = strictlyIncreasingFit(values);
+    EXPECT_TRUE(std::adjacent_find(increasing.begin(), increasing.end(), std::greater_equal<>()) ==
+                increasing.end());
+    EXPECT_NEAR(std::accumulate(increasing.begin(), increasing.end(), 0.0),
+      std::accumulate(values.begin(), values.end(), 0.0),
+      1e-14);
+  }
+}
+
+// Sites around the circle whose cells' arcs come in order keep their arcs' middles, exactly.
+TEST(BoundaryAngles, AreTheMiddlesOfTheArcs)
+{
+  constexpr int n = 40;
+  Points2 sites(n + 1, 2);
+  std::vector<int> loop(n);
+  std::vector<int> siteOfVertex(n + 1);
+  for (int k = 0; k < n; ++k)
+  {
+    const double angle = 2.0 * Pi * (k + 0.3 * std::sin(5.0 * k)) / n + 2.5;
+    sites.row(k) << std::cos(angle), std::sin(angle);
+    loop[k] = k;
+    siteOfVertex[k] = k;
+  }
+  sites.row(n).setZero();
+  siteOfVertex[n] = n;
+  PowerDiagram diagram(sites);
+  ASSERT_TRUE(diagram.update(PowerDiagram::Weights::Zero(n + 1)));
+  const std::vector<double> angles = boundaryAngles(diagram, loop, siteOfVertex);
+  for (int k = 0; k < n; ++k)
+  {
+    EXPECT_NEAR(std::remainder(angles[k] - diagram.arc(k).Middle, 2.0 * Pi), 0.0, 1e-13);
+    if (k > 0)
+    {
+      EXPECT_GT(angles[k], angles[k - 1]);
+    }
+  }
+  EXPECT_LT(angles.back() - angles.front(), 2.0 * Pi);
+}
+
+// Boundary vertices that share a site, and whose order the arcs contradict, still come in order.
+TEST(BoundaryAngles, KeepTheLoopsOrder)
+{
+  constexpr int n = 30;
+  Points2 sites(n, 2);
+  for (int k = 0; k < n; ++k)
+  {
+    sites.row(k) << std::cos(2.0 * Pi * k / n), std::sin(2.0 * Pi * k / n);
+  }
+  PowerDiagram diagram(sites);
+  ASSERT_TRUE(diagram.update(PowerDiagram::Weights::Zero(n)));
+  std::vector<int> loop(n);
+  std::iota(loop.begin(), loop.end(), 0);
+  std::vector<int> siteOfVertex = loop;
+  std::swap(siteOfVertex[7], siteOfVertex[8]);
+  siteOfVertex[20] = siteOfVertex[21];
+  std::swap(siteOfVertex[0], siteOfVertex[n - 1]);
+  const std::vector<double> angles = boundaryAngles(diagram, loop, siteOfVertex);
+  for (int k = 1; k < n; ++k)
+  {
+    EXPECT_GT(angles[k], angles[k - 1]) << k;
+  }
+  EXPECT_LT(angles.back() - angles.front(), 2.0 * Pi);
+  EXPECT_NEAR(std::remainder(angles[12] - 2.0 * Pi * 12 / n, 2.0 * Pi), 0.0, 1e-13)
+    << "far from all that";
+}
+
+} // namespace
