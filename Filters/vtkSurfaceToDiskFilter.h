@@ -9,7 +9,8 @@
  * - merges coincident points, drops degenerate and duplicate faces without leaving cracks, and where
  * more than two faces share an edge, or fans of faces only a vertex, cuts the surface into its sheets,
  * - keeps one component, turns its faces to the same side, a closed one outward,
- * - fills all of its boundaries but the longest with patches of the density around them,
+ * - fills all of its boundaries but the longest with patches of the density around them; the longest too
+ *   if it is shorter than that of the hole below: the surface is then opened there,
  * - on request replaces the triangles by nearly equilateral ones,
  * - cuts a small geodesic hole if the component is closed, with a boundary of at least
  *   MinimumBoundaryVertices vertices: the mesh is refined there, as a hole of six edges cannot fill a

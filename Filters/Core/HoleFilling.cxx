@@ -2,14 +2,16 @@
 #include "HoleFilling.h"
 
 #include "EditableSurface.h"
+#include "Errors.h"
 #include "SurfaceProjection.h"
 
 #include <CGAL/Polygon_mesh_processing/refine.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
+#include <string>
+#include <utility>
 
 namespace flattening
 {
@@ -23,6 +25,19 @@ using Face = EditableSurface::Face;
 
 // Up to here the search of all triangulations, O(n^3), takes seconds at most if the faster ones fail.
 constexpr std::size_t LongestCubicLoop = 500;
+
+// The border half-edge that ends in a boundary vertex.
+Halfedge borderAt(const SurfaceMesh& mesh, Vertex v)
+{
+  for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
+  {
+    if (mesh.is_border(h))
+    {
+      return h;
+    }
+  }
+  throw InvalidInput("vertex " + std::to_string(v.idx()) + " is not on the boundary");
+}
 
 std::vector<Vertex> loopVertices(const SurfaceMesh& mesh, Halfedge border)
 {
@@ -141,37 +156,17 @@ double loopLength(const Points3& vertices, const std::vector<int>& loop)
   return length;
 }
 
-FilledSurface fillHolesButLongest(const TriangleMesh& mesh, const ProgressCallback& progress)
+FilledSurface fillHoles(const TriangleMesh& mesh,
+  const std::vector<std::vector<int>>& loops,
+  const ProgressCallback& progress)
 {
   EditableSurface surface(mesh);
-  std::vector<Halfedge> borders;
-  std::vector<double> lengths;
-  std::vector<char> visited(surface.mesh().num_halfedges(), 0);
-  for (const Halfedge h : surface.mesh().halfedges())
-  {
-    if (surface.mesh().is_border(h) && !visited[h])
-    {
-      double length = 0.0;
-      for (const Halfedge g : surface.mesh().halfedges_around_face(h))
-      {
-        visited[g] = 1;
-        length += std::sqrt(surface.squaredLength(g));
-      }
-      borders.push_back(h);
-      lengths.push_back(length);
-    }
-  }
   FilledSurface result;
-  if (borders.size() > 1)
+  for (const std::vector<int>& loop : loops)
   {
-    const auto longest = std::max_element(lengths.begin(), lengths.end()) - lengths.begin();
-    borders.erase(borders.begin() + longest);
-    for (const Halfedge border : borders)
-    {
-      report(progress, static_cast<double>(result.FilledHoles) / borders.size(), "filling holes");
-      fillHole(surface, border);
-      ++result.FilledHoles;
-    }
+    report(progress, static_cast<double>(result.FilledHoles) / loops.size(), "filling holes");
+    fillHole(surface, borderAt(surface.mesh(), Vertex(loop.front())));
+    ++result.FilledHoles;
   }
 
   result.Surface = surface.derived();

@@ -9,6 +9,7 @@
 #include "MeshTopology.h"
 #include "SurfaceComponents.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -78,6 +79,34 @@ void requireNoHandles(int genus)
   }
 }
 
+std::vector<std::vector<int>>::iterator longestLoop(const Points3& vertices,
+  std::vector<std::vector<int>>& loops)
+{
+  return std::max_element(loops.begin(),
+    loops.end(),
+    [&vertices](const auto& a, const auto& b)
+    { return loopLength(vertices, a) < loopLength(vertices, b); });
+}
+
+// Shorter than a circle around the area of the hole that would be cut: a defect or a puncture, of too
+// few edges to become the boundary of the flat disk.
+bool isSmallerThanHole(const TriangleMesh& mesh, const std::vector<int>& loop, double areaFraction)
+{
+  constexpr double pi = 3.14159265358979323846;
+  const double length = loopLength(mesh.Vertices, loop);
+  return length * length < 4.0 * pi * areaFraction * faceAreas(mesh.Vertices, mesh.Faces).sum();
+}
+
+Eigen::Vector3d centreOfLoop(const Points3& vertices, const std::vector<int>& loop)
+{
+  Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+  for (const int v : loop)
+  {
+    sum += vertices.row(v);
+  }
+  return sum.transpose() / static_cast<double>(loop.size());
+}
+
 } // namespace
 
 DiskSurface surfaceToDisk(const TriangleMesh& soup,
@@ -92,14 +121,30 @@ DiskSurface surfaceToDisk(const TriangleMesh& soup,
   RepairedSurface repaired = repairTriangleSoup(soup, options.MergeTolerance);
   figures.Repair = repaired.Report;
   report(progress, 0.2, "choosing the component");
-  const MeshTopology topology = chooseComponent(disk, std::move(repaired), options);
+  MeshTopology topology = chooseComponent(disk, std::move(repaired), options);
   figures.Genus = topology.Genus;
   requireNoHandles(figures.Genus);
 
   report(progress, 0.25, "filling holes");
-  if (topology.BoundaryLoops.size() > 1)
+  std::vector<std::vector<int>>& loops = topology.BoundaryLoops;
+  GeodesicHoleOptions hole = options.Hole;
+  bool mustOpen = loops.empty();
+  if (!mustOpen)
   {
-    FilledSurface filled = fillHolesButLongest(disk.Surface.Mesh, subrange(progress, 0.25, 0.35));
+    const auto longest = longestLoop(disk.Surface.Mesh.Vertices, loops);
+    mustOpen = isSmallerThanHole(disk.Surface.Mesh, *longest, hole.AreaFraction);
+    if (!mustOpen)
+    {
+      loops.erase(longest);
+    }
+    else if (!hole.Centre)
+    {
+      hole.Centre = centreOfLoop(disk.Surface.Mesh.Vertices, *longest);
+    }
+  }
+  if (!loops.empty())
+  {
+    FilledSurface filled = fillHoles(disk.Surface.Mesh, loops, subrange(progress, 0.25, 0.35));
     figures.FilledHoles = filled.FilledHoles;
     figures.FilledArea = filled.FilledArea;
     follow(disk.Surface, std::move(filled.Surface));
@@ -114,10 +159,9 @@ DiskSurface surfaceToDisk(const TriangleMesh& soup,
         disk.Surface.Mesh, figures.RemeshEdgeLength, 3, subrange(progress, 0.35, 0.65)));
   }
 
-  if (topology.BoundaryLoops.empty())
+  if (mustOpen)
   {
-    OpenedSurface opened =
-      cutGeodesicHole(disk.Surface.Mesh, options.Hole, subrange(progress, 0.65, 0.95));
+    OpenedSurface opened = cutGeodesicHole(disk.Surface.Mesh, hole, subrange(progress, 0.65, 0.95));
     figures.HoleCentre = opened.Centre;
     figures.HoleRadius = opened.Radius;
     figures.RemovedArea = opened.RemovedArea;

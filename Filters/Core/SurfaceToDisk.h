@@ -20,7 +20,7 @@ struct SurfaceToDiskOptions
   double MergeTolerance = 0.0;
   /// Keep the component nearest to this point (input units); if absent, the one of the largest area.
   std::optional<Eigen::Vector3d> ComponentPoint;
-  /// The hole that is cut if the component is closed.
+  /// The hole that is cut if the component is closed or all but closed.
   GeodesicHoleOptions Hole;
   /// Edge length of isotropic remeshing (input units); 0: the mean edge length of the component; absent:
   /// no remeshing.
@@ -52,8 +52,10 @@ struct DiskSurface
 };
 
 /// Repairs the triangles (repairTriangleSoup), keeps one component, orients it outward (orientOutward),
-/// fills its holes but the longest (fillHolesButLongest), remeshes it if asked (remeshIsotropically),
-/// opens it if it is closed (cutGeodesicHole), and checks the result (requireDisk).
+/// fills its boundaries but the longest (fillHoles), remeshes it if asked (remeshIsotropically), opens
+/// it if it is closed (cutGeodesicHole), and checks the result (requireDisk). A longest boundary shorter
+/// than that of the hole that would be cut is filled too, and the surface opened there: so short a
+/// boundary cannot become that of the flat disk.
 /// @throws InvalidInput for coordinates that are not finite, zero area, options out of range;
 /// TopologyError if the component has handles or is one-sided.
 DiskSurface surfaceToDisk(const TriangleMesh& soup,

@@ -21,8 +21,7 @@ double weightError(const VertexOrigins& origins)
     .maxCoeff();
 }
 
-// Each of the ends is a regular polygon; one of them is wider, so longer.
-TEST(HoleFilling, ClosesTheShorterEndOfATube)
+TEST(HoleFilling, ClosesOneEndOfATube)
 {
   constexpr int n = 60;
   TriangleMesh tube = cylinder(n, 20, 3.0);
@@ -30,7 +29,11 @@ TEST(HoleFilling, ClosesTheShorterEndOfATube)
   {
     tube.Vertices.row(v).head<2>() *= 1.0 + 0.1 * tube.Vertices(v, 2);
   }
-  const FilledSurface filled = fillHolesButLongest(tube);
+  // The loop of the lowest vertices.
+  auto loops = analyseTopology(tube.Faces, tube.vertexCount()).BoundaryLoops;
+  ASSERT_EQ(loops.size(), 2u);
+  loops.erase(loops.begin() + (loops[0][0] == 0 ? 1 : 0));
+  const FilledSurface filled = fillHoles(tube, loops);
   EXPECT_EQ(filled.FilledHoles, 1);
   EXPECT_NEAR(filled.FilledArea, 0.5 * n * std::sin(2.0 * Pi / n), 1e-12); // radius 1 at z = 0
   const DerivedMesh& surface = filled.Surface;
@@ -55,8 +58,10 @@ TEST(HoleFilling, ClosesManyHolesOfASphere)
   const TriangleMesh whole = sphere(4);
   // Faces far from each other; the last hole is of four faces and has the longest boundary.
   const TriangleMesh pierced = withoutFaces(whole, { 0, 700, 1500, 2500, 4000, 4001, 4002, 4003 });
-  ASSERT_EQ(analyseTopology(pierced.Faces, pierced.vertexCount()).BoundaryLoops.size(), 5u);
-  const FilledSurface filled = fillHolesButLongest(pierced);
+  auto loops = analyseTopology(pierced.Faces, pierced.vertexCount()).BoundaryLoops;
+  ASSERT_EQ(loops.size(), 5u);
+  loops.erase(loops.begin()); // the one of most edges
+  const FilledSurface filled = fillHoles(pierced, loops);
   EXPECT_EQ(filled.FilledHoles, 4);
   EXPECT_EQ(requireDisk(filled.Surface.Mesh).size(), 6u);
   const Eigen::VectorXd areas = faceAreas(whole.Vertices, whole.Faces);
@@ -113,6 +118,39 @@ TEST(SurfaceToDisk, OpensAClosedSurface)
   EXPECT_EQ(requireDisk(disk.Surface.Mesh).size(), std::size_t(disk.Report.BoundaryVertices));
   EXPECT_NEAR(disk.Report.BoundaryLength, 2.0 * Pi * std::sin(std::acos(1.0 - 2e-3)), 0.01 * 0.4);
   EXPECT_NEAR(disk.Report.SurfaceArea, totalArea(disk.Surface.Mesh), 1e-12);
+}
+
+TEST(SurfaceToDisk, KeepsTheLongestBoundary)
+{
+  TriangleMesh tube = cylinder(60, 20, 3.0);
+  for (int v = 0; v < tube.vertexCount(); ++v)
+  {
+    tube.Vertices.row(v).head<2>() *= 1.0 + 0.1 * tube.Vertices(v, 2);
+  }
+  const DiskSurface disk = surfaceToDisk(tube);
+  EXPECT_EQ(disk.Report.FilledHoles, 1);
+  EXPECT_EQ(disk.Report.HoleRadius, 0.0);
+  EXPECT_NEAR(disk.Report.BoundaryLength, 1.3 * 120.0 * std::sin(Pi / 60), 1e-12);
+}
+
+// A missing triangle does not make a sphere a disk that can be flattened.
+TEST(SurfaceToDisk, WidensATinyBoundary)
+{
+  const TriangleMesh whole = sphere(5);
+  const DiskSurface disk = surfaceToDisk(withoutFaces(whole, { 4321, 99 }));
+  EXPECT_EQ(disk.Report.FilledHoles, 2);
+  EXPECT_NEAR(disk.Report.RemovedArea, 1e-3 * totalArea(whole), 1e-9);
+  EXPECT_GE(disk.Report.BoundaryVertices, 128);
+  const auto centroid = [&whole](int f)
+  {
+    return ((whole.Vertices.row(whole.Faces(f, 0)) + whole.Vertices.row(whole.Faces(f, 1)) +
+              whole.Vertices.row(whole.Faces(f, 2))) /
+            3.0)
+      .eval();
+  };
+  const double distance = std::min((centroid(4321) - disk.Report.HoleCentre.transpose()).norm(),
+    (centroid(99) - disk.Report.HoleCentre.transpose()).norm());
+  EXPECT_LT(distance, 1e-9);
 }
 
 TEST(SurfaceToDisk, NamesTheGenus)
