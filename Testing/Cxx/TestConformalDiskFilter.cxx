@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../Core/SampleSurfaces.h"
+#include "AnalyticSurfaces.h"
+#include "FilterTest.h"
+
+#include <vtkConformalDiskFilter.h>
+
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPlaneSource.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkStringArray.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+
+namespace
+{
+
+using namespace flattening;
+using namespace flattening::analytic;
+using namespace flattening::testing;
+using samples::Pi;
+
+// A hemisphere of radius 30, as large as an organ in mm.
+const RevolutionMesh& hemisphere()
+{
+  static const RevolutionMesh mesh = []
+  {
+    RevolutionMesh result = ringMesh(sphericalCap(0.5 * Pi), 2000);
+    result.Mesh.Vertices *= 30.0;
+    return result;
+  }();
+  return mesh;
+}
+
+double surfaceArea(const RevolutionMesh& mesh)
+{
+  return faceAreas(mesh.Mesh.Vertices, mesh.Mesh.Faces).sum();
+}
+
+TEST(ConformalDiskFilter, DiskHasTheAreaOfTheSurface)
+{
+  const auto input = polyDataOf(hemisphere().Mesh);
+  vtkNew<vtkConformalDiskFilter> filter;
+  filter->SetInputData(input);
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  ASSERT_EQ(output->GetNumberOfPoints(), input->GetNumberOfPoints());
+  const double radius = std::sqrt(surfaceArea(hemisphere()) / Pi);
+  EXPECT_NEAR(radius, 30.0 * std::sqrt(2.0), 0.05);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    output->GetPoint(i, x);
+    const double expected = sphericalCap(0.5 * Pi).ConformalRadius(hemisphere().Parameter[i]);
+    EXPECT_NEAR(std::hypot(x[0], x[1]) / radius, expected, 1e-5);
+    EXPECT_EQ(x[2], 0.0);
+  }
+  EXPECT_EQ(output->GetPoints()->GetDataType(), VTK_DOUBLE);
+
+  filter->SetNormalizeToUnitDomain();
+  filter->Update();
+  for (vtkIdType i = hemisphere().FirstBoundaryVertex; i < output->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    filter->GetOutput()->GetPoint(i, x);
+    EXPECT_NEAR(std::hypot(x[0], x[1]), 1.0, 1e-15);
+  }
+}
+
+// ConformalFactor is the logarithm of flat over surface length: an edge's is half the sum of its ends'.
+// Edges that were flipped on the way follow to the resolution of the mesh.
+TEST(ConformalDiskFilter, ConformalFactorScalesTheEdges)
+{
+  vtkNew<vtkConformalDiskFilter> filter;
+  filter->SetInputData(polyDataOf(hemisphere().Mesh));
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  vtkDataArray* factor = output->GetPointData()->GetArray("ConformalFactor");
+  ASSERT_NE(factor, nullptr);
+  int exact = 0;
+  for (int f = 0; f < hemisphere().Mesh.faceCount(); ++f)
+  {
+    const int a = hemisphere().Mesh.Faces(f, 0);
+    const int b = hemisphere().Mesh.Faces(f, 1);
+    double p[3];
+    double q[3];
+    output->GetPoint(a, p);
+    output->GetPoint(b, q);
+    const double flat = std::hypot(p[0] - q[0], p[1] - q[1]);
+    const double length = (hemisphere().Mesh.Vertices.row(a) - hemisphere().Mesh.Vertices.row(b)).norm();
+    const double difference =
+      std::log(flat / length) - 0.5 * (factor->GetTuple1(a) + factor->GetTuple1(b));
+    ASSERT_LT(std::abs(difference), 1e-3);
+    exact += std::abs(difference) < 1e-9;
+  }
+  EXPECT_GT(exact, 0.8 * hemisphere().Mesh.faceCount());
+}
+
+TEST(ConformalDiskFilter, PassesEverythingThrough)
+{
+  const auto input = polyDataOf(hemisphere().Mesh);
+  vtkNew<vtkFloatArray> thickness;
+  thickness->SetName("Thickness");
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    thickness->InsertNextValue(0.5f * i);
+  }
+  input->GetPointData()->SetScalars(thickness);
+  vtkNew<vtkIntArray> label;
+  label->SetName("Label");
+  vtkNew<vtkStringArray> name;
+  name->SetName("Name");
+  for (vtkIdType c = 0; c < input->GetNumberOfCells(); ++c)
+  {
+    label->InsertNextValue(static_cast<int>(c % 7));
+    name->InsertNextValue("cell " + std::to_string(c));
+  }
+  input->GetCellData()->AddArray(label);
+  input->GetCellData()->AddArray(name);
+  vtkNew<vtkStringArray> subject;
+  subject->SetName("Subject");
+  subject->InsertNextValue("phantom");
+  input->GetFieldData()->AddArray(subject);
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(input);
+  normals->SplittingOff();
+  normals->ConsistencyOff();
+
+  vtkNew<vtkConformalDiskFilter> filter;
+  filter->SetInputConnection(normals->GetOutputPort());
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  EXPECT_EQ(output->GetPointData()->GetScalars(), thickness.Get());
+  EXPECT_EQ(output->GetCellData()->GetArray("Label"), label.Get());
+  EXPECT_EQ(output->GetCellData()->GetAbstractArray("Name"), name.Get());
+  EXPECT_EQ(output->GetFieldData()->GetAbstractArray("Subject"), subject.Get());
+  EXPECT_EQ(output->GetPolys(), normals->GetOutput()->GetPolys()) << "cells stay one to one";
+  // The surface's normals would shade the flat picture: they stay as an array, inactive.
+  ASSERT_NE(normals->GetOutput()->GetPointData()->GetNormals(), nullptr);
+  EXPECT_EQ(output->GetPointData()->GetNormals(), nullptr);
+  EXPECT_TRUE(output->GetPointData()->HasArray("Normals"));
+  // SurfacePoints restores the surface, to the bit.
+  vtkDataArray* surface = output->GetPointData()->GetArray("SurfacePoints");
+  ASSERT_NE(surface, nullptr);
+  ASSERT_EQ(surface->GetDataType(), VTK_DOUBLE);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      ASSERT_EQ(surface->GetComponent(i, k), normals->GetOutput()->GetPoint(i)[k]);
+    }
+  }
+  EXPECT_FALSE(normals->GetOutput()->GetPointData()->HasArray("SurfacePoints"))
+    << "the input was changed";
+  EXPECT_FALSE(normals->GetOutput()->GetFieldData()->HasArray("NewtonIterations"))
+    << "the input was changed";
+}
+
+TEST(ConformalDiskFilter, FiguresOfTheSolver)
+{
+  vtkNew<vtkConformalDiskFilter> filter;
+  filter->SetInputData(polyDataOf(hemisphere().Mesh));
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  EXPECT_GT(figure(output, "NewtonIterations"), 0.0);
+  EXPECT_LT(figure(output, "NewtonIterations"), 20.0);
+  EXPECT_LE(figure(output, "MaxCurvatureError"), 1e-10);
+  EXPECT_LE(figure(output, "LayoutError"), 1e-8);
+  EXPECT_EQ(figure(output, "AddedLength"), 0.0);
+  EXPECT_EQ(figure(output, "FlippedFaces"), 0.0);
+  EXPECT_GE(figure(output, "IntrinsicFlips"), 0.0);
+  EXPECT_GE(figure(output, "InsertedBoundaryPoints"), 0.0);
+}
+
+TEST(ConformalDiskFilter, NearestPointsGoToTheCentreAndToAngleZero)
+{
+  vtkNew<vtkConformalDiskFilter> filter;
+  filter->SetInputData(polyDataOf(hemisphere().Mesh));
+  const int centre = 500;
+  const int right = hemisphere().FirstBoundaryVertex + 31;
+  const Eigen::RowVector3d c = hemisphere().Mesh.Vertices.row(centre) * 1.02;
+  const Eigen::RowVector3d r = hemisphere().Mesh.Vertices.row(right) * 1.02;
+  filter->SetUseCenterPoint(true);
+  filter->SetCenterPoint(c.x(), c.y(), c.z());
+  filter->SetUseBoundaryPoint(true);
+  filter->SetBoundaryPoint(r.x(), r.y(), r.z());
+  filter->Update();
+  double x[3];
+  filter->GetOutput()->GetPoint(centre, x);
+  EXPECT_EQ(std::hypot(x[0], x[1]), 0.0);
+  filter->GetOutput()->GetPoint(right, x);
+  EXPECT_NEAR(x[1], 0.0, 1e-13);
+  EXPECT_NEAR(x[0], std::sqrt(surfaceArea(hemisphere()) / Pi), 1e-12);
+}
+
+TEST(ConformalDiskFilter, ParametersAreClampedAndPrinted)
+{
+  vtkNew<vtkConformalDiskFilter> filter;
+  EXPECT_EQ(filter->GetNormalizeTo(), vtkConformalDiskFilter::SURFACE_AREA);
+  EXPECT_EQ(filter->GetTolerance(), 1e-11);
+  filter->SetTolerance(1.0);
+  EXPECT_EQ(filter->GetTolerance(), 1e-10);
+  filter->SetTolerance(0.0);
+  EXPECT_EQ(filter->GetTolerance(), 1e-14);
+  filter->SetNormalizeTo(7);
+  EXPECT_EQ(filter->GetNormalizeTo(), vtkConformalDiskFilter::UNIT_DOMAIN);
+  filter->SetCenterPoint(1.0, 2.0, 3.5);
+  std::ostringstream printed;
+  filter->Print(printed);
+  for (const char* part : { "NormalizeTo: UnitDomain",
+         "UseCenterPoint: 0",
+         "CenterPoint: (1, 2, 3.5)",
+         "UseBoundaryPoint: 0",
+         "BoundaryPoint: (0, 0, 0)",
+         "Tolerance: 1e-14" })
+  {
+    EXPECT_NE(printed.str().find(part), std::string::npos) << part;
+  }
+}
+
+TEST(ConformalDiskFilter, EmptyInputGivesEmptyOutputSilently)
+{
+  vtkNew<vtkConformalDiskFilter> filter;
+  ErrorLog errors(filter);
+  vtkNew<vtkPolyData> empty;
+  filter->SetInputData(empty);
+  filter->Update();
+  EXPECT_TRUE(errors.messages().empty());
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(ConformalDiskFilter, BadInput)
+{
+  vtkNew<vtkConformalDiskFilter> filter;
+  const RevolutionMesh disk = ringMesh(sphericalCap(1.0), 100);
+  const auto good = polyDataOf(disk.Mesh);
+  const auto expect = [&](vtkPolyData* input, const char* words)
+  { expectError(filter.Get(), input, words, good); };
+
+  vtkNew<vtkPolyData> pointsAlone;
+  pointsAlone->SetPoints(good->GetPoints());
+  expect(pointsAlone, "no triangles");
+
+  vtkNew<vtkPolyData> lines;
+  lines->SetPoints(good->GetPoints());
+  vtkNew<vtkCellArray> segments;
+  segments->InsertNextCell({ 0, 1 });
+  lines->SetLines(segments);
+  expect(lines, "lines or strips");
+
+  vtkNew<vtkPlaneSource> quads;
+  quads->SetResolution(3, 3);
+  quads->Update();
+  expect(quads->GetOutput(), "cell 0 has 4 points, not 3");
+
+  TriangleMesh mesh = disk.Mesh;
+  mesh.Vertices(9, 2) = std::nan("");
+  expect(polyDataOf(mesh), "vertex 9 has a coordinate that is not finite");
+  mesh.Vertices(9, 2) = -std::numeric_limits<double>::infinity();
+  expect(polyDataOf(mesh), "vertex 9 has a coordinate that is not finite");
+  mesh.Vertices.setConstant(2.0);
+  expect(polyDataOf(mesh), "zero area");
+
+  mesh = disk.Mesh;
+  mesh.Vertices.conservativeResize(mesh.vertexCount() + 1, 3);
+  mesh.Vertices.bottomRows<1>() << 0, 0, 5;
+  expect(polyDataOf(mesh), "1 points belong to no triangle");
+  mesh.Faces.conservativeResize(mesh.faceCount() + 1, 3);
+  mesh.Faces.bottomRows<1>() << 0, 1, mesh.vertexCount() - 1;
+  expect(polyDataOf(mesh), "edge (0, 1) is non-manifold: 3 faces share it");
+
+  mesh = disk.Mesh;
+  std::swap(mesh.Faces(4, 0), mesh.Faces(4, 1));
+  expect(polyDataOf(mesh), "oriented against each other");
+
+  expect(polyDataOf(samples::both(disk.Mesh, samples::moved(disk.Mesh, 9, 0, 0))), "2 components");
+  expect(polyDataOf(samples::withoutFaces(samples::torus(12, 8), { 0 })), "genus 1");
+  expect(polyDataOf(samples::torus(12, 8)), "genus 1");
+  expect(polyDataOf(samples::sphere(2)), "closed");
+  expect(polyDataOf(samples::cylinder(12, 4, 1.0)), "2 boundary loops");
+
+  filter->SetUseCenterPoint(true);
+  const auto boundary = disk.Mesh.Vertices.row(disk.FirstBoundaryVertex);
+  filter->SetCenterPoint(boundary.x(), boundary.y(), boundary.z());
+  filter->SetInputData(good);
+  ErrorLog errors(filter);
+  filter->Update();
+  ASSERT_EQ(errors.messages().size(), 1u);
+  EXPECT_NE(errors.messages().front().find("is not an interior vertex"), std::string::npos);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  filter->UseCenterPointOff();
+  filter->Update();
+  EXPECT_EQ(errors.messages().size(), 1u);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), good->GetNumberOfCells());
+}
+
+TEST(ConformalDiskFilter, Abort)
+{
+  vtkNew<vtkConformalDiskFilter> filter;
+  const auto input = polyDataOf(hemisphere().Mesh);
+  for (const double fraction : { 0.05, 0.3, 0.9 })
+  {
+    expectAbort(filter.Get(), input, fraction);
+  }
+}
+
+} // namespace

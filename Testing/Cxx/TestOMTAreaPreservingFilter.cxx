@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../Core/SampleSurfaces.h"
+#include "AnalyticSurfaces.h"
+#include "FilterTest.h"
+
+#include <vtkConformalDiskFilter.h>
+#include <vtkOMTAreaPreservingFilter.h>
+
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkIdList.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+
+namespace
+{
+
+using namespace flattening;
+using namespace flattening::analytic;
+using namespace flattening::testing;
+using samples::Pi;
+
+// Of a hemisphere of radius 30 with about n points.
+vtkSmartPointer<vtkPolyData> conformalHemisphere(int n)
+{
+  TriangleMesh mesh = ringMesh(sphericalCap(0.5 * Pi), n).Mesh;
+  mesh.Vertices *= 30.0;
+  vtkNew<vtkConformalDiskFilter> conformal;
+  conformal->SetInputData(polyDataOf(mesh));
+  conformal->Update();
+  return conformal->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> copyOf(vtkPolyData* data)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->DeepCopy(data);
+  return copy;
+}
+
+double surfaceArea(vtkPolyData* flattened)
+{
+  vtkDataArray* points = flattened->GetPointData()->GetArray("SurfacePoints");
+  TriangleMesh mesh;
+  mesh.Vertices.resize(points->GetNumberOfTuples(), 3);
+  for (vtkIdType i = 0; i < points->GetNumberOfTuples(); ++i)
+  {
+    points->GetTuple(i, mesh.Vertices.row(i).data());
+  }
+  mesh.Faces.resize(flattened->GetNumberOfCells(), 3);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType c = 0; c < flattened->GetNumberOfCells(); ++c)
+  {
+    flattened->GetCellPoints(c, corners);
+    for (int k = 0; k < 3; ++k)
+    {
+      mesh.Faces(c, k) = static_cast<int>(corners->GetId(k));
+    }
+  }
+  return faceAreas(mesh.Vertices, mesh.Faces).sum();
+}
+
+vtkNew<vtkDoubleArray> addWeights(vtkPolyData* data, const char* name, double value)
+{
+  vtkNew<vtkDoubleArray> weights;
+  weights->SetName(name);
+  weights->SetNumberOfTuples(data->GetNumberOfPoints());
+  weights->Fill(value);
+  data->GetPointData()->AddArray(weights);
+  return weights;
+}
+
+TEST(OMTAreaPreservingFilter, CellsHaveTheirTargetAreas)
+{
+  const auto input = conformalHemisphere(2000);
+  const double area = surfaceArea(input);
+  vtkNew<vtkOMTAreaPreservingFilter> filter;
+  filter->SetInputData(input);
+  for (const bool unit : { false, true })
+  {
+    filter->SetNormalizeTo(
+      unit ? vtkOMTAreaPreservingFilter::UNIT_DOMAIN : vtkOMTAreaPreservingFilter::SURFACE_AREA);
+    filter->Update();
+    vtkPolyData* output = filter->GetOutput();
+    const double whole = unit ? Pi : area;
+    vtkPointData* points = output->GetPointData();
+    ASSERT_NE(points->GetArray("CellArea"), nullptr);
+    EXPECT_NEAR(sum(points->GetArray("CellArea")) / whole, 1.0, 1e-12);
+    EXPECT_NEAR(sum(points->GetArray("TargetArea")) / whole, 1.0, 1e-12);
+    double largest = 0.0;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      const double target = points->GetArray("TargetArea")->GetTuple1(i);
+      largest =
+        std::max(largest, std::abs(points->GetArray("CellArea")->GetTuple1(i) - target) / target);
+    }
+    EXPECT_LE(largest, 1e-6);
+    EXPECT_NEAR(figure(output, "MaxCellAreaError"), largest, 1e-13);
+    EXPECT_NEAR(output->GetBounds()[1], std::sqrt(whole / Pi), 2e-3 * std::sqrt(whole));
+    EXPECT_EQ(output->GetBounds()[4], 0.0);
+    EXPECT_EQ(output->GetBounds()[5], 0.0);
+  }
+}
+
+// The size of the input does not count, only its shape.
+TEST(OMTAreaPreservingFilter, AcceptsADiskOfAnyRadius)
+{
+  const auto input = conformalHemisphere(1000);
+  vtkNew<vtkOMTAreaPreservingFilter> filter;
+  filter->SetInputData(input);
+  filter->Update();
+  const auto expected = copyOf(filter->GetOutput());
+  const auto scaled = copyOf(input);
+  for (vtkIdType i = 0; i < scaled->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    scaled->GetPoint(i, x);
+    scaled->GetPoints()->SetPoint(i, 1e-3 * x[0], 1e-3 * x[1], 0.0);
+  }
+  filter->SetInputData(scaled);
+  filter->Update();
+  for (vtkIdType i = 0; i < scaled->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    double y[3];
+    expected->GetPoint(i, x);
+    filter->GetOutput()->GetPoint(i, y);
+    ASSERT_LT(std::hypot(x[0] - y[0], x[1] - y[1]), 1e-9);
+  }
+}
+
+TEST(OMTAreaPreservingFilter, PassesEverythingThrough)
+{
+  const auto input = conformalHemisphere(500);
+  vtkNew<vtkIntArray> label;
+  label->SetName("Label");
+  for (vtkIdType c = 0; c < input->GetNumberOfCells(); ++c)
+  {
+    label->InsertNextValue(static_cast<int>(c));
+  }
+  input->GetCellData()->SetScalars(label);
+  vtkNew<vtkOMTAreaPreservingFilter> filter;
+  filter->SetInputData(input);
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  EXPECT_EQ(output->GetPolys(), input->GetPolys());
+  EXPECT_EQ(output->GetCellData()->GetScalars(), label.Get());
+  for (const char* name : { "SurfacePoints", "ConformalFactor" })
+  {
+    EXPECT_EQ(output->GetPointData()->GetArray(name), input->GetPointData()->GetArray(name)) << name;
+  }
+  EXPECT_TRUE(output->GetFieldData()->HasArray("MaxCurvatureError")) << "of the stage before";
+  EXPECT_FALSE(input->GetPointData()->HasArray("CellArea")) << "the input was changed";
+  EXPECT_NE(output->GetPoints(), input->GetPoints());
+}
+
+TEST(OMTAreaPreservingFilter, FiguresOfTheSolver)
+{
+  vtkNew<vtkOMTAreaPreservingFilter> filter;
+  filter->SetInputData(conformalHemisphere(2000));
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  EXPECT_GT(figure(output, "NewtonIterations"), 0.0);
+  EXPECT_LT(figure(output, "NewtonIterations"), 10.0);
+  EXPECT_GT(figure(output, "PowerDiagrams"), figure(output, "NewtonIterations"));
+  EXPECT_EQ(figure(output, "CoincidentPoints"), 0.0);
+  EXPECT_EQ(figure(output, "FlippedFaces"), 0.0);
+}
+
+// Port 1: one polygon per site, with the site's id and area. Arcs are polylines of steps of a degree at
+// most, which cuts a little from the cells on the circle.
+TEST(OMTAreaPreservingFilter, PowerDiagramIsTheCells)
+{
+  vtkNew<vtkOMTAreaPreservingFilter> filter;
+  const auto input = conformalHemisphere(1000);
+  const double radius = std::sqrt(surfaceArea(input) / Pi);
+  filter->SetInputData(input);
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  vtkPolyData* cells = filter->GetPowerDiagram();
+  ASSERT_EQ(cells->GetNumberOfCells(), output->GetNumberOfPoints());
+  vtkDataArray* siteId = cells->GetCellData()->GetArray("SiteId");
+  vtkDataArray* cellArea = cells->GetCellData()->GetArray("CellArea");
+  vtkDataArray* targetArea = cells->GetCellData()->GetArray("TargetArea");
+  ASSERT_TRUE(siteId && cellArea && targetArea);
+  vtkNew<vtkIdList> corners;
+  int onCircle = 0;
+  for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c)
+  {
+    cells->GetCellPoints(c, corners);
+    double area = 0.0;
+    double center[2] = { 0.0, 0.0 };
+    const vtkIdType count = corners->GetNumberOfIds();
+    bool inside = true;
+    for (vtkIdType k = 0; k < count; ++k)
+    {
+      double p[3];
+      double q[3];
+      cells->GetPoint(corners->GetId(k), p);
+      cells->GetPoint(corners->GetId((k + 1) % count), q);
+      const double twice = p[0] * q[1] - p[1] * q[0];
+      area += 0.5 * twice;
+      center[0] += twice / 6.0 * (p[0] + q[0]);
+      center[1] += twice / 6.0 * (p[1] + q[1]);
+      inside = inside && std::hypot(p[0], p[1]) < (1.0 - 1e-9) * radius;
+    }
+    const auto site = static_cast<vtkIdType>(siteId->GetTuple1(c));
+    ASSERT_EQ(cellArea->GetTuple1(c), output->GetPointData()->GetArray("CellArea")->GetTuple1(site));
+    ASSERT_EQ(targetArea->GetTuple1(c), output->GetPointData()->GetArray("TargetArea")->GetTuple1(site));
+    ASSERT_NEAR(area / cellArea->GetTuple1(c), 1.0, inside ? 1e-10 : 3e-3) << c;
+    if (inside)
+    {
+      // Interior points are at the centroids of their cells.
+      double x[3];
+      output->GetPoint(site, x);
+      ASSERT_LT(std::hypot(x[0] - center[0] / area, x[1] - center[1] / area), 1e-9);
+    }
+    onCircle += !inside;
+  }
+  EXPECT_GT(onCircle, 50);
+  EXPECT_LT(onCircle, 300);
+}
+
+TEST(OMTAreaPreservingFilter, AreaWeights)
+{
+  const auto input = conformalHemisphere(2000);
+  vtkNew<vtkOMTAreaPreservingFilter> filter;
+  filter->SetTolerance(1e-10);
+  const auto shareOfRegion = [&]
+  {
+    filter->SetInputData(copyOf(input)); // new data every time
+    filter->Update();
+    vtkDataArray* area = filter->GetOutput()->GetPointData()->GetArray("CellArea");
+    vtkDataArray* surface = filter->GetOutput()->GetPointData()->GetArray("SurfacePoints");
+    double inside = 0.0;
+    for (vtkIdType i = 0; i < area->GetNumberOfTuples(); ++i)
+    {
+      inside += surface->GetComponent(i, 0) > 10.0 ? area->GetTuple1(i) : 0.0;
+    }
+    return inside / (sum(area) - inside);
+  };
+  const double before = shareOfRegion();
+  vtkDataArray* surface = input->GetPointData()->GetArray("SurfacePoints");
+  for (const char* name : { "AreaWeight", "Importance" })
+  {
+    const auto weights = addWeights(input, name, 1.0);
+    for (vtkIdType i = 0; i < weights->GetNumberOfTuples(); ++i)
+    {
+      weights->SetValue(i,
+        surface->GetComponent(i, 0) <= 10.0 ? 1.0
+        : std::string(name) == "AreaWeight" ? 2.0
+                                            : 3.0);
+    }
+  }
+  EXPECT_NEAR(shareOfRegion() / before, 2.0, 1e-9) << "AreaWeight by default";
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Importance");
+  EXPECT_NEAR(shareOfRegion() / before, 3.0, 1e-9);
+  filter->UseAreaWeightOff();
+  EXPECT_NEAR(shareOfRegion() / before, 1.0, 1e-9);
+}
+
+TEST(OMTAreaPreservingFilter, ParametersAreClampedAndPrinted)
+{
+  vtkNew<vtkOMTAreaPreservingFilter> filter;
+  EXPECT_EQ(filter->GetNumberOfOutputPorts(), 2);
+  EXPECT_EQ(filter->GetTolerance(), 1e-6);
+  filter->SetTolerance(1.0);
+  EXPECT_EQ(filter->GetTolerance(), 0.1);
+  filter->SetTolerance(0.0);
+  EXPECT_EQ(filter->GetTolerance(), 1e-12);
+  std::ostringstream printed;
+  filter->Print(printed);
+  for (const char* part : { "NormalizeTo: SurfaceArea", "Tolerance: 1e-12", "UseAreaWeight: 1" })
+  {
+    EXPECT_NE(printed.str().find(part), std::string::npos) << part;
+  }
+}
+
+TEST(OMTAreaPreservingFilter, EmptyInputGivesEmptyOutputSilently)
+{
+  vtkNew<vtkOMTAreaPreservingFilter> filter;
+  ErrorLog errors(filter);
+  vtkNew<vtkPolyData> empty;
+  filter->SetInputData(empty);
+  filter->Update();
+  EXPECT_TRUE(errors.messages().empty());
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(filter->GetPowerDiagram()->GetNumberOfPoints(), 0);
+}
+
+TEST(OMTAreaPreservingFilter, BadInput)
+{
+  const auto good = conformalHemisphere(300);
+  vtkNew<vtkOMTAreaPreservingFilter> filter;
+  const auto expect = [&](vtkPolyData* input, const std::string& words)
+  { expectError(filter.Get(), input, words, good); };
+
+  auto data = copyOf(good);
+  data->GetPointData()->RemoveArray("SurfacePoints");
+  expect(data, "run Conformal Disk first");
+  addWeights(data, "SurfacePoints", 1.0);
+  expect(data, "SurfacePoints has 1 components, not 3");
+
+  data = copyOf(good);
+  data->GetPointData()->GetArray("SurfacePoints")->SetComponent(7, 0, std::nan(""));
+  expect(data, "vertex 7 has a coordinate that is not finite");
+  data->GetPointData()->GetArray("SurfacePoints")->Fill(1.0);
+  expect(data, "zero area");
+
+  data = copyOf(good);
+  data->GetPoints()->SetPoint(7, std::nan(""), 0, 0);
+  expect(data, "point 7 of the flat surface is not finite");
+  data = copyOf(good);
+  data->GetPoints()->SetPoint(7, 0, 0, 1);
+  expect(data, "not flat");
+  data = copyOf(good);
+  data->GetPoints()->SetPoint(7, 99, 0, 0);
+  expect(data, "vertex 7 lies outside of the disk");
+  data = copyOf(good);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    data->GetPoint(i, x);
+    data->GetPoints()->SetPoint(i, x[0] + 1.0, x[1], 0.0);
+  }
+  expect(data, "does not lie on the circle around the origin");
+  data = copyOf(good);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    data->GetPoints()->SetPoint(i, 0, 0, 0);
+  }
+  expect(data, "single point: run Conformal Disk first");
+
+  data = copyOf(good);
+  data->SetPolys(vtkNew<vtkCellArray>());
+  expect(data, "no triangles");
+
+  for (const double bad : { 0.0, -2.0, std::nan(""), std::numeric_limits<double>::infinity() })
+  {
+    data = copyOf(good);
+    addWeights(data, "AreaWeight", 1.0)->SetValue(11, bad);
+    expect(data, "the area weight of vertex 11 is");
+  }
+  data = copyOf(good);
+  vtkNew<vtkDoubleArray> vectors;
+  vectors->SetName("AreaWeight");
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(data->GetNumberOfPoints());
+  vectors->Fill(1.0);
+  data->GetPointData()->AddArray(vectors);
+  expect(data, "the area weights AreaWeight have 3 components, not 1");
+
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Missing");
+  ErrorLog errors(filter);
+  filter->Update();
+  ASSERT_EQ(errors.messages().size(), 1u);
+  EXPECT_NE(errors.messages().front().find("no point array Missing"), std::string::npos);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_EQ(filter->GetPowerDiagram()->GetNumberOfCells(), 0);
+  filter->UseAreaWeightOff();
+  filter->Update();
+  EXPECT_EQ(errors.messages().size(), 1u);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), good->GetNumberOfCells());
+}
+
+TEST(OMTAreaPreservingFilter, Abort)
+{
+  vtkNew<vtkOMTAreaPreservingFilter> filter;
+  const auto input = conformalHemisphere(1000);
+  for (const double fraction : { 0.0, 0.3, 0.9 })
+  {
+    expectAbort(filter.Get(), input, fraction);
+  }
+}
+
+} // namespace
