@@ -171,6 +171,29 @@ inline TriangleMesh cylinder(int n, int m, double height)
   return mesh;
 }
 
+/// 2 n vertices, n quads in two triangles each; radius 2, width 1.
+inline TriangleMesh moebiusStrip(int n)
+{
+  TriangleMesh strip;
+  strip.Vertices.resize(2 * n, 3);
+  strip.Faces.resize(2 * n, 3);
+  for (int i = 0; i < n; ++i)
+  {
+    const double u = 2 * Pi * i / n;
+    for (const int side : { 0, 1 })
+    {
+      const double r = 2.0 + (side - 0.5) * std::cos(0.5 * u);
+      strip.Vertices.row(2 * i + side) << r * std::cos(u), r * std::sin(u),
+        (side - 0.5) * std::sin(0.5 * u);
+    }
+    const int nextLow = i + 1 < n ? 2 * i + 2 : 1; // the sides change places once around
+    const int nextHigh = i + 1 < n ? 2 * i + 3 : 0;
+    strip.Faces.row(2 * i) << 2 * i, 2 * i + 1, nextHigh;
+    strip.Faces.row(2 * i + 1) << 2 * i, nextHigh, nextLow;
+  }
+  return strip;
+}
+
 /// Both meshes as one, of separate vertices.
 inline TriangleMesh both(const TriangleMesh& a, const TriangleMesh& b)
 {

@@ -190,25 +190,7 @@ TEST(SurfaceRepair, AnOpenSurfaceKeepsTheSideOfTheLargerArea)
 
 TEST(SurfaceRepair, MarksTheCutOfAMoebiusStrip)
 {
-  constexpr int n = 12;
-  TriangleMesh strip;
-  strip.Vertices.resize(2 * n, 3);
-  strip.Faces.resize(2 * n, 3);
-  for (int i = 0; i < n; ++i)
-  {
-    const double u = 2 * Pi * i / n;
-    for (const int side : { 0, 1 })
-    {
-      const double r = 2.0 + (side - 0.5) * std::cos(0.5 * u);
-      strip.Vertices.row(2 * i + side) << r * std::cos(u), r * std::sin(u),
-        (side - 0.5) * std::sin(0.5 * u);
-    }
-    const int nextLow = i + 1 < n ? 2 * i + 2 : 1; // the sides change places once around
-    const int nextHigh = i + 1 < n ? 2 * i + 3 : 0;
-    strip.Faces.row(2 * i) << 2 * i, 2 * i + 1, nextHigh;
-    strip.Faces.row(2 * i + 1) << 2 * i, nextHigh, nextLow;
-  }
-  const RepairedSurface repaired = repairTriangleSoup(strip);
+  const RepairedSurface repaired = repairTriangleSoup(moebiusStrip(12));
   EXPECT_EQ(repaired.Report.SplitPoints, 2);
   EXPECT_EQ(std::count(repaired.OneSided.begin(), repaired.OneSided.end(), 1), 2);
   // An orientable band of the same kind has none.

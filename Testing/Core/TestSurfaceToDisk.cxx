@@ -163,6 +163,12 @@ TEST(SurfaceToDisk, NamesTheGenus)
   EXPECT_TRUE(contains(message, "genus 1")) << message;
 }
 
+TEST(SurfaceToDisk, NamesAOneSidedSurface)
+{
+  const std::string message = messageOf<TopologyError>([] { surfaceToDisk(moebiusStrip(12)); });
+  EXPECT_TRUE(contains(message, "one-sided") && contains(message, "Clip")) << message;
+}
+
 TEST(SurfaceToDisk, KeepsTheComponentAskedFor)
 {
   TriangleMesh small = moved(sphere(2), 5, 0, 0);
