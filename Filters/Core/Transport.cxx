@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace flattening
@@ -14,8 +15,11 @@ namespace flattening
 namespace
 {
 
-// Greatest ratio of an intermediate target to the present area of a cell.
-constexpr double LargestRatio = 10.0;
+// How far, as the logarithm of their greatest ratio to the present areas, the next targets on the way
+// may lie. Steps that are accepted at once lengthen the way to the next ones, rejected trials shorten
+// it.
+constexpr double LongestWay = 2.3;
+constexpr double ShortestWay = 0.7;
 
 double relativeError(const Eigen::VectorXd& areas, const Eigen::VectorXd& targets)
 {
@@ -95,20 +99,20 @@ TransportResult transportNewton(PowerDiagram& diagram,
   // Progress measures the way in decades, of ratios first and of the error afterwards.
   const double start = largestLogRatio(areas, targets) - std::log(options.Tolerance);
   double fraction = 0.0;
+  double way = LongestWay;
   SparseCholesky cholesky;
   while (error > options.Tolerance)
   {
     const double ratio = largestLogRatio(areas, targets);
-    const double way = ratio + std::log(std::min(error, 1.0) / options.Tolerance);
-    fraction = std::max(fraction, std::clamp(1.0 - way / start, 0.0, 1.0));
+    const double decadesLeft = ratio + std::log(std::min(error, 1.0) / options.Tolerance);
+    fraction = std::max(fraction, std::clamp(1.0 - decadesLeft / start, 0.0, 1.0));
     report(progress, fraction, "Optimal mass transport");
     if (result.NewtonIterations >= options.MaximumIterations)
     {
       break;
     }
 
-    // The next targets on the way, at most LargestRatio from the present areas.
-    const double share = std::min(1.0, std::log(LargestRatio) / ratio);
+    const double share = std::min(1.0, way / ratio);
     Eigen::VectorXd aims = targets;
     if (share < 1.0)
     {
@@ -137,6 +141,8 @@ TransportResult transportNewton(PowerDiagram& diagram,
       if (accepted)
       {
         result.Weights = weights;
+        way =
+          trial == 0 ? std::min(2.0 * way, LongestWay) : std::max(std::sqrt(length) * way, ShortestWay);
       }
     }
     ++result.NewtonIterations;
