@@ -158,8 +158,8 @@ void setFigures(vtkFieldData* figures, const SurfaceToDiskReport& report, vtkIdT
   count("MergedPoints", report.Repair.MergedPoints);
   count("UnusedPoints", report.Repair.UnusedPoints);
   count("DroppedFaces", report.Repair.DegenerateFaces + report.Repair.DuplicateFaces);
-  count("DegenerateFaces", report.Repair.DegenerateFaces);
-  count("DuplicateFaces", report.Repair.DuplicateFaces);
+  count("DroppedDegenerateFaces", report.Repair.DegenerateFaces);
+  count("DroppedDuplicateFaces", report.Repair.DuplicateFaces);
   count("SplitPoints", report.Repair.SplitPoints);
   count("Components", report.Components);
   count("DroppedComponents", report.Components - 1);

@@ -27,12 +27,12 @@
  * - cell `Filled` (unsigned char): 1 on filled holes, else 0
  *
  * Field data, one tuple each, says what was changed: `DroppedCells` (vertices and lines),
- * `MergedPoints`, `UnusedPoints` (of no face), `DroppedFaces` = `DegenerateFaces` + `DuplicateFaces`,
- * `SplitPoints` (copies made where the surface was not manifold), `Components`, `DroppedComponents`,
- * `ReorientedFaces`, `Genus`, `FilledHoles`, `FilledArea`, `RemeshEdgeLength` (0: not remeshed),
- * `HoleCentre` (3 components), `HoleRadius` (geodesic; 0: no hole was cut), `RemovedArea` (of the hole),
- * and what came of it: `BoundaryVertices`, `BoundaryLength`, `SurfaceArea`. Lengths and areas in units
- * of the input.
+ * `MergedPoints`, `UnusedPoints` (of no face), `DroppedFaces` = `DroppedDegenerateFaces` +
+ * `DroppedDuplicateFaces`, `SplitPoints` (copies made where the surface was not manifold), `Components`,
+ * `DroppedComponents`, `ReorientedFaces`, `Genus`, `FilledHoles`, `FilledArea`, `RemeshEdgeLength` (0:
+ * not remeshed), `HoleCentre` (3 components), `HoleRadius` (geodesic; 0: no hole was cut), `RemovedArea`
+ * (of the hole), and what came of it: `BoundaryVertices`, `BoundaryLength`, `SurfaceArea`. Lengths and
+ * areas in units of the input.
  *
  * Empty input gives empty output. Errors, each with an empty output: no polygons or strips, coordinates
  * that are not finite, zero area, a one-sided surface, a surface with handles (genus > 0), parameters

@@ -430,9 +430,9 @@ TEST(SurfaceToDiskFilter, CleansATriangleSoupWithFlippedAndDuplicateFaces)
   vtkNew<vtkSurfaceToDiskFilter> filter;
   const auto output = run(filter, soup);
   expectDisk(output);
-  EXPECT_EQ(figure(output, "DuplicateFaces"), 3);
+  EXPECT_EQ(figure(output, "DroppedDuplicateFaces"), 3);
   EXPECT_EQ(figure(output, "DroppedFaces"), 3);
-  EXPECT_EQ(figure(output, "DegenerateFaces"), 0);
+  EXPECT_EQ(figure(output, "DroppedDegenerateFaces"), 0);
   EXPECT_EQ(figure(output, "MergedPoints"), 3 * (faces + 3) - whole->GetNumberOfPoints());
   EXPECT_EQ(figure(output, "ReorientedFaces"), (faces + 2) / 4);
   EXPECT_EQ(figure(output, "Components"), 1);
