@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Times every stage of a flattening, and as a yardstick, on the same mesh in the same run, one regular
+// triangulation of its sites and one Cholesky factorization of its Laplacian.
+//   BenchmarkFlattening [scan] [Google Benchmark's options]
+#include "AreaPreservingDisk.h"
+#include "BenchmarkSurfaces.h"
+#include "ConformalDisk.h"
+#include "DistortionSummary.h"
+#include "SparseCholesky.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Regular_triangulation_2.h>
+
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace flattening;
+
+class StopWatch
+{
+public:
+  double seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+};
+
+double regularTriangulationSeconds(const Points2& sites, const Eigen::VectorXd& weights)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  std::vector<Kernel::Weighted_point_2> points;
+  for (Eigen::Index i = 0; i < sites.rows(); ++i)
+  {
+    points.emplace_back(Kernel::Point_2(sites(i, 0), sites(i, 1)), weights[i]);
+  }
+  const StopWatch watch;
+  const CGAL::Regular_triangulation_2<Kernel> triangulation(points.begin(), points.end());
+  const double seconds = watch.seconds();
+  benchmark::DoNotOptimize(triangulation.number_of_vertices());
+  return seconds;
+}
+
+// Of the mesh's graph Laplacian with one vertex held.
+double factorizationSeconds(const TriangleMesh& mesh)
+{
+  std::vector<Eigen::Triplet<double>> entries{ { 0, 0, 1.0 } };
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int i = mesh.Faces(f, k);
+      const int j = mesh.Faces(f, (k + 1) % 3);
+      entries.emplace_back(i, i, 0.5);
+      entries.emplace_back(j, j, 0.5);
+      entries.emplace_back(std::max(i, j), std::min(i, j), -0.5);
+    }
+  }
+  SparseMatrix laplacian(mesh.vertexCount(), mesh.vertexCount());
+  laplacian.setFromTriplets(entries.begin(), entries.end());
+  const StopWatch watch;
+  const SparseCholesky cholesky(laplacian);
+  benchmark::DoNotOptimize(cholesky.info());
+  return watch.seconds();
+}
+
+void flatten(benchmark::State& state, const std::function<benchmarks::BenchmarkSurface()>& load)
+{
+  const benchmarks::BenchmarkSurface surface = load();
+  const TriangleMesh& mesh = surface.Mesh;
+  auto& counters = state.counters;
+  for (auto _ : state)
+  {
+    const StopWatch watch;
+    const ConformalDiskMap conformal = conformalDiskMap(mesh);
+    counters["conformal_seconds"] = watch.seconds();
+    const StopWatch transportWatch;
+    const AreaPreservingResult flat = areaPreservingDiskMap(mesh, conformal.Positions);
+    const double transportSeconds = transportWatch.seconds();
+    state.SetIterationTime(watch.seconds());
+
+    const double triangulation = regularTriangulationSeconds(conformal.Positions, flat.Map.PowerWeights);
+    const double factorization = factorizationSeconds(mesh);
+    const auto before = summariseDistortion(measureDistortion(mesh, conformal.Positions));
+    const auto after = summariseDistortion(measureDistortion(mesh, flat.Map.Positions));
+    counters["vertices"] = mesh.vertexCount();
+    counters["surface_to_disk_seconds"] = surface.SurfaceToDiskSeconds;
+    counters["transport_seconds"] = transportSeconds;
+    counters["triangulation_seconds"] = triangulation;
+    counters["factorization_seconds"] = factorization;
+    counters["transport_ratio"] = transportSeconds / (triangulation + factorization);
+    counters["conformal_newton_steps"] = conformal.NewtonIterations;
+    counters["curvature_error"] = conformal.MaxCurvatureError;
+    counters["conformal_angle_error"] = before[Measure::AngleError].Mean;
+    counters["conformal_flipped"] = conformal.FlippedFaces;
+    counters["newton_steps"] = flat.Map.NewtonIterations;
+    counters["power_diagrams"] = flat.Map.PowerDiagrams;
+    counters["cell_error"] = flat.Map.MaxCellError;
+    counters["faces_within_2_percent"] = after.FacesWithin2Percent;
+    counters["area_error_percent"] = after[Measure::AreaError].AreaWeightedMean;
+    counters["angle_error"] = after[Measure::AngleError].Mean;
+    counters["flipped"] = flat.Map.FlippedFaces;
+  }
+}
+
+void add(const char* name, const std::function<benchmarks::BenchmarkSurface()>& load)
+{
+  benchmark::RegisterBenchmark(name, [load](benchmark::State& state) { flatten(state, load); })
+    ->Iterations(1)
+    ->UseManualTime()
+    ->Unit(benchmark::kSecond);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  benchmark::Initialize(&argc, argv);
+  const std::string scan = argc > 1 ? argv[1] : "/usr/share/mricron/templates/ch2bet.nii.gz";
+  add("hemisphere", benchmarks::hemisphere);
+  add("Gaussian bump", benchmarks::gaussianSquare);
+  add("half brain, remeshed", [scan] { return benchmarks::remeshedHalfBrain(scan); });
+  add("half brain, raw", [scan] { return benchmarks::halfBrain(scan); });
+  add("whole brain, closed", [scan] { return benchmarks::closedBrain(scan); });
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

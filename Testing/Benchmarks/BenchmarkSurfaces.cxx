@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "BenchmarkSurfaces.h"
+
+#include "AnalyticSurfaces.h"
+
+#include <vtkCellArray.h>
+#include <vtkClipPolyData.h>
+#include <vtkFlyingEdges3D.h>
+#include <vtkIdList.h>
+#include <vtkImageCast.h>
+#include <vtkImageConstantPad.h>
+#include <vtkImageData.h>
+#include <vtkImageGaussianSmooth.h>
+#include <vtkNIFTIImageReader.h>
+#include <vtkNew.h>
+#include <vtkPlane.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkSurfaceToDiskFilter.h>
+
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+namespace flattening::benchmarks
+{
+namespace
+{
+
+TriangleMesh meshOf(vtkPolyData* data)
+{
+  TriangleMesh mesh;
+  mesh.Vertices.resize(data->GetNumberOfPoints(), 3);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    data->GetPoint(i, mesh.Vertices.row(i).data());
+  }
+  mesh.Faces.resize(data->GetNumberOfPolys(), 3);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType f = 0; f < data->GetNumberOfPolys(); ++f)
+  {
+    data->GetPolys()->GetCellAtId(f, corners);
+    mesh.Faces.row(f) << static_cast<int>(corners->GetId(0)), static_cast<int>(corners->GetId(1)),
+      static_cast<int>(corners->GetId(2));
+  }
+  return mesh;
+}
+
+// The closed surface of the brain. Cast before smoothing, or the plateaus of the integer image fall
+// apart into thousands of handles; padded, so that the surface closes.
+vtkSmartPointer<vtkPolyData> brainSurface(const std::string& scan)
+{
+  constexpr int margin = 10;
+  vtkNew<vtkNIFTIImageReader> reader;
+  if (!reader->CanReadFile(scan.c_str()))
+  {
+    throw std::runtime_error("cannot read " + scan + ": install Debian's mricron-data");
+  }
+  reader->SetFileName(scan.c_str());
+  reader->Update();
+  vtkNew<vtkImageCast> cast;
+  cast->SetInputConnection(reader->GetOutputPort());
+  cast->SetOutputScalarTypeToFloat();
+  int extent[6];
+  reader->GetOutput()->GetExtent(extent);
+  vtkNew<vtkImageConstantPad> pad;
+  pad->SetInputConnection(cast->GetOutputPort());
+  pad->SetOutputWholeExtent(extent[0] - margin,
+    extent[1] + margin,
+    extent[2] - margin,
+    extent[3] + margin,
+    extent[4] - margin,
+    extent[5] + margin);
+  vtkNew<vtkImageGaussianSmooth> smooth;
+  smooth->SetInputConnection(pad->GetOutputPort());
+  smooth->SetStandardDeviation(2.0);
+  smooth->SetRadiusFactors(3.0, 3.0, 3.0);
+  vtkNew<vtkFlyingEdges3D> contour;
+  contour->SetInputConnection(smooth->GetOutputPort());
+  contour->SetValue(0, 40.0);
+  contour->ComputeNormalsOff();
+  contour->Update();
+  return contour->GetOutput();
+}
+
+BenchmarkSurface asDisk(vtkPolyData* surface, double edgeLength)
+{
+  vtkNew<vtkSurfaceToDiskFilter> toDisk;
+  toDisk->SetInputData(surface);
+  toDisk->SetRemesh(edgeLength > 0.0);
+  toDisk->SetTargetEdgeLength(edgeLength);
+  const auto start = std::chrono::steady_clock::now();
+  toDisk->Update();
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return { meshOf(toDisk->GetOutput()), seconds };
+}
+
+BenchmarkSurface half(const std::string& scan, double edgeLength)
+{
+  const vtkSmartPointer<vtkPolyData> brain = brainSurface(scan);
+  double bounds[6];
+  vtkNew<vtkNIFTIImageReader> reader;
+  reader->SetFileName(scan.c_str());
+  reader->Update();
+  reader->GetOutput()->GetBounds(bounds);
+  vtkNew<vtkPlane> midPlane;
+  midPlane->SetOrigin(0.5 * (bounds[0] + bounds[1]), 0.0, 0.0);
+  midPlane->SetNormal(1.0, 0.0, 0.0);
+  vtkNew<vtkClipPolyData> clip;
+  clip->SetInputData(brain);
+  clip->SetClipFunction(midPlane);
+  clip->Update();
+  return asDisk(clip->GetOutput(), edgeLength);
+}
+
+} // namespace
+
+BenchmarkSurface hemisphere()
+{
+  return { analytic::ringMesh(analytic::sphericalCap(0.5 * EIGEN_PI), 6817).Mesh };
+}
+
+BenchmarkSurface gaussianSquare()
+{
+  constexpr int side = 101;
+  BenchmarkSurface surface;
+  surface.Mesh.Vertices.resize(side * side, 3);
+  surface.Mesh.Faces.resize(2 * (side - 1) * (side - 1), 3);
+  int face = 0;
+  for (int j = 0; j < side; ++j)
+  {
+    for (int i = 0; i < side; ++i)
+    {
+      const double x = 2.0 * i / (side - 1) - 1.0;
+      const double y = 2.0 * j / (side - 1) - 1.0;
+      const int v = j * side + i;
+      surface.Mesh.Vertices.row(v) << x, y, std::exp(-4.0 * (x * x + y * y));
+      if (i + 1 < side && j + 1 < side)
+      {
+        surface.Mesh.Faces.row(face++) << v, v + 1, v + side + 1;
+        surface.Mesh.Faces.row(face++) << v, v + side + 1, v + side;
+      }
+    }
+  }
+  return surface;
+}
+
+BenchmarkSurface closedBrain(const std::string& scan)
+{
+  return asDisk(brainSurface(scan), 0.0);
+}
+
+BenchmarkSurface halfBrain(const std::string& scan)
+{
+  return half(scan, 0.0);
+}
+
+BenchmarkSurface remeshedHalfBrain(const std::string& scan)
+{
+  return half(scan, 1.2);
+}
+
+} // namespace flattening::benchmarks

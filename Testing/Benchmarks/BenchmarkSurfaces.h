@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The surfaces that are benchmarked: disks, ready for the conformal map.
+#pragma once
+
+#include "TriangleMesh.h"
+
+#include <string>
+
+namespace flattening::benchmarks
+{
+
+/// A disk, and the seconds that vtkSurfaceToDiskFilter took for it; 0 where it was not needed.
+struct BenchmarkSurface
+{
+  TriangleMesh Mesh;
+  double SurfaceToDiskSeconds = 0.0;
+};
+
+/// About 6,800 vertices in rings.
+BenchmarkSurface hemisphere();
+/// A Gaussian bump on a square grid of 101 x 101 vertices, as in the paper's Table 1.
+BenchmarkSurface gaussianSquare();
+
+/// The brain in @p scan (`ch2bet.nii.gz`: 1 mm, skull-stripped), smoothed by 2 mm, isovalue 40, as one
+/// closed surface with a hole cut by vtkSurfaceToDiskFilter.
+BenchmarkSurface closedBrain(const std::string& scan);
+/// Its half beyond the mid-plane, with the triangles of the isosurface.
+BenchmarkSurface halfBrain(const std::string& scan);
+/// The same half, remeshed to edges of 1.2 mm.
+BenchmarkSurface remeshedHalfBrain(const std::string& scan);
+
+} // namespace flattening::benchmarks
