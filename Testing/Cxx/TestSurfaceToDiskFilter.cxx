@@ -1,203 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <vtkSurfaceToDiskFilter.h>
+#include "SurfaceToDiskChecks.h"
 
 #include <vtkAppendPolyData.h>
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCylinderSource.h>
-#include <vtkDoubleArray.h>
-#include <vtkExecutive.h>
-#include <vtkFeatureEdges.h>
-#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
-#include <vtkIntArray.h>
-#include <vtkLineSource.h>
-#include <vtkMassProperties.h>
 #include <vtkNew.h>
-#include <vtkPlaneSource.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
 #include <vtkSphereSource.h>
 #include <vtkStringArray.h>
 #include <vtkStripper.h>
-#include <vtkTestErrorObserver.h>
 #include <vtkTriangleFilter.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
-
-vtkSmartPointer<vtkPolyData> sphere(int resolution)
-{
-  vtkNew<vtkSphereSource> source;
-  source->SetThetaResolution(resolution);
-  source->SetPhiResolution(resolution);
-  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  source->Update();
-  vtkSmartPointer<vtkPolyData> result = source->GetOutput();
-  result->GetPointData()->Initialize();
-  return result;
-}
-
-// A square of n x n quads in [0,1]^2.
-vtkSmartPointer<vtkPolyData> square(int n)
-{
-  vtkNew<vtkPlaneSource> source;
-  source->SetOrigin(0, 0, 0);
-  source->SetPoint1(1, 0, 0);
-  source->SetPoint2(0, 1, 0);
-  source->SetResolution(n, n);
-  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  source->Update();
-  vtkSmartPointer<vtkPolyData> result = source->GetOutput();
-  result->GetPointData()->Initialize();
-  return result;
-}
-
-// Quads around a ring.
-vtkSmartPointer<vtkPolyData> torus(int n, int m)
-{
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> quads;
-  for (int i = 0; i < n; ++i)
-  {
-    for (int j = 0; j < m; ++j)
-    {
-      const double u = 2 * Pi * i / n;
-      const double v = 2 * Pi * j / m;
-      const double r = 2 + std::cos(v);
-      points->InsertNextPoint(r * std::cos(u), r * std::sin(u), std::sin(v));
-      const vtkIdType next = (i + 1) % n * m;
-      const vtkIdType up = (j + 1) % m;
-      const vtkIdType ids[] = { i * m + j, next + j, next + up, i * m + up };
-      quads->InsertNextCell(4, ids);
-    }
-  }
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->SetPoints(points);
-  result->SetPolys(quads);
-  return result;
-}
-
-// Position as floating point numbers, the octant as a label and as a string; the cell's id squared.
-void addAttributes(vtkPolyData* data)
-{
-  vtkNew<vtkDoubleArray> position;
-  position->SetName("Position");
-  position->SetNumberOfComponents(3);
-  vtkNew<vtkIntArray> octant;
-  octant->SetName("Octant");
-  vtkNew<vtkStringArray> name;
-  name->SetName("Name");
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-  {
-    double x[3];
-    data->GetPoint(i, x);
-    position->InsertNextTuple(x);
-    octant->InsertNextValue(100 + (x[0] > 0) + 2 * (x[1] > 0) + 4 * (x[2] > 0));
-    name->InsertNextValue("octant " + std::to_string(octant->GetValue(i)));
-  }
-  data->GetPointData()->AddArray(position);
-  data->GetPointData()->SetScalars(octant);
-  data->GetPointData()->AddArray(name);
-  vtkNew<vtkFloatArray> number;
-  number->SetName("CellNumber");
-  for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c)
-  {
-    number->InsertNextValue(static_cast<float>(c + 1));
-  }
-  data->GetCellData()->AddArray(number);
-}
-
-double figure(vtkPolyData* output, const char* name)
-{
-  vtkDataArray* array = output->GetFieldData()->GetArray(name);
-  if (!array || array->GetNumberOfTuples() != 1)
-  {
-    ADD_FAILURE() << "no one-tuple field array " << name;
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  return array->GetTuple1(0);
-}
-
-double areaOf(vtkPolyData* data)
-{
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(data);
-  vtkNew<vtkMassProperties> mass;
-  mass->SetInputConnection(triangles->GetOutputPort());
-  return mass->GetSurfaceArea();
-}
-
-// Euler number 1 and one closed boundary line, counted by VTK.
-void expectDisk(vtkPolyData* output)
-{
-  ASSERT_GT(output->GetNumberOfCells(), 0);
-  EXPECT_EQ(output->GetNumberOfPolys(), output->GetNumberOfCells());
-  vtkNew<vtkFeatureEdges> edges;
-  edges->SetInputData(output);
-  edges->FeatureEdgesOff();
-  edges->NonManifoldEdgesOn();
-  edges->ColoringOff();
-  edges->BoundaryEdgesOff();
-  edges->Update();
-  EXPECT_EQ(edges->GetOutput()->GetNumberOfLines(), 0);
-  edges->BoundaryEdgesOn();
-  edges->Update();
-  const vtkIdType boundary = edges->GetOutput()->GetNumberOfLines();
-  EXPECT_EQ(boundary, figure(output, "BoundaryVertices"));
-  vtkNew<vtkStripper> loops;
-  loops->SetInputConnection(edges->GetOutputPort());
-  loops->SetMaximumLength(VTK_INT_MAX);
-  loops->Update();
-  EXPECT_EQ(loops->GetOutput()->GetNumberOfLines(), 1);
-  const vtkIdType faces = output->GetNumberOfCells();
-  EXPECT_EQ(output->GetNumberOfPoints() - (3 * faces + boundary) / 2 + faces, 1);
-}
-
-vtkSmartPointer<vtkPolyData> run(vtkSurfaceToDiskFilter* filter, vtkPolyData* input)
-{
-  filter->SetInputData(input);
-  filter->Update();
-  vtkNew<vtkPolyData> output;
-  output->ShallowCopy(filter->GetOutput());
-  return output;
-}
-
-// Expects one error with these words and an empty output; then the filter works again.
-void expectError(vtkSurfaceToDiskFilter* filter, vtkPolyData* input, const char* words)
-{
-  vtkNew<vtkTest::ErrorObserver> filterErrors;
-  vtkNew<vtkTest::ErrorObserver> executiveErrors;
-  const unsigned long filterTag = filter->AddObserver(vtkCommand::ErrorEvent, filterErrors);
-  const unsigned long executiveTag =
-    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, executiveErrors);
-  filter->SetInputData(input);
-  filter->Update();
-  EXPECT_TRUE(filterErrors->GetError()) << words;
-  EXPECT_NE(filterErrors->GetErrorMessage().find(words), std::string::npos)
-    << filterErrors->GetErrorMessage() << " lacks: " << words;
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
-  filter->RemoveObserver(filterTag);
-  filter->GetExecutive()->RemoveObserver(executiveTag);
-
-  vtkNew<vtkSurfaceToDiskFilter> fresh;
-  filter->SetTargetEdgeLength(fresh->GetTargetEdgeLength());
-  filter->SetMergeTolerance(fresh->GetMergeTolerance());
-  expectDisk(run(filter, square(8)));
-}
+using namespace disk_tests;
 
 TEST(SurfaceToDiskFilter, TriangulatesQuadsAndTracesThem)
 {
@@ -492,72 +319,6 @@ TEST(SurfaceToDiskFilter, WorksAtAnyScale)
       EXPECT_EQ(figure(output, "MergedPoints"), 0);
     }
   }
-}
-
-TEST(SurfaceToDiskFilter, EmptyInputGivesEmptyOutputSilently)
-{
-  vtkNew<vtkTest::ErrorObserver> errors;
-  vtkNew<vtkSurfaceToDiskFilter> filter;
-  filter->AddObserver(vtkCommand::ErrorEvent, errors);
-  filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
-  vtkNew<vtkPolyData> empty;
-  EXPECT_EQ(run(filter, empty)->GetNumberOfPoints(), 0);
-  EXPECT_FALSE(errors->GetError());
-}
-
-TEST(SurfaceToDiskFilter, NamesWhatIsWrongAndTheRemedy)
-{
-  vtkNew<vtkSurfaceToDiskFilter> filter;
-
-  vtkNew<vtkLineSource> line;
-  line->Update();
-  expectError(filter, line->GetOutput(), "no triangles");
-
-  for (const double bad : { double(NAN), double(INFINITY) })
-  {
-    const auto input = square(3);
-    input->GetPoints()->SetPoint(7, 0.5, bad, 0.0);
-    expectError(filter, input, "point 7 has a coordinate that is not finite");
-  }
-
-  const auto flat = square(3);
-  for (vtkIdType i = 0; i < flat->GetNumberOfPoints(); ++i)
-  {
-    flat->GetPoints()->SetPoint(i, static_cast<double>(i), 0, 0);
-  }
-  vtkNew<vtkTriangleFilter> collinear; // polygons without area do not survive triangulation
-  collinear->SetInputData(square(3));
-  collinear->Update();
-  collinear->GetOutput()->SetPoints(flat->GetPoints());
-  expectError(filter, collinear->GetOutput(), "zero area");
-
-  expectError(filter, torus(24, 10), "genus 1");
-
-  filter->RemeshOn();
-  filter->SetTargetEdgeLength(-2);
-  expectError(filter, square(8), "target edge length");
-  filter->SetTargetEdgeLength(5);
-  expectError(filter, square(8), "fewer than 20 faces");
-}
-
-TEST(SurfaceToDiskFilter, StopsWhenAborted)
-{
-  vtkNew<vtkTest::ErrorObserver> errors;
-  vtkNew<vtkSurfaceToDiskFilter> filter;
-  filter->AddObserver(vtkCommand::ErrorEvent, errors);
-  vtkNew<vtkCallbackCommand> abort;
-  abort->SetCallback(
-    [](vtkObject* caller, unsigned long, void*, void*)
-    {
-      auto* algorithm = static_cast<vtkAlgorithm*>(caller);
-      if (algorithm->GetProgress() > 0.5)
-      {
-        algorithm->SetAbortExecute(1);
-      }
-    });
-  filter->AddObserver(vtkCommand::ProgressEvent, abort);
-  EXPECT_EQ(run(filter, sphere(20))->GetNumberOfPoints(), 0);
-  EXPECT_FALSE(errors->GetError());
 }
 
 } // namespace
