@@ -84,6 +84,12 @@ struct Case
   SurfaceOfRevolution Surface;
 };
 
+// What the test's name shows.
+void PrintTo(const Case& value, std::ostream* stream)
+{
+  *stream << value.Name;
+}
+
 class BrenierRadius : public testing::TestWithParam<Case>
 {
 };
