@@ -300,9 +300,16 @@ std::vector<IntrinsicTriangulation::BoundarySplit> IntrinsicTriangulation::split
   for (int round = 0; round < maximumRounds; ++round)
   {
     const int before = this->halfedgeCount();
+    std::vector<char> onBoundary(this->VertexCount, 0);
     for (int h = 0; h < before; ++h)
     {
-      if (this->Twins[h] < 0 &&
+      onBoundary[this->origin(h)] |= this->Twins[h] < 0;
+    }
+    for (int h = 0; h < before; ++h)
+    {
+      const int apex = this->origin(previous(h));
+      const bool isInner = apex < static_cast<int>(onBoundary.size()) && !onBoundary[apex];
+      if (this->Twins[h] < 0 && isInner &&
           cosineOpposite(this->LogLengths[h], this->LogLengths[next(h)], this->LogLengths[previous(h)]) <
             smallestCosine)
       {

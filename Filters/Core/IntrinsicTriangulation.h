@@ -57,12 +57,13 @@ public:
   /// boundary.
   int flipToDelaunay(const Factors& u);
 
-  /// Splits every boundary edge whose opposite angle exceeds @p largestAngle (radians, at most pi / 2)
-  /// at the foot of that altitude (or what is nearest to it in the middle three fifths), and makes the
-  /// triangulation Delaunay again, until there is none (or
-  /// @p maximumRounds are done). A boundary edge cannot be flipped, so its triangle is where the flow of
-  /// a triangulation with boundary can degenerate; a narrow one stays far from that. New vertices lie on
-  /// the boundary. Returns for each new vertex the ends of its edge and its parameter.
+  /// Splits every boundary edge that sees an inner vertex at more than @p largestAngle (radians, at most
+  /// pi / 2) at the foot of that altitude (or what is nearest to it in the middle three fifths), and
+  /// makes the triangulation Delaunay again, until there is none or @p maximumRounds are done. A
+  /// boundary edge cannot be flipped, so its triangle is where the flow of a triangulation with boundary
+  /// can degenerate; a narrow one stays far from that. Where the opposite vertex is on the boundary too,
+  /// splitting would only cascade into a sharp corner. New vertices lie on the boundary. Returns for
+  /// each new vertex the ends of its edge and its parameter.
   struct BoundarySplit
   {
     int From;

@@ -145,6 +145,9 @@ RicciFlowResult discreteRicciFlow(IntrinsicTriangulation& triangulation,
       std::clamp(std::log(startError / error()) / std::log(startError / options.Tolerance), 0.0, 1.0));
     report(progress, fraction, "Ricci flow");
 
+    // Where triangles are degenerate the energy is flat; a ridge keeps the step finite there. The Hessian
+    // has no unit: its entries are cotangents.
+    cholesky.setShift(system.DegenerateFaces > 0 ? 1e-3 : 0.0);
     cholesky.compute(system.hessian());
     if (cholesky.info() != Eigen::Success)
     {

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// From a flat metric with a straight boundary to positions in the upper half-plane.
+#pragma once
+
+#include "IntrinsicTriangulation.h"
+#include "MoebiusNormalisation.h"
+
+namespace flattening
+{
+
+/// Positions of the vertices of @p triangulation at factors @p u, for which it is flat and its boundary
+/// straight from @p firstOnAxis to @p lastOnAxis, which become the real axis; the rest of the boundary
+/// is the link of the vertex at infinity. Coordinates are harmonic in a flat metric, so with the
+/// boundary known one linear solve gives them all; laying out face by face from the boundary would be a
+/// Cauchy problem, whose rounding errors grow exponentially. Vertices without a face get (infinity, 0).
+/// @throws ConvergenceError if the linear system cannot be factored.
+ComplexVector layOutInHalfPlane(const IntrinsicTriangulation& triangulation,
+  const IntrinsicTriangulation::Factors& u,
+  int firstOnAxis,
+  int lastOnAxis);
+
+/// Greatest relative error of an edge's length in @p position.
+double layoutError(const IntrinsicTriangulation& triangulation,
+  const IntrinsicTriangulation::Factors& u,
+  const ComplexVector& position);
+
+} // namespace flattening
