@@ -14,7 +14,7 @@ struct RicciFlowOptions
 {
   /// Greatest |angle sum - target| accepted, radians. Range (0, 1e-3].
   double Tolerance = 1e-11;
-  int MaximumIterations = 200;
+  int MaximumIterations = 60;
 };
 
 struct RicciFlowResult
