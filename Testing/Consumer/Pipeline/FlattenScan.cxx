@@ -66,7 +66,7 @@ int main(int argc, char* argv[])
   std::cout << "area " << figure("SurfaceArea") << ", largest error of a cell's area "
             << figure("MaxCellAreaError") << ", mean error of the faces' areas "
             << figure("AreaWeightedMeanAreaError") << " %, faces flipped " << figure("FlippedFaces")
-            << "\n";
+            << " of " << metrics->GetOutput()->GetNumberOfCells() << "\n";
   if (argc == 4)
   {
     vtkNew<vtkXMLPolyDataWriter> writer;
