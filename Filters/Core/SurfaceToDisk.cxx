@@ -73,8 +73,9 @@ void requireNoHandles(int genus)
   if (genus > 0)
   {
     throw TopologyError("the surface has genus " + std::to_string(genus) + ", that is " +
-                        std::to_string(genus) + (genus > 1 ? " handles" : " handle") +
-                        " or tunnels: smooth the volume more before Contour (a Gaussian of 2 voxels or "
+                        std::to_string(genus) +
+                        (genus > 1 ? " handles or tunnels" : " handle or tunnel") +
+                        ": smooth the volume more before Contour (a Gaussian of 2 voxels or "
                         "more), change the isovalue, or cut the handles off with Clip");
   }
 }
