@@ -27,7 +27,8 @@
  *
  * The point array `TCoords`, made active, holds the flat positions mapped to [0,1]^2: the smallest
  * square around the flat surface, with the same centre. Field data receives the figures of the whole
- * surface, as arrays of one tuple: `SurfaceArea` and `FlatArea` (units of the input squared),
+ * surface, as arrays of one tuple: `SurfaceArea` and `FlatArea` (units of the input squared; the area
+ * that the boundary encloses, so that flipped faces, which lie on top of others, count negative),
  * `FlippedFaces`, `DegenerateFaces`, `FacesWithin2Percent` (percent of the faces with surface area),
  * `RootMeanSquareStretch`, and `Mean<X>`, `AreaWeightedMean<X>`, `P95<X>`, `P99<X>` and `Max<X>` for X
  * one of `AreaError` (percent), `AreaDistortion` (its magnitude), `AngleDistortion`,

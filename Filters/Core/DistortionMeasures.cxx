@@ -204,7 +204,8 @@ FaceDistortion measureDistortion(const TriangleMesh& surface,
   const Eigen::VectorXd signedFlatArea = signedFaceAreas(flat, surface.Faces);
   result.SurfaceArea = faceAreas(surface.Vertices, surface.Faces);
   result.TargetArea = targetAreas(surface.Faces, result.SurfaceArea, vertexWeights);
-  result.FlatArea = signedFlatArea.cwiseAbs();
+  // A map may be mirrored as a whole; what lies against the whole counts negative.
+  result.FlatArea = signedFlatArea.sum() < 0.0 ? Eigen::VectorXd(-signedFlatArea) : signedFlatArea;
 
   const double totalTarget = result.TotalTargetArea = result.TargetArea.sum();
   const double totalFlat = result.TotalFlatArea = result.FlatArea.sum();
@@ -227,7 +228,8 @@ FaceDistortion measureDistortion(const TriangleMesh& surface,
         !(result.SurfaceArea[f] > 0.0) || collinear(surface.Vertices, surface.Faces.row(f));
       if (!result.SurfaceDegenerate[f])
       {
-        const double flatShare = result.FlatDegenerate[f] ? 0.0 : result.FlatArea[f] / totalFlat;
+        const double flatShare =
+          result.FlatDegenerate[f] ? 0.0 : std::abs(result.FlatArea[f]) / totalFlat;
         result.AreaRatio[f] = flatShare / (result.TargetArea[f] / totalTarget);
       }
       if (!result.degenerate(f))

@@ -19,11 +19,11 @@ namespace flattening
 /// exception is AreaRatio, which is 0 where only the flat triangle is degenerate.
 struct FaceDistortion
 {
-  Eigen::VectorXd SurfaceArea;       ///< input units squared
-  Eigen::VectorXd TargetArea;        ///< what SurfaceArea should become, up to one common factor
-  Eigen::VectorXd FlatArea;          ///< units of the flat positions squared, never negative
-  Eigen::VectorXd AreaRatio;         ///< (flat / total flat) / (target / total target); 1 is perfect
-  Eigen::VectorXd AreaDistortion;    ///< Upsilon = log(Gamma gamma) = -log(AreaRatio); 0 is perfect
+  Eigen::VectorXd SurfaceArea;    ///< input units squared
+  Eigen::VectorXd TargetArea;     ///< what SurfaceArea should become, up to one common factor
+  Eigen::VectorXd FlatArea;       ///< units of the flat positions squared; < 0 against the whole's sense
+  Eigen::VectorXd AreaRatio;      ///< |flat / total flat| / (target / total target); 1 is perfect
+  Eigen::VectorXd AreaDistortion; ///< Upsilon = log(Gamma gamma) = -log(AreaRatio); 0 is perfect
   Eigen::VectorXd AngleDistortion;   ///< Lambda = log(Gamma / gamma) >= 0; 0 is perfect
   Eigen::VectorXd BeltramiMagnitude; ///< |mu| = (K - 1) / (K + 1), K = Gamma / gamma; 0 is perfect
   Eigen::VectorXd StretchL2;         ///< sqrt((Gamma^2 + gamma^2) / 2), Sander et al. 2001; 1 is perfect
@@ -33,7 +33,7 @@ struct FaceDistortion
   std::vector<char> SurfaceDegenerate; ///< 1 if the surface triangle has no area (exact)
   std::vector<char> FlatDegenerate;    ///< 1 if the flat triangle has no area, exact or after rounding
   double TotalTargetArea = 0.0;        ///< sum of TargetArea
-  double TotalFlatArea = 0.0;          ///< sum of FlatArea
+  double TotalFlatArea = 0.0;          ///< sum of FlatArea: what the boundary encloses
 
   int faceCount() const { return static_cast<int>(this->AreaRatio.size()); }
   bool degenerate(int face) const { return this->SurfaceDegenerate[face] || this->FlatDegenerate[face]; }

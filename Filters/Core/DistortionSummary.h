@@ -45,7 +45,9 @@ struct DistortionSummary
 {
   int Faces = 0;
   double SurfaceArea = 0.0; ///< input units squared
-  double FlatArea = 0.0;    ///< units of the flat positions squared
+  /// Units of the flat positions squared: what the faces' outer boundary encloses. Flipped faces, which
+  /// lie on top of others, count negative.
+  double FlatArea = 0.0;
   /// Percent by which the share of these faces in the flat area differs from their share in the target
   /// area. Errors of single faces that cancel within the region do not show here.
   double AreaErrorPercent = 0.0;

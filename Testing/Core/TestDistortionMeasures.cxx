@@ -177,6 +177,22 @@ TEST(DistortionMeasures, MirroredIsAllFlippedAndElseTheSame)
   EXPECT_LE((m.AngleError - d.AngleError).cwiseAbs().maxCoeff(), 1e-12);
 }
 
+// A vertex dragged over its neighbours folds faces over others; the boundary encloses what it did.
+TEST(DistortionMeasures, FoldedFacesLeaveTheEnclosedAreaAlone)
+{
+  const FaceMatrix faces = gridFaces(6);
+  const Points2 flat = irregularGrid(6);
+  const TriangleMesh surface = liftedBy(Eigen::Matrix2d::Identity(), flat, faces);
+  Points2 folded = flat;
+  const int inner = 3 * 7 + 3;
+  folded.row(inner) << 0.9, 0.9;
+  const FaceDistortion d = measureDistortion(surface, folded);
+  ASSERT_GT(std::count(d.Flipped.begin(), d.Flipped.end(), 1), 0);
+  EXPECT_NEAR(d.TotalFlatArea, 1.0, 1e-14);
+  EXPECT_GT(d.FlatArea.cwiseAbs().sum(), 1.05) << "the fold is too small to be seen";
+  EXPECT_GT(d.AreaRatio.minCoeff(), 0.0);
+}
+
 // Another route to every measure: the Jacobian's SVD by Eigen, areas by Heron, angles by the law of
 // cosines.
 TEST(DistortionMeasures, AgreesWithIndependentComputation)
