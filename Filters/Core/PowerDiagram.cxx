@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PowerDiagram.h"
 
+#include "RegionMeasure.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Regular_triangulation_2.h>
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
@@ -28,70 +30,6 @@ using FaceBase = CGAL::
   Triangulation_face_base_with_info_2<int, Kernel, CGAL::Regular_triangulation_face_base_2<Kernel>>;
 using RegularTriangulation =
   CGAL::Regular_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-// Counter-clockwise angle from p to q, both on the unit circle, in [0, 2 pi).
-double arcAngle(const Eigen::Vector2d& p, const Eigen::Vector2d& q)
-{
-  const double angle = std::atan2(cross(p, q), p.dot(q));
-  // An arc that rounding turned around is an empty one, not the whole circle.
-  return angle >= 0.0 ? angle : angle > -1e-9 ? 0.0 : angle + 2.0 * EIGEN_PI;
-}
-
-double angleMinusSine(double angle)
-{
-  if (angle > 0.05)
-  {
-    return angle - std::sin(angle);
-  }
-  const double square = angle * angle;
-  return angle * square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0));
-}
-
-// Area and first moment of a region given by its boundary, relative to a local origin.
-class RegionMeasure
-{
-public:
-  explicit RegionMeasure(const Eigen::Vector2d& origin)
-    : Origin(origin)
-  {
-  }
-  void addSide(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
-  {
-    const Eigen::Vector2d a = from - this->Origin;
-    const Eigen::Vector2d b = to - this->Origin;
-    const double area = 0.5 * cross(a, b);
-    this->Area += area;
-    this->Moment += area / 3.0 * (a + b);
-  }
-  // An arc is its chord and a circular segment.
-  void addArc(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
-  {
-    const double angle = arcAngle(from, to);
-    this->addSide(from, to);
-    const double area = 0.5 * angleMinusSine(angle);
-    if (area > 0.0)
-    {
-      const double middle = std::atan2(from.y(), from.x()) + 0.5 * angle;
-      const double sine = std::sin(0.5 * angle);
-      const double radius = 2.0 * sine * sine * sine / (3.0 * area);
-      this->Area += area;
-      this->Moment +=
-        area * (radius * Eigen::Vector2d(std::cos(middle), std::sin(middle)) - this->Origin);
-    }
-  }
-  double area() const { return this->Area; }
-  Eigen::Vector2d centroid() const { return this->Origin + this->Moment / this->Area; }
-
-private:
-  Eigen::Vector2d Origin;
-  double Area = 0.0;
-  Eigen::Vector2d Moment = Eigen::Vector2d::Zero();
-};
 
 int next(int h)
 {
