@@ -13,7 +13,7 @@ cd "$(dirname "$0")/.."
 
 Utilities/build.sh
 build=$(realpath "${BUILD_DIRECTORY:-build}")
-plugin=$(find "$build" -name SurfaceFlattening.so -print -quit)
+plugin=$(find "$build/lib" -name SurfaceFlattening.so -print -quit)
 
 # The screen is as large as the picture; rendering is in software, as on a server.
 LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 2100x1180x24" \
