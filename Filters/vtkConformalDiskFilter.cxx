@@ -62,7 +62,6 @@ int vtkConformalDiskFilter::RequestData(vtkInformation* vtkNotUsed(request),
     [&]
     {
       const flattening::TriangleMesh mesh = flattening::toTriangleMesh(input);
-      const std::vector<int> loop = flattening::requireDisk(mesh);
       flattening::ConformalDiskOptions options;
       options.Flow.Tolerance = this->Tolerance;
       if (this->UseCenterPoint)
@@ -73,7 +72,8 @@ int vtkConformalDiskFilter::RequestData(vtkInformation* vtkNotUsed(request),
       }
       if (this->UseBoundaryPoint)
       {
-        options.BoundaryVertex = nearestVertex(mesh.Vertices, loop, this->BoundaryPoint);
+        options.BoundaryVertex =
+          nearestVertex(mesh.Vertices, flattening::requireDisk(mesh), this->BoundaryPoint);
       }
 
       const flattening::ConformalDiskMap map =

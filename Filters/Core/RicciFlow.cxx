@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 
 namespace flattening
@@ -145,8 +146,8 @@ RicciFlowResult discreteRicciFlow(IntrinsicTriangulation& triangulation,
       std::clamp(std::log(startError / error()) / std::log(startError / options.Tolerance), 0.0, 1.0));
     report(progress, fraction, "Ricci flow");
 
-    // Where triangles are degenerate the energy is flat; a ridge keeps the step finite there. The Hessian
-    // has no unit: its entries are cotangents.
+    // Where triangles are degenerate the energy is flat; a ridge keeps the step finite there. The
+    // Hessian has no unit: its entries are cotangents.
     cholesky.setShift(system.DegenerateFaces > 0 ? 1e-3 : 0.0);
     cholesky.compute(system.hessian());
     if (cholesky.info() != Eigen::Success)
@@ -184,11 +185,12 @@ RicciFlowResult discreteRicciFlow(IntrinsicTriangulation& triangulation,
   result.MaxCurvatureError = error();
   if (system.DegenerateFaces > 0 || !(result.MaxCurvatureError <= 1e-10))
   {
-    throw ConvergenceError("the Ricci flow stopped after " + std::to_string(result.NewtonIterations) +
-                           " Newton steps at curvature error " +
-                           std::to_string(result.MaxCurvatureError) + " with " +
-                           std::to_string(system.DegenerateFaces) +
-                           " degenerate triangles: remesh the surface (Surface To Disk, Remesh)");
+    std::ostringstream message;
+    message << "the Ricci flow stopped after " << result.NewtonIterations
+            << " Newton steps at a curvature error of " << result.MaxCurvatureError << " with "
+            << system.DegenerateFaces
+            << " degenerate triangles: remesh the surface (Surface To Disk, Remesh)";
+    throw ConvergenceError(message.str());
   }
   return result;
 }

@@ -57,7 +57,8 @@ SparseMatrix areaJacobian(const PowerDiagram& diagram)
 }
 
 // Of the start without weights (the paper's) and the radially symmetric potential the one whose cells
-// are nearer to their targets; both leave no cell empty in the plane.
+// are nearer to their targets; both leave no cell empty in the plane. The diagram is the start's
+// afterwards.
 PowerDiagram::Weights startWeights(PowerDiagram& diagram, const Eigen::VectorXd& targets)
 {
   const PowerDiagram::Weights zero = PowerDiagram::Weights::Zero(diagram.siteCount());
@@ -79,7 +80,12 @@ PowerDiagram::Weights startWeights(PowerDiagram& diagram, const Eigen::VectorXd&
       "the transport has no start without empty power cells: sites of the conformal map lie "
       "too close together for double precision; remesh the surface (Surface To Disk, Remesh)");
   }
-  return zeroRatio <= radialRatio ? zero : radial;
+  if (zeroRatio <= radialRatio)
+  {
+    diagram.update(zero);
+    return zero;
+  }
+  return radial;
 }
 
 } // namespace
@@ -92,7 +98,6 @@ TransportResult transportNewton(PowerDiagram& diagram,
   report(progress, 0.0, "First power diagram");
   TransportResult result;
   result.Weights = startWeights(diagram, targets);
-  diagram.update(result.Weights);
 
   Eigen::VectorXd areas = diagram.areas();
   double error = relativeError(areas, targets);
