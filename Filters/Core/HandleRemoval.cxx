@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "HandleRemoval.h"
+
+#include "Errors.h"
+#include "FaceIntersections.h"
+#include "HandleCutting.h"
+#include "LoopCap.h"
+#include "MeshTopology.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace flattening
+{
+namespace
+{
+
+// How far the copies of a loop move apart; less where that makes faces intersect.
+constexpr double Steps[] = { 0.5, 0.25, 0.1, 0.03 };
+
+double areaOf(const HalfedgeSurface& surface,
+  const FaceReplacement& faces,
+  std::size_t begin,
+  std::size_t end)
+{
+  const auto at = [&](int v) -> const Eigen::Vector3d&
+  {
+    const auto place = faces.Places.find(v);
+    return place == faces.Places.end() ? surface.point(v) : place->second;
+  };
+  double twice = 0.0;
+  for (std::size_t f = begin; f < end; ++f)
+  {
+    const std::array<int, 3>& t = faces.Faces[f];
+    twice += (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).norm();
+  }
+  return 0.5 * twice;
+}
+
+double areaOf(const HalfedgeSurface& surface, const std::vector<int>& faces)
+{
+  double twice = 0.0;
+  for (const int f : faces)
+  {
+    const Eigen::Vector3d& p = surface.point(surface.origin(3 * f));
+    twice += (surface.point(surface.origin(3 * f + 1)) - p)
+               .cross(surface.point(surface.origin(3 * f + 2)) - p)
+               .norm();
+  }
+  return 0.5 * twice;
+}
+
+class HandleRemover
+{
+public:
+  explicit HandleRemover(const TriangleMesh& mesh)
+    : Surface(mesh)
+  {
+  }
+
+  SurfaceWithoutHandles run(const ProgressCallback& progress)
+  {
+    SurfaceWithoutHandles result;
+    this->Report.LoopLengths = cutHandles(
+      this->Surface,
+      [this](const SurfaceLoop& loop, bool last) { return this->cutAndCap(loop.Halfedges, last); },
+      progress);
+    this->Report.Handles = static_cast<int>(this->Report.LoopLengths.size());
+    result.Surface = this->Surface.derived();
+    result.Report = std::move(this->Report);
+    return result;
+  }
+
+private:
+  const HalfedgeSurface& halfedges() const { return this->Surface.halfedges(); }
+
+  int cutAndCap(const std::vector<int>& loop, bool last)
+  {
+    if (!this->Intersections)
+    {
+      this->Intersections.emplace(this->halfedges());
+    }
+    std::vector<int> vertices;
+    std::vector<Eigen::Vector3d> points;
+    for (const int h : loop)
+    {
+      vertices.push_back(this->halfedges().origin(h));
+      points.push_back(this->halfedges().point(vertices.back()));
+    }
+    std::optional<CappedCut> best;
+    int fewest = 0;
+    for (const auto& makeCap : { spanningCap, coneCap })
+    {
+      LoopCap cap = makeCap(points);
+      if (cap.Faces.empty())
+      {
+        continue;
+      }
+      splitEdgesOf(this->halfedges(), vertices, points, cap);
+      for (const double step : Steps)
+      {
+        CappedCut cut = capBothSides(this->halfedges(), loop, cap, step);
+        int pairs = this->Intersections->countNew(cut.Faces);
+        if (pairs > 0)
+        {
+          pairs -= this->Intersections->count(cut.Faces.Replaced); // those the surface had before
+        }
+        if (!best || pairs < fewest)
+        {
+          best = std::move(cut);
+          fewest = pairs;
+        }
+        if (fewest <= 0)
+        {
+          return this->apply(loop, *best);
+        }
+      }
+    }
+    if (!last)
+    {
+      return -1;
+    }
+    ++this->Report.PiercingCaps;
+    this->Report.NewIntersections += fewest;
+    return this->apply(loop, *best);
+  }
+
+  int apply(const std::vector<int>& loop, const CappedCut& cut)
+  {
+    const FaceReplacement& faces = cut.Faces;
+    const std::size_t old = faces.Replaced.size();
+    this->Report.RemovedArea +=
+      areaOf(this->halfedges(), faces.Replaced) - areaOf(this->halfedges(), faces, 0, old);
+    this->Report.AddedArea += areaOf(this->halfedges(), faces, old, faces.Faces.size());
+
+    this->Intersections->remove(faces.Replaced);
+    const int firstFace = this->halfedges().faceCount();
+    this->Surface.cut(loop);
+    for (int side = 0; side < 2; ++side)
+    {
+      for (std::size_t i = 0; i < cut.Cap.Inside.size(); ++i)
+      {
+        std::map<int, double> weights;
+        for (const auto& [corner, share] : cut.Cap.Weights[i])
+        {
+          for (const auto& [vertex, weight] : this->Surface.origin(cut.Vertices[corner]))
+          {
+            weights[vertex] += share * weight;
+          }
+        }
+        this->Surface.addVertex(cut.Cap.Inside[i], { weights.begin(), weights.end() });
+      }
+    }
+    for (const auto& [v, place] : faces.Places)
+    {
+      if (v < cut.FirstRight)
+      {
+        this->Report.GreatestDisplacement =
+          std::max(this->Report.GreatestDisplacement, (place - this->halfedges().point(v)).norm());
+      }
+      this->Surface.move(v, place);
+    }
+    this->Surface.addFaces(
+      { faces.Faces.begin() + static_cast<std::ptrdiff_t>(old), faces.Faces.end() });
+    this->Intersections->insert(faces.Replaced);
+    std::vector<int> added(this->halfedges().faceCount() - firstFace);
+    std::iota(added.begin(), added.end(), firstFace);
+    this->Intersections->insert(added);
+    return cut.FirstCopy;
+  }
+
+  TracedSurface Surface;
+  std::optional<FaceIntersections> Intersections;
+  HandleRemovalReport Report;
+};
+
+} // namespace
+
+SurfaceWithoutHandles removeHandles(const TriangleMesh& mesh, const ProgressCallback& progress)
+{
+  SurfaceWithoutHandles result = HandleRemover(mesh).run(progress);
+  return result;
+}
+
+} // namespace flattening
