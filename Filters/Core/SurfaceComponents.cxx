@@ -1,15 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SurfaceComponents.h"
 
+#include "Errors.h"
 #include "SurfaceProjection.h"
 
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <numeric>
+#include <string>
 
 namespace flattening
 {
+namespace
+{
+
+Eigen::VectorXd componentAreas(const TriangleMesh& mesh, const SurfaceComponents& components)
+{
+  const Eigen::VectorXd faceArea = faceAreas(mesh.Vertices, mesh.Faces);
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(components.Count);
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    areas[components.OfFace[f]] += faceArea[f];
+  }
+  return areas;
+}
+
+} // namespace
 
 std::vector<int> SurfaceComponents::faces(int component) const
 {
@@ -51,17 +68,34 @@ SurfaceComponents connectedComponents(const TriangleMesh& mesh)
   return components;
 }
 
+int chooseComponent(const TriangleMesh& mesh,
+  const SurfaceComponents& components,
+  const ComponentChoice& choice)
+{
+  if (choice.By == ComponentChoice::Rule::ClosestToPoint)
+  {
+    if (!choice.Point.allFinite())
+    {
+      throw InvalidInput("the component's point is not finite: set all of its coordinates");
+    }
+    return closestComponent(mesh, components, choice.Point);
+  }
+  const int index = choice.By == ComponentChoice::Rule::ByIndex ? choice.Index : 0;
+  if (index < 0 || index >= components.Count)
+  {
+    throw InvalidInput("there is no component " + std::to_string(index) + ": the surface has " +
+                       std::to_string(components.Count) + ", numbered from 0");
+  }
+  const Eigen::VectorXd areas = componentAreas(mesh, components);
+  std::vector<int> byArea(components.Count);
+  std::iota(byArea.begin(), byArea.end(), 0);
+  std::stable_sort(byArea.begin(), byArea.end(), [&areas](int a, int b) { return areas[a] > areas[b]; });
+  return byArea[index];
+}
+
 int largestComponent(const TriangleMesh& mesh, const SurfaceComponents& components)
 {
-  const Eigen::VectorXd faceArea = faceAreas(mesh.Vertices, mesh.Faces);
-  Eigen::VectorXd area = Eigen::VectorXd::Zero(components.Count);
-  for (int f = 0; f < mesh.faceCount(); ++f)
-  {
-    area[components.OfFace[f]] += faceArea[f];
-  }
-  Eigen::Index largest = 0;
-  area.maxCoeff(&largest);
-  return static_cast<int>(largest);
+  return chooseComponent(mesh, components, {});
 }
 
 int closestComponent(const TriangleMesh& mesh,

@@ -23,6 +23,26 @@ struct SurfaceComponents
 /// Faces that share a vertex belong together.
 SurfaceComponents connectedComponents(const TriangleMesh& mesh);
 
+/// Which component of a surface is meant.
+struct ComponentChoice
+{
+  enum class Rule
+  {
+    Largest,
+    ClosestToPoint,
+    ByIndex
+  };
+  Rule By = Rule::Largest;
+  Eigen::Vector3d Point = Eigen::Vector3d::Zero(); ///< for ClosestToPoint, input units
+  int Index = 0; ///< for ByIndex: from 0, in order of decreasing area, equals in their own order
+};
+
+/// The number of the chosen component.
+/// @throws InvalidInput if the point is not finite or there is no component of that index.
+int chooseComponent(const TriangleMesh& mesh,
+  const SurfaceComponents& components,
+  const ComponentChoice& choice);
+
 /// The component of the largest area; the first one of equals.
 int largestComponent(const TriangleMesh& mesh, const SurfaceComponents& components);
 
