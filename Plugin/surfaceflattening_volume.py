@@ -100,7 +100,7 @@ def contour(image, isovalue, name="Isosurface"):
     return simple.Contour(
         registrationName=name,
         Input=image,
-        ContourBy=["POINTS", _array(image)],
+        ContourBy=["POINTS", _scalars(image).GetName()],
         Isosurfaces=[isovalue],
         ComputeNormals=0,
         ComputeScalars=0,
@@ -192,13 +192,13 @@ def _spacing(image):
     ]
 
 
-def _array(image):
-    _information(image)
-    return image.PointData.keys()[0]
+def _scalars(image):
+    """Name, number of components and range of the array that image filters work on; None without one."""
+    return _information(image).GetPointDataInformation().GetAttributeInformation(0)
 
 
 def _value_range(image):
-    return image.PointData[_array(image)].GetRange()
+    return _scalars(image).GetComponentRange(0)
 
 
 def _require_scalar_image(image):
@@ -208,12 +208,13 @@ def _require_scalar_image(image):
             f"this is {information.GetDataSetTypeAsString() or 'nothing'}, not an image: "
             "check that the file could be read"
         )
-    if len(image.PointData.keys()) == 0:
+    scalars = _scalars(image)
+    if scalars is None:
         raise ValueError("the image has no values: check that the file could be read")
-    components = image.PointData[_array(image)].GetNumberOfComponents()
-    if components != 1:
+    if scalars.GetNumberOfComponents() != 1:
         raise ValueError(
-            f"a voxel has {components} values: choose one with Calculator, e.g. the magnitude"
+            f"a voxel has {scalars.GetNumberOfComponents()} values: choose one with Calculator, e.g. the "
+            "magnitude"
         )
     extent = information.GetExtent()
     if min(extent[2 * k + 1] - extent[2 * k] for k in range(3)) < 1:
