@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "IsotropicRemeshing.h"
 
-#include "EditableSurface.h"
-#include "SurfaceProjection.h"
+#include "IntersectionRemoval.h"
+#include "ResampledSurface.h"
+#include "SmallAngles.h"
 
-#include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <Eigen/Geometry>
 
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
 #include <cmath>
+#include <queue>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -16,7 +21,28 @@ namespace flattening
 namespace
 {
 
+using Vertex = ResampledSurface::Vertex;
+using Halfedge = ResampledSurface::Halfedge;
+using Edge = ResampledSurface::Edge;
+using Face = ResampledSurface::Face;
+
 constexpr double FewestFaces = 20.0;
+constexpr int ReportInterval = 1 << 14;
+
+// Botsch, Kobbelt 2004: edges outside of these multiples of the target length are split or collapsed.
+constexpr double LongEdge = 4.0 / 3.0;
+constexpr double ShortEdge = 4.0 / 5.0;
+
+// No operation may leave a triangle steeper against the old surface than 60 degrees, or with an angle
+// below 15 degrees, unless it replaces a worse one.
+constexpr double LeastAlignment = 0.5;
+constexpr double LeastSine = 0.26;
+
+// Degrees; what is left below is worth a search of its own.
+constexpr double NarrowAngle = 15.0;
+
+// Height, as a share of the target length, by which flipping an edge may change the surface.
+constexpr double GreatestFlipHeight = 0.15;
 
 void requireSensibleLength(const TriangleMesh& mesh, double length)
 {
@@ -37,48 +63,212 @@ void requireSensibleLength(const TriangleMesh& mesh, double length)
   }
 }
 
-// Traces the new mesh to the nearest places on the old one.
-DerivedMesh traced(TriangleMesh remeshed, const TriangleMesh& old, const ProgressCallback& progress)
+bool staysSound(const LocalChange& change)
 {
-  constexpr int ReportInterval = 1 << 14;
-  const SurfaceProjection projection(old);
-  std::vector<Eigen::Triplet<double, int>> weights;
-  weights.reserve(3 * remeshed.vertexCount());
-  const double work = remeshed.vertexCount() + remeshed.faceCount();
-  for (int v = 0; v < remeshed.vertexCount(); ++v)
+  const double alignmentAfter = smallestAlignment(change.After);
+  const double sineAfter = smallestSine(change.After);
+  return (alignmentAfter >= LeastAlignment || alignmentAfter >= smallestAlignment(change.Before)) &&
+         (sineAfter >= LeastSine || sineAfter >= smallestSine(change.Before));
+}
+
+// Of the edges at the triangles' first corners.
+double longestSpoke(const LocalChange::Triangles& triangles)
+{
+  double longest = 0.0;
+  for (const CornerTriangle& t : triangles)
   {
-    if (v % ReportInterval == 0)
+    longest = std::max({ longest,
+      (*t[1].Position - *t[0].Position).squaredNorm(),
+      (*t[2].Position - *t[0].Position).squaredNorm() });
+  }
+  return std::sqrt(longest);
+}
+
+class IsotropicRemesher
+{
+public:
+  IsotropicRemesher(ResampledSurface& surface, double length)
+    : Surface(surface)
+    , Length(length)
+  {
+  }
+
+  void iterate(const ProgressCallback& progress)
+  {
+    this->collapseShortEdges(subrange(progress, 0.0, 0.4));
+    this->splitLongEdges(subrange(progress, 0.4, 0.6));
+    this->flipToDelaunay(subrange(progress, 0.6, 0.75));
+    this->relax(subrange(progress, 0.75, 1.0));
+  }
+
+  void flipToDelaunay(const ProgressCallback& progress);
+
+private:
+  using QueuedEdge = std::pair<double, Edge>;
+
+  void splitLongEdges(const ProgressCallback& progress);
+  void collapseShortEdges(const ProgressCallback& progress);
+  void relax(const ProgressCallback& progress);
+
+  double lengthOf(Edge e) const { return this->Surface.length(this->Surface.mesh().halfedge(e)); }
+
+  // The queue may hold edges that are gone, or are not as long any more.
+  bool isCurrent(const QueuedEdge& queued) const
+  {
+    return !this->Surface.mesh().is_removed(queued.second) &&
+           this->lengthOf(queued.second) == queued.first;
+  }
+
+  ResampledSurface& Surface;
+  double Length;
+};
+
+void IsotropicRemesher::splitLongEdges(const ProgressCallback& progress)
+{
+  const ResampledSurface::Mesh& mesh = this->Surface.mesh();
+  std::priority_queue<QueuedEdge> queue; // longest first
+  const double bound = LongEdge * this->Length;
+  for (const Edge e : mesh.edges())
+  {
+    if (const double length = this->lengthOf(e); length > bound)
     {
-      report(progress, v / work, "carrying attributes over");
+      queue.emplace(length, e);
     }
-    const SurfacePoint at = projection.closest(remeshed.Vertices.row(v).transpose());
-    for (int k = 0; k < 3; ++k)
+  }
+  for (int done = 0; !queue.empty(); ++done)
+  {
+    if (done % ReportInterval == 0)
     {
-      if (at.Weights[k] > 0.0)
+      report(progress, static_cast<double>(done) / (done + queue.size()), "remeshing");
+    }
+    const QueuedEdge longest = queue.top();
+    queue.pop();
+    if (!this->isCurrent(longest))
+    {
+      continue;
+    }
+    const Vertex middle = this->Surface.split(longest.second, staysSound);
+    for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(middle)))
+    {
+      if (const double length = this->Surface.length(h); length > bound)
       {
-        weights.emplace_back(v, old.Faces(at.Face, k), at.Weights[k]);
+        queue.emplace(length, mesh.edge(h));
       }
     }
   }
-  DerivedMesh result;
-  result.Vertices.resize(remeshed.vertexCount(), old.vertexCount());
-  result.Vertices.setFromTriplets(weights.begin(), weights.end());
-  result.Faces.resize(remeshed.faceCount());
-  for (int f = 0; f < remeshed.faceCount(); ++f)
+}
+
+void IsotropicRemesher::collapseShortEdges(const ProgressCallback& progress)
+{
+  const ResampledSurface::Mesh& mesh = this->Surface.mesh();
+  std::priority_queue<QueuedEdge, std::vector<QueuedEdge>, std::greater<>> queue; // shortest first
+  const double bound = ShortEdge * this->Length;
+  for (const Edge e : mesh.edges())
   {
-    if (f % ReportInterval == 0)
+    if (const double length = this->lengthOf(e); length < bound)
     {
-      report(progress, (remeshed.vertexCount() + f) / work, "carrying attributes over");
+      queue.emplace(length, e);
     }
-    const Eigen::Vector3d centroid =
-      (remeshed.Vertices.row(remeshed.Faces(f, 0)) + remeshed.Vertices.row(remeshed.Faces(f, 1)) +
-        remeshed.Vertices.row(remeshed.Faces(f, 2)))
-        .transpose() /
-      3.0;
-    result.Faces[f] = projection.closest(centroid).Face;
   }
-  result.Mesh = std::move(remeshed);
-  return result;
+  const auto makesNoLongEdge = [limit = LongEdge * this->Length](const LocalChange& change)
+  {
+    const double after = longestSpoke(change.After);
+    return (after <= limit || after <= longestSpoke(change.Before)) && staysSound(change);
+  };
+  for (int done = 0; !queue.empty(); ++done)
+  {
+    if (done % ReportInterval == 0)
+    {
+      report(progress, static_cast<double>(done) / (done + queue.size()), "remeshing");
+    }
+    const QueuedEdge shortest = queue.top();
+    queue.pop();
+    if (!this->isCurrent(shortest))
+    {
+      continue;
+    }
+    const Vertex source = mesh.source(mesh.halfedge(shortest.second));
+    const Vertex target = mesh.target(mesh.halfedge(shortest.second));
+    if (!this->Surface.collapse(shortest.second, makesNoLongEdge))
+    {
+      continue;
+    }
+    const Vertex kept = mesh.is_removed(source) ? target : source;
+    for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(kept)))
+    {
+      if (const double length = this->Surface.length(h); length < bound)
+      {
+        queue.emplace(length, mesh.edge(h));
+      }
+    }
+  }
+}
+
+void IsotropicRemesher::flipToDelaunay(const ProgressCallback& progress)
+{
+  const ResampledSurface::Mesh& mesh = this->Surface.mesh();
+  const auto improves = [height = GreatestFlipHeight * this->Length](const LocalChange& change)
+  { return opensAngles(change) && flipHeight(change) <= height && staysSound(change); };
+  constexpr int Rounds = 8; // most edges settle in two or three
+  std::vector<char> settled(mesh.num_edges(), 0);
+  bool flipped = true;
+  for (int round = 0; flipped && round < Rounds; ++round)
+  {
+    report(progress, static_cast<double>(round) / Rounds, "remeshing");
+    flipped = false;
+    for (const Edge e : mesh.edges())
+    {
+      if (settled[e.idx()])
+      {
+        continue;
+      }
+      settled[e.idx()] = 1;
+      if (this->Surface.flip(e, improves))
+      {
+        flipped = true;
+        const Halfedge h = mesh.halfedge(e);
+        for (const Halfedge side : { h, mesh.opposite(h) })
+        {
+          settled[mesh.edge(mesh.next(side)).idx()] = settled[mesh.edge(mesh.prev(side)).idx()] = 0;
+        }
+      }
+    }
+  }
+}
+
+// Every interior vertex goes to the mean of its neighbours, along the surface.
+void IsotropicRemesher::relax(const ProgressCallback& progress)
+{
+  report(progress, 0.0, "remeshing");
+  const ResampledSurface::Mesh& mesh = this->Surface.mesh();
+  std::vector<SurfacePoint> targets(mesh.num_vertices());
+  tbb::parallel_for(std::size_t(0),
+    targets.size(),
+    [this, &mesh, &targets](std::size_t i)
+    {
+      const Vertex v(static_cast<unsigned>(i));
+      if (mesh.is_removed(v) || this->Surface.onBoundary(v))
+      {
+        return;
+      }
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      int neighbours = 0;
+      for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
+      {
+        sum += mesh.point(mesh.source(h));
+        ++neighbours;
+      }
+      const Corner here = this->Surface.corner(v);
+      const Eigen::Vector3d step = sum / neighbours - *here.Position;
+      const Eigen::Vector3d tangential = step - here.Normal->dot(step) * *here.Normal;
+      targets[i] =
+        this->Surface.walk().closest(*here.Position + tangential, this->Surface.place(v).Face);
+    });
+  report(progress, 0.5, "remeshing");
+  for (const Vertex v : mesh.vertices())
+  {
+    this->Surface.move(v, targets[v.idx()], targets[v.idx()].Position, staysSound);
+  }
 }
 
 } // namespace
@@ -103,12 +293,18 @@ DerivedMesh remeshIsotropically(const TriangleMesh& mesh,
   const ProgressCallback& progress)
 {
   requireSensibleLength(mesh, targetEdgeLength);
-  SurfaceMesh surface = toSurfaceMesh(mesh);
   report(progress, 0.0, "remeshing");
-  CGAL::Polygon_mesh_processing::isotropic_remeshing(
-    surface.faces(), targetEdgeLength, surface, CGAL::parameters::number_of_iterations(iterations));
-  report(progress, 0.6, "remeshing");
-  return traced(toTriangleMesh(surface), mesh, subrange(progress, 0.6, 1.0));
+  ResampledSurface surface(mesh);
+  IsotropicRemesher remesher(surface, targetEdgeLength);
+  for (int i = 0; i < iterations; ++i)
+  {
+    remesher.iterate(subrange(progress, 0.8 * i / iterations, 0.8 * (i + 1) / iterations));
+  }
+  remesher.flipToDelaunay(subrange(progress, 0.8, 0.9));
+  removeSmallAngles(surface, NarrowAngle, subrange(progress, 0.85, 0.9));
+  removeSelfIntersections(surface, subrange(progress, 0.9, 0.95));
+  report(progress, 0.95, "carrying attributes over");
+  return surface.derived();
 }
 
 } // namespace flattening

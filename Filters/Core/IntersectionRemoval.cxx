@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "IntersectionRemoval.h"
+
+#include "SelfIntersections.h"
+#include "SmallAngles.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace flattening
+{
+namespace
+{
+
+using Vertex = ResampledSurface::Vertex;
+using Halfedge = ResampledSurface::Halfedge;
+using Face = ResampledSurface::Face;
+using FacePairs = std::vector<std::pair<Face, Face>>;
+
+constexpr int Rounds = 5;
+constexpr double LeastSine = 0.17; // of 10 degrees
+// Of the mean length of the edges around a vertex.
+constexpr double Steps[] = { 0.02, 0.05, 0.1, 0.2, 0.4 };
+
+PlacedTriangle placed(const CornerTriangle& triangle)
+{
+  PlacedTriangle result;
+  for (int k = 0; k < 3; ++k)
+  {
+    result.Vertices[k] = triangle[k].Vertex;
+    result.Points[k] = *triangle[k].Position;
+  }
+  return result;
+}
+
+bool boxesOverlap(const PlacedTriangle& a, const PlacedTriangle& b)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto [lowA, highA] = std::minmax({ a.Points[0][axis], a.Points[1][axis], a.Points[2][axis] });
+    const auto [lowB, highB] = std::minmax({ b.Points[0][axis], b.Points[1][axis], b.Points[2][axis] });
+    if (highA < lowB || highB < lowA)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::pair<std::vector<Face>, std::vector<PlacedTriangle>> placedFaces(const ResampledSurface& surface)
+{
+  std::pair<std::vector<Face>, std::vector<PlacedTriangle>> result;
+  result.first.reserve(surface.mesh().number_of_faces());
+  result.second.reserve(surface.mesh().number_of_faces());
+  for (const Face f : surface.mesh().faces())
+  {
+    result.first.push_back(f);
+    result.second.push_back(placed(surface.triangle(f)));
+  }
+  return result;
+}
+
+FacePairs intersectingFaces(const std::vector<Face>& faces, const std::vector<PlacedTriangle>& triangles)
+{
+  FacePairs pairs;
+  for (const auto& [i, j] : intersectingPairs(triangles))
+  {
+    pairs.emplace_back(faces[i], faces[j]);
+  }
+  return pairs;
+}
+
+// The faces near a pair of intersecting ones, against which changes there are tested.
+class Neighbourhood
+{
+public:
+  Neighbourhood(ResampledSurface& surface, std::vector<Face> faces)
+    : Surface(surface)
+    , Faces(std::move(faces))
+  {
+  }
+
+  bool untangle(Face one, Face other)
+  {
+    return this->intersect(one, other) && (this->changeAround(one) || this->changeAround(other));
+  }
+
+private:
+  bool intersect(Face a, Face b) const
+  {
+    return flattening::intersect(placed(this->Surface.triangle(a)), placed(this->Surface.triangle(b)));
+  }
+
+  bool changeAround(Face face);
+  bool moveOff(Vertex v);
+  bool improves(const LocalChange& change) const;
+  int intersections(const LocalChange::Triangles& triangles, const LocalChange& change) const;
+
+  ResampledSurface& Surface;
+  std::vector<Face> Faces;
+};
+
+// Of the triangles with each other and with the faces that the change leaves alone.
+int Neighbourhood::intersections(const LocalChange::Triangles& triangles,
+  const LocalChange& change) const
+{
+  std::vector<PlacedTriangle> all;
+  for (const CornerTriangle& triangle : triangles)
+  {
+    all.push_back(placed(triangle));
+  }
+  const std::size_t own = all.size();
+  for (const Face f : this->Faces)
+  {
+    const int index = static_cast<int>(f.idx());
+    if (std::find(change.Removed.begin(), change.Removed.end(), index) == change.Removed.end())
+    {
+      all.push_back(placed(this->Surface.triangle(f)));
+    }
+  }
+  int count = 0;
+  for (std::size_t i = 0; i < own; ++i)
+  {
+    for (std::size_t j = i + 1; j < all.size(); ++j)
+    {
+      count += boxesOverlap(all[i], all[j]) && flattening::intersect(all[i], all[j]);
+    }
+  }
+  return count;
+}
+
+bool Neighbourhood::improves(const LocalChange& change) const
+{
+  const double sine = smallestSine(change.After);
+  return (sine >= LeastSine || sine >= smallestSine(change.Before)) &&
+         this->intersections(change.After, change) < this->intersections(change.Before, change);
+}
+
+bool Neighbourhood::moveOff(Vertex v)
+{
+  const ResampledSurface::Mesh& mesh = this->Surface.mesh();
+  const auto guard = [this](const LocalChange& change) { return this->improves(change); };
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double lengths = 0.0;
+  int neighbours = 0;
+  for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
+  {
+    sum += mesh.point(mesh.source(h));
+    lengths += this->Surface.length(h);
+    ++neighbours;
+  }
+  const Eigen::Vector3d here = mesh.point(v);
+  const SurfacePoint place = this->Surface.place(v);
+  const SurfacePoint mean = this->Surface.walk().closest(sum / neighbours, place.Face);
+  if (this->Surface.move(v, mean, mean.Position, guard))
+  {
+    return true;
+  }
+  const Eigen::Vector3d normal = this->Surface.walk().normal(place);
+  for (const double step : Steps)
+  {
+    for (const double side : { -1.0, 1.0 })
+    {
+      const Eigen::Vector3d moved = here + side * step * lengths / neighbours * normal;
+      if (this->Surface.move(v, this->Surface.walk().closest(moved, place.Face), moved, guard))
+      {
+        return true;
+      }
+    }
+  }
+  return this->Surface.move(v, place, sum / neighbours, guard);
+}
+
+bool Neighbourhood::changeAround(Face face)
+{
+  const ResampledSurface::Mesh& mesh = this->Surface.mesh();
+  const auto guard = [this](const LocalChange& change) { return this->improves(change); };
+  for (const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(face)))
+  {
+    if (this->Surface.flip(mesh.edge(h), guard))
+    {
+      return true;
+    }
+  }
+  for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(face)))
+  {
+    if (this->moveOff(v))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// A box around each pair and all that may move there, as a triangle with its corners at two of the
+// box's.
+std::vector<PlacedTriangle> surroundings(const ResampledSurface& surface, const FacePairs& pairs)
+{
+  std::vector<PlacedTriangle> boxes;
+  for (const auto& [one, other] : pairs)
+  {
+    Eigen::Vector3d low = *surface.triangle(one)[0].Position;
+    Eigen::Vector3d high = low;
+    for (const Face f : { one, other })
+    {
+      for (const Vertex v : surface.mesh().vertices_around_face(surface.mesh().halfedge(f)))
+      {
+        for (const Halfedge h : surface.mesh().halfedges_around_target(surface.mesh().halfedge(v)))
+        {
+          low = low.cwiseMin(surface.mesh().point(surface.mesh().source(h)));
+          high = high.cwiseMax(surface.mesh().point(surface.mesh().source(h)));
+        }
+      }
+    }
+    const Eigen::Vector3d margin = 0.25 * (high - low);
+    boxes.push_back({ { -1, -1, -1 }, { low - margin, high + margin, high + margin } });
+  }
+  return boxes;
+}
+
+// All faces, and those that are near one of the pairs, pair by pair.
+std::vector<std::vector<Face>> facesNear(const ResampledSurface& surface, const FacePairs& pairs)
+{
+  const auto [faces, triangles] = placedFaces(surface);
+  std::vector<std::vector<Face>> near(pairs.size());
+  for (const auto& [pair, face] : overlappingBoxes(surroundings(surface, pairs), triangles))
+  {
+    near[pair].push_back(faces[face]);
+  }
+  return near;
+}
+
+} // namespace
+
+int removeSelfIntersections(ResampledSurface& surface, const ProgressCallback& progress)
+{
+  report(progress, 0.0, "removing self-intersections");
+  FacePairs pairs;
+  {
+    const auto [faces, triangles] = placedFaces(surface);
+    pairs = intersectingFaces(faces, triangles);
+  }
+  for (int round = 0; !pairs.empty() && round < Rounds; ++round)
+  {
+    report(progress, 0.5 + 0.5 * round / Rounds, "removing self-intersections");
+    bool changed = false;
+    FacePairs left;
+    std::vector<std::vector<Face>> near = facesNear(surface, pairs);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+    {
+      changed |= Neighbourhood(surface, near[i]).untangle(pairs[i].first, pairs[i].second);
+    }
+    // What moved is still among the faces that were near.
+    for (const std::vector<Face>& faces : near)
+    {
+      std::vector<PlacedTriangle> triangles;
+      for (const Face f : faces)
+      {
+        triangles.push_back(placed(surface.triangle(f)));
+      }
+      const FacePairs here = intersectingFaces(faces, triangles);
+      left.insert(left.end(), here.begin(), here.end());
+    }
+    std::sort(left.begin(), left.end());
+    left.erase(std::unique(left.begin(), left.end()), left.end());
+    pairs = std::move(left);
+    if (!changed)
+    {
+      break;
+    }
+  }
+  return static_cast<int>(pairs.size());
+}
+
+} // namespace flattening

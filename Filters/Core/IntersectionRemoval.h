@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Local changes that take the faces of a resampled surface out of each other.
+#pragma once
+
+#include "Progress.h"
+#include "ResampledSurface.h"
+
+namespace flattening
+{
+
+/// Where faces intersect, flips their edges and moves their vertices, at most by 0.4 of the length of an
+/// edge and off the old surface, until none does or nothing helps: every change makes the pairs fewer
+/// and no angle smaller than 10 degrees, unless it was. Returns the number of pairs left.
+int removeSelfIntersections(ResampledSurface& surface, const ProgressCallback& progress = {});
+
+} // namespace flattening

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SelfIntersections.h"
+
+#include "EditableSurface.h"
+
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
+#include <CGAL/box_intersection_d.h>
+#include <CGAL/intersections.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace flattening
+{
+namespace
+{
+
+using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
+using BoxPointers = std::vector<const Box*>; // sorted instead of the boxes themselves: half the time
+using Pairs = std::vector<std::pair<int, int>>;
+
+// Below as many boxes, scanning them all is faster than dividing them.
+constexpr std::ptrdiff_t Cutoff = 1000;
+
+std::vector<Box> boxesOf(const std::vector<PlacedTriangle>& triangles)
+{
+  std::vector<Box> boxes;
+  boxes.reserve(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    const auto& [a, b, c] = triangles[i].Points;
+    Eigen::Vector3d low = a.cwiseMin(b).cwiseMin(c);
+    Eigen::Vector3d high = a.cwiseMax(b).cwiseMax(c);
+    boxes.emplace_back(low.data(), high.data(), static_cast<int>(i));
+  }
+  return boxes;
+}
+
+BoxPointers pointersTo(const std::vector<Box>& boxes)
+{
+  BoxPointers pointers;
+  pointers.reserve(boxes.size());
+  for (const Box& box : boxes)
+  {
+    pointers.push_back(&box);
+  }
+  return pointers;
+}
+
+Kernel::Point_3 point(const PlacedTriangle& t, int k)
+{
+  const Eigen::Vector3d& p = t.Points[k % 3];
+  return { p.x(), p.y(), p.z() };
+}
+
+Kernel::Triangle_3 triangle(const PlacedTriangle& t)
+{
+  return { point(t, 0), point(t, 1), point(t, 2) };
+}
+
+// Of triangles with a common corner: whether the edge of one opposite to it meets the other.
+bool intersectAtCorner(const PlacedTriangle& a, int cornerOfA, const PlacedTriangle& b, int cornerOfB)
+{
+  return CGAL::do_intersect(
+           triangle(a), Kernel::Segment_3(point(b, cornerOfB + 1), point(b, cornerOfB + 2))) ||
+         CGAL::do_intersect(
+           triangle(b), Kernel::Segment_3(point(a, cornerOfA + 1), point(a, cornerOfA + 2)));
+}
+
+// Of triangles with a common edge: whether they are folded onto each other. The corners are the ones
+// that they do not share.
+bool overlapAcrossEdge(const PlacedTriangle& a, int cornerOfA, const PlacedTriangle& b, int cornerOfB)
+{
+  const Kernel::Point_3 from = point(a, cornerOfA + 1);
+  const Kernel::Point_3 to = point(a, cornerOfA + 2);
+  const Kernel::Point_3 apexOfA = point(a, cornerOfA);
+  const Kernel::Point_3 apexOfB = point(b, cornerOfB);
+  return CGAL::coplanar(from, to, apexOfA, apexOfB) &&
+         CGAL::coplanar_orientation(from, to, apexOfA, apexOfB) == CGAL::POSITIVE;
+}
+
+} // namespace
+
+bool intersect(const PlacedTriangle& a, const PlacedTriangle& b)
+{
+  int shared = 0;
+  int sumOfA = 0; // of the positions of shared corners: tells one from the other two
+  int sumOfB = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      if (a.Vertices[i] == b.Vertices[j])
+      {
+        ++shared;
+        sumOfA += i;
+        sumOfB += j;
+      }
+    }
+  }
+  switch (shared)
+  {
+    case 0:
+      return CGAL::do_intersect(triangle(a), triangle(b));
+    case 1:
+      return intersectAtCorner(a, sumOfA, b, sumOfB);
+    case 2:
+      return overlapAcrossEdge(a, 3 - sumOfA, b, 3 - sumOfB);
+    default:
+      return true;
+  }
+}
+
+Pairs overlappingBoxes(const std::vector<PlacedTriangle>& some, const std::vector<PlacedTriangle>& all)
+{
+  const std::vector<Box> boxesOfSome = boxesOf(some);
+  const std::vector<Box> boxesOfAll = boxesOf(all);
+  BoxPointers first = pointersTo(boxesOfSome);
+  BoxPointers second = pointersTo(boxesOfAll);
+  Pairs pairs;
+  CGAL::box_intersection_d(
+    first.begin(),
+    first.end(),
+    second.begin(),
+    second.end(),
+    [&pairs](const Box* a, const Box* b) { pairs.emplace_back(a->info(), b->info()); },
+    Cutoff);
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+Pairs intersectingPairs(const std::vector<PlacedTriangle>& triangles)
+{
+  const std::vector<Box> boxes = boxesOf(triangles);
+  BoxPointers pointers = pointersTo(boxes);
+  Pairs pairs;
+  CGAL::box_self_intersection_d(
+    pointers.begin(),
+    pointers.end(),
+    [&triangles, &pairs](const Box* a, const Box* b)
+    {
+      if (intersect(triangles[a->info()], triangles[b->info()]))
+      {
+        pairs.push_back(std::minmax(a->info(), b->info()));
+      }
+    },
+    Cutoff);
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+Pairs selfIntersections(const TriangleMesh& mesh)
+{
+  std::vector<PlacedTriangle> triangles(mesh.faceCount());
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      triangles[f].Vertices[k] = mesh.Faces(f, k);
+      triangles[f].Points[k] = mesh.Vertices.row(mesh.Faces(f, k));
+    }
+  }
+  return intersectingPairs(triangles);
+}
+
+} // namespace flattening
