@@ -260,6 +260,8 @@ int HalfedgeSurface::splitEdge(int h)
   // Whatever left a from the old faces leaves it from the new ones now.
   int& fromA = this->Outgoing[a];
   fromA = fromA == h ? n : fromA == afterG ? n + 4 : fromA;
+  int& fromC = this->Outgoing[c];
+  fromC = fromC == beforeH ? n + 2 : fromC; // c -> a, which may be on the boundary
   return m;
 }
 

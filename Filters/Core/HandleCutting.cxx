@@ -17,8 +17,8 @@ namespace
 // Lengths of loops: first in mean edge lengths, then from one search to the next.
 constexpr double FirstLength = 12.0;
 constexpr double LengthGrowth = 1.6;
-// A loop refused is tried for the last time once loops of this many times its length were tried.
-constexpr double Patience = 2.0;
+// A loop is offered for the last time once loops of up to this many times its length were.
+constexpr double Patience = 1.5;
 // Labels become fewer only when they are computed anew: once this share of the handles is left.
 constexpr double FewHandles = 0.6;
 
@@ -66,6 +66,7 @@ public:
             " cannot be cut: subdivide the surface first, e.g. with Linear Subdivision");
         }
       }
+      this->LengthSearched = length;
       length *= LengthGrowth;
     }
     return this->Lengths;
@@ -103,7 +104,8 @@ private:
       if (this->isUpToDate(loop))
       {
         this->Loops.tighten(loop);
-        this->cut(loop, last || Patience * loop.Length < length);
+        const bool offered = loop.Length < this->LengthSearched;
+        this->cut(loop, last || (offered && Patience * loop.Length < length));
       }
       SurfaceLoop next = this->Loops.findAgain(seed);
       if (!next.Halfedges.empty())
@@ -173,6 +175,7 @@ private:
   ShortLoops Loops;
   int HandlesAtStart;
   int HandlesLabelled;
+  double LengthSearched = 0.0;
   std::vector<double> Lengths;
 };
 

@@ -82,9 +82,10 @@ private:
 
   int cutAndCap(const std::vector<int>& loop, bool last)
   {
-    if (!this->Intersections)
+    if (!this->Intersections || this->KnownFaces != this->halfedges().faceCount()) // edges were split
     {
       this->Intersections.emplace(this->halfedges());
+      this->KnownFaces = this->halfedges().faceCount();
     }
     std::vector<int> vertices;
     std::vector<Eigen::Vector3d> points;
@@ -172,11 +173,13 @@ private:
     std::vector<int> added(this->halfedges().faceCount() - firstFace);
     std::iota(added.begin(), added.end(), firstFace);
     this->Intersections->insert(added);
+    this->KnownFaces = this->halfedges().faceCount();
     return cut.FirstCopy;
   }
 
   TracedSurface Surface;
   std::optional<FaceIntersections> Intersections;
+  int KnownFaces = 0; // to them
   HandleRemovalReport Report;
 };
 
@@ -185,6 +188,16 @@ private:
 SurfaceWithoutHandles removeHandles(const TriangleMesh& mesh, const ProgressCallback& progress)
 {
   SurfaceWithoutHandles result = HandleRemover(mesh).run(progress);
+  const MeshTopology before = analyseTopology(mesh.Faces, mesh.vertexCount());
+  const MeshTopology after =
+    analyseTopology(result.Surface.Mesh.Faces, result.Surface.Mesh.vertexCount());
+  // Every cut takes one handle off, and nothing else.
+  if (after.Genus != 0 || after.Components != 1 || after.BoundaryLoops != before.BoundaryLoops ||
+      after.eulerCharacteristic() != before.eulerCharacteristic() + 2 * result.Report.Handles)
+  {
+    throw TopologyError("the handles of the surface could not be removed, genus " +
+                        std::to_string(after.Genus) + " is left: smooth the volume more before Contour");
+  }
   return result;
 }
 
