@@ -8,11 +8,11 @@ volumes have voxels of 1 mm.
 from dataclasses import dataclass
 
 from paraview import simple
+from surfaceflattening_volume import cast_to_float, contour, pad, smooth
 
 ISOVALUE = 40.0
 SMOOTHING = 2.0  # standard deviation
 SHADING_SMOOTHING = 4.0  # the surroundings over which sulci and gyri are told apart
-PADDING = 10  # voxels
 EDGE_LENGTH = 1.2
 LABEL_REACH = 4.0  # labels do not quite reach the surface: how far they are carried
 
@@ -27,28 +27,6 @@ class FlatteningPipeline:
     surface: object
     conformal: object
     area_preserving: object
-
-
-def smoothed(volume, standard_deviation):
-    return simple.ImageGaussianSmooth(
-        registrationName=f"Smoothed, {standard_deviation:g} mm",
-        Input=volume,
-        StandardDeviations=[standard_deviation] * 3,
-    )
-
-
-def padded_float_volume(path):
-    """The scan as float with a margin: see the help of Image Cast and Image Pad for why."""
-    scan = simple.NIfTIImageReader(registrationName="Brain MRI", FileName=path)
-    scan.UpdatePipeline()
-    extent = scan.GetDataInformation().GetExtent()
-    margin = (-PADDING, PADDING) * 3
-    cast = simple.ImageCast(registrationName="Float", Input=scan, OutputScalarType="float")
-    return simple.ImagePad(
-        registrationName="Padded",
-        Input=cast,
-        OutputWholeExtent=[e + m for e, m in zip(extent, margin)],
-    )
 
 
 def left_half(surface, mid_plane):
@@ -103,7 +81,7 @@ def with_labels(surface, path):
 def with_shade(surface, volume):
     """Adds the point array Surroundings: the scan smoothed widely, which is bright in a sulcus (tissue
     on all sides) and dark on a gyrus."""
-    wide = smoothed(volume, SHADING_SMOOTHING)
+    wide = smooth(volume, SHADING_SMOOTHING)
     wide.UpdatePipeline()
     renamed = simple.Calculator(
         registrationName="Surroundings",
@@ -121,15 +99,11 @@ def with_shade(surface, volume):
 
 def build(scan_path, labels_path, run):
     """Builds the pipeline and executes it stage by stage: `run(proxy, title)` updates the proxy."""
-    volume = padded_float_volume(scan_path)
-    smooth = smoothed(volume, SMOOTHING)
-    run(smooth, "smoothed volume")
-    surface = simple.Contour(
-        registrationName="Brain surface",
-        Input=smooth,
-        ContourBy=["POINTS", smooth.PointData.keys()[0]],
-        Isosurfaces=[ISOVALUE],
-    )
+    scan = simple.NIfTIImageReader(registrationName="Brain MRI", FileName=scan_path)
+    volume = pad(cast_to_float(scan))
+    smoothed = smooth(volume, SMOOTHING)
+    run(smoothed, "smoothed volume")
+    surface = contour(smoothed, ISOVALUE, name="Brain surface")
     run(surface, "surface of the brain")
     bounds = volume.GetDataInformation().GetBounds()
     mid_plane = (bounds[0] + bounds[1]) / 2

@@ -16,6 +16,7 @@ class SurfaceFigures:
     euler_number: int
     boundary_loops: int
     manifold: bool
+    faces_without_area: int
     smallest_angle: float  # degrees
     area: float
 
@@ -26,7 +27,8 @@ class SurfaceFigures:
 
     @property
     def is_disk(self):
-        return self.manifold and (self.components, self.euler_number, self.boundary_loops) == (1, 1, 1)
+        shape = (self.components, self.euler_number, self.boundary_loops)
+        return self.manifold and shape == (1, 1, 1) and self.faces_without_area == 0
 
 
 def measure(polydata):
@@ -34,7 +36,7 @@ def measure(polydata):
     faces = vtk_to_numpy(polydata.GetPolys().GetConnectivityArray()).reshape(-1, 3).astype(np.int64)
     halfedges = _Halfedges(faces, len(points))
     vertices = len(np.unique(faces))
-    smallest_angle, area = _smallest_angle_and_area(points, faces)
+    areas, smallest_angle = _areas_and_smallest_angle(points, faces)
     return SurfaceFigures(
         vertices=vertices,
         faces=len(faces),
@@ -42,8 +44,9 @@ def measure(polydata):
         euler_number=vertices - halfedges.edge_count() + len(faces),
         boundary_loops=halfedges.boundary_loops(),
         manifold=vertices == len(points) and halfedges.is_manifold(),
+        faces_without_area=int(np.count_nonzero(areas == 0)),
         smallest_angle=smallest_angle,
-        area=area,
+        area=float(areas.sum()),
     )
 
 
@@ -110,11 +113,11 @@ def _component_count(ends, other_ends, count):
     return len(np.unique(label))
 
 
-def _smallest_angle_and_area(points, faces):
+def _areas_and_smallest_angle(points, faces):
     a, b, c = (points[faces[:, k]] for k in range(3))
     double_areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
     smallest = math.pi
     for u, v in ((b - a, c - a), (c - b, a - b), (a - c, b - c)):
         angles = np.arctan2(double_areas, np.einsum("ij,ij->i", u, v))
         smallest = min(smallest, float(angles.min()))
-    return math.degrees(smallest), float(double_areas.sum() / 2)
+    return double_areas / 2, math.degrees(smallest)
