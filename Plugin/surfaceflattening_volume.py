@@ -97,8 +97,6 @@ def contour(image, isovalue, name="Isosurface"):
         Input=image,
         ContourBy=["POINTS", _scalars(image).GetName()],
         Isosurfaces=[isovalue],
-        ComputeNormals=0,
-        ComputeScalars=0,
     )
 
 
