@@ -83,11 +83,36 @@ SurfacePoint closestOnTriangle(const Eigen::Matrix3d& corners, const Eigen::Vect
   return result;
 }
 
+Points3 vertexNormals(const TriangleMesh& mesh)
+{
+  Points3 normals = Points3::Zero(mesh.vertexCount(), 3);
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    const Eigen::Matrix3d corners = cornersOf(mesh, f);
+    const Eigen::Vector3d u = corners.row(1) - corners.row(0);
+    const Eigen::Vector3d v = corners.row(2) - corners.row(0);
+    const Eigen::RowVector3d areaVector = u.cross(v).transpose();
+    for (int k = 0; k < 3; ++k)
+    {
+      normals.row(mesh.Faces(f, k)) += areaVector;
+    }
+  }
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    const double length = normals.row(v).norm(); // normalize() would leave tiny surfaces as they are
+    if (length > 0.0)
+    {
+      normals.row(v) /= length;
+    }
+  }
+  return normals;
+}
+
 SurfaceWalk::SurfaceWalk(const TriangleMesh& mesh)
   : Mesh(mesh)
   , FirstCorner(mesh.vertexCount() + 1, 0)
   , FaceOfCorner(3 * static_cast<std::size_t>(mesh.faceCount()))
-  , Normals(Points3::Zero(mesh.vertexCount(), 3))
+  , Normals(vertexNormals(mesh))
 {
   for (int f = 0; f < mesh.faceCount(); ++f)
   {
@@ -100,23 +125,9 @@ SurfaceWalk::SurfaceWalk(const TriangleMesh& mesh)
   std::vector<int> next(this->FirstCorner.begin(), this->FirstCorner.end() - 1);
   for (int f = 0; f < mesh.faceCount(); ++f)
   {
-    const Eigen::Matrix3d corners = cornersOf(mesh, f);
-    const Eigen::Vector3d u = corners.row(1) - corners.row(0);
-    const Eigen::Vector3d v = corners.row(2) - corners.row(0);
-    const Eigen::RowVector3d areaVector = u.cross(v).transpose();
     for (int k = 0; k < 3; ++k)
     {
-      const int vertex = mesh.Faces(f, k);
-      this->FaceOfCorner[next[vertex]++] = f;
-      this->Normals.row(vertex) += areaVector;
-    }
-  }
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-  {
-    const double length = this->Normals.row(v).norm(); // normalize() leaves tiny surfaces as they are
-    if (length > 0.0)
-    {
-      this->Normals.row(v) /= length;
+      this->FaceOfCorner[next[mesh.Faces(f, k)]++] = f;
     }
   }
 }

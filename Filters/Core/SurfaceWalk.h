@@ -16,6 +16,10 @@ namespace flattening
 /// detection", section 5.1.5). Triangles without area are fine. Face of the result: -1.
 SurfacePoint closestOnTriangle(const Eigen::Matrix3d& corners, const Eigen::Vector3d& point);
 
+/// Unit normals of the vertices (n x 3), means of their faces' weighted by area, which slivers hardly
+/// sway; 0 where no face has an area.
+Points3 vertexNormals(const TriangleMesh& mesh);
+
 /// Answers closest-point queries for points of which a nearby face is known: walks from that face to
 /// ever closer ones. Ten times faster than a search of the whole surface, and where two folds nearly
 /// touch it stays on the fold where it began. The mesh must outlive it.
@@ -30,7 +34,7 @@ public:
   /// Any face of the vertex. Precondition: it has one.
   int faceOf(int vertex) const { return this->FaceOfCorner[this->FirstCorner[vertex]]; }
 
-  /// Unit normal, interpolated between the vertices' area-weighted ones: hardly depends on slivers.
+  /// Unit normal, interpolated between the vertices' (vertexNormals).
   Eigen::Vector3d normal(const SurfacePoint& at) const;
 
 private:

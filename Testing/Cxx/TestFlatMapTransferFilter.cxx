@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../Core/SampleSurfaces.h"
+#include "FilterTest.h"
+
+#include <vtkFlatMapTransfer.h>
+
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+
+#include <cmath>
+
+namespace
+{
+
+using namespace flattening;
+using namespace flattening::samples;
+using namespace flattening::testing;
+
+// n x n squares of two triangles on [0, 1]^2.
+TriangleMesh square(int n)
+{
+  TriangleMesh mesh;
+  mesh.Vertices.resize((n + 1) * (n + 1), 3);
+  mesh.Faces.resize(2 * n * n, 3);
+  for (int i = 0; i <= n; ++i)
+  {
+    for (int j = 0; j <= n; ++j)
+    {
+      const int v = i * (n + 1) + j;
+      mesh.Vertices.row(v) << static_cast<double>(j) / n, static_cast<double>(i) / n, 0.0;
+      if (i < n && j < n)
+      {
+        mesh.Faces.row(2 * (i * n + j)) << v, v + 1, v + n + 2;
+        mesh.Faces.row(2 * (i * n + j) + 1) << v, v + n + 2, v + n + 1;
+      }
+    }
+  }
+  return mesh;
+}
+
+// A sheet at height 5, flattened by doubling its size.
+vtkSmartPointer<vtkPolyData> doubled(const TriangleMesh& sheet)
+{
+  TriangleMesh flat = sheet;
+  flat.Vertices.leftCols(2) *= 2.0;
+  flat.Vertices.col(2).setZero();
+  const auto data = polyDataOf(flat);
+  vtkNew<vtkDoubleArray> surface;
+  surface->SetName("SurfacePoints");
+  surface->SetNumberOfComponents(3);
+  for (int v = 0; v < sheet.vertexCount(); ++v)
+  {
+    surface->InsertNextTuple(sheet.Vertices.row(v).data());
+  }
+  data->GetPointData()->AddArray(surface);
+  return data;
+}
+
+// The sheet in another triangulation, with a fragment far away, labels on cells and ids on points.
+vtkSmartPointer<vtkPolyData> original()
+{
+  const auto data = polyDataOf(both(moved(tetrahedron(), 50, 0, 0), moved(square(7), 0, 0, 5)));
+  vtkNew<vtkIntArray> label;
+  label->SetName("Label");
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    label->InsertNextValue(static_cast<int>(3 * cell));
+  }
+  data->GetCellData()->SetScalars(label);
+  vtkNew<vtkDoubleArray> height;
+  height->SetName("Height");
+  for (vtkIdType point = 0; point < data->GetNumberOfPoints(); ++point)
+  {
+    height->InsertNextValue(0.25 * static_cast<double>(point));
+  }
+  data->GetPointData()->AddArray(height);
+  return data;
+}
+
+TEST(FlatMapTransferFilter, BringsTheOriginalPointsIntoThePlane)
+{
+  vtkNew<vtkFlatMapTransfer> filter;
+  const auto input = original();
+  filter->SetInputData(doubled(moved(square(10), 0, 0, 5)));
+  filter->SetOriginalData(input);
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  ASSERT_EQ(output->GetNumberOfPoints(), 64);
+  ASSERT_EQ(output->GetNumberOfCells(), 98);
+  EXPECT_EQ(figure(output, "TransferredPoints"), 64);
+  EXPECT_EQ(figure(output, "LostPoints"), 4);
+  EXPECT_EQ(figure(output, "LostCells"), 4);
+  EXPECT_EQ(figure(output, "FlippedFaces"), 0);
+  EXPECT_LT(figure(output, "LargestDistance"), 1e-12);
+  EXPECT_NEAR(figure(output, "Tolerance"), 0.5 * 0.1 * (2.0 + std::sqrt(2.0)) / 3.0, 1e-12);
+
+  vtkDataArray* surface = output->GetPointData()->GetArray("SurfacePoints");
+  vtkDataArray* pointIds = output->GetPointData()->GetArray("vtkOriginalPointIds");
+  vtkDataArray* height = output->GetPointData()->GetArray("Height");
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const auto id = static_cast<vtkIdType>(pointIds->GetTuple1(i));
+    EXPECT_EQ(height->GetTuple1(i), 0.25 * id);
+    double x[3];
+    double flat[3];
+    input->GetPoint(id, x);
+    output->GetPoint(i, flat);
+    EXPECT_NEAR(flat[0], 2.0 * x[0], 1e-12);
+    EXPECT_NEAR(flat[1], 2.0 * x[1], 1e-12);
+    EXPECT_EQ(flat[2], 0.0);
+    EXPECT_EQ(surface->GetComponent(i, 2), x[2]);
+  }
+  vtkDataArray* cellIds = output->GetCellData()->GetArray("vtkOriginalCellIds");
+  for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
+  {
+    EXPECT_EQ(output->GetCellData()->GetScalars()->GetTuple1(c), 3 * cellIds->GetTuple1(c));
+  }
+}
+
+TEST(FlatMapTransferFilter, EmptyInputGivesEmptyOutput)
+{
+  vtkNew<vtkFlatMapTransfer> filter;
+  ErrorLog errors(filter);
+  filter->SetInputData(vtkNew<vtkPolyData>());
+  filter->SetOriginalData(original());
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_TRUE(errors.messages().empty());
+}
+
+TEST(FlatMapTransferFilter, ReportsWhatIsWrong)
+{
+  const TriangleMesh sheet = square(7);
+  vtkNew<vtkFlatMapTransfer> filter;
+  filter->SetOriginalData(polyDataOf(sheet));
+  expectError(filter.Get(), polyDataOf(sheet), "no point array SurfacePoints", doubled(sheet));
+  expectError(filter.Get(), doubled(moved(sheet, 9, 9, 9)), "raise the tolerance", doubled(sheet));
+}
+
+TEST(FlatMapTransferFilter, CanBeStopped)
+{
+  const TriangleMesh sheet = square(7);
+  vtkNew<vtkFlatMapTransfer> filter;
+  filter->SetOriginalData(polyDataOf(sheet));
+  expectAbort(filter.Get(), doubled(sheet), 0.5);
+}
+
+} // namespace
