@@ -4,9 +4,11 @@
 ///   RANDOM_SURFACE=<seed> TestRandomSurfaces
 /// Temporary/RandomSurfaces.log names each seed before it runs, so that its last line is what crashed or
 /// hung.
+#include "DiskDefect.h"
 #include "Errors.h"
 #include "MarchingTetrahedra.h"
 #include "MeshTopology.h"
+#include "RandomNumbers.h"
 #include "RandomShapes.h"
 #include "RandomSurfaces.h"
 #include "SampleSurfaces.h"
@@ -68,90 +70,6 @@ SurfaceToDiskOptions randomOptions(std::uint64_t seed, const TriangleMesh& mesh)
   return options;
 }
 
-// What is wrong with a disk, counted without the code under test; empty if nothing.
-std::string defectOf(const DiskSurface& disk)
-{
-  const TriangleMesh& mesh = disk.Surface.Mesh;
-  if (!mesh.Vertices.allFinite())
-  {
-    return "a coordinate is not finite";
-  }
-  if (!(faceAreas(mesh.Vertices, mesh.Faces).minCoeff() > 0.0))
-  {
-    return "a face has no area";
-  }
-  std::map<std::pair<int, int>, int> halfedges; // to the next corner of the face
-  for (int f = 0; f < mesh.faceCount(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const std::pair<int, int> halfedge(mesh.Faces(f, k), mesh.Faces(f, (k + 1) % 3));
-      if (!halfedges.try_emplace(halfedge, mesh.Faces(f, (k + 2) % 3)).second)
-      {
-        return "two faces run along an edge in one direction";
-      }
-    }
-  }
-  // Around every vertex one fan of faces, from one boundary edge to another or all around. In a manifold
-  // with as many boundary edges as boundary vertices, each vertex has at most one fan that ends.
-  std::map<int, int> nextOnBoundary;
-  std::vector<int> facesAround(mesh.vertexCount(), 0);
-  std::vector<int> start(mesh.vertexCount(), -1);
-  for (const auto& [halfedge, third] : halfedges)
-  {
-    const auto [from, to] = halfedge;
-    ++facesAround[from];
-    start[from] = start[from] < 0 ? to : start[from];
-    if (!halfedges.count({ to, from }))
-    {
-      if (!nextOnBoundary.emplace(from, to).second)
-      {
-        return "two boundaries meet in a vertex";
-      }
-      start[from] = to;
-    }
-  }
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-  {
-    if (start[v] < 0)
-    {
-      return "a point has no face";
-    }
-    int fan = 0;
-    for (auto it = halfedges.find({ v, start[v] }); it != halfedges.end();)
-    {
-      ++fan;
-      const int third = it->second;
-      it = third == start[v] ? halfedges.end() : halfedges.find({ v, third });
-    }
-    if (fan != facesAround[v])
-    {
-      return "faces meet in a vertex only";
-    }
-  }
-  if (nextOnBoundary.empty())
-  {
-    return "it is closed";
-  }
-  std::size_t length = 1;
-  const int first = nextOnBoundary.begin()->first;
-  for (int v = nextOnBoundary.at(first); v != first; v = nextOnBoundary.at(v))
-  {
-    ++length;
-  }
-  if (length != nextOnBoundary.size())
-  {
-    return "it has several boundaries";
-  }
-  const int edges = static_cast<int>(halfedges.size() + nextOnBoundary.size()) / 2;
-  const int euler = mesh.vertexCount() - edges + mesh.faceCount();
-  if (euler != 1) // with one boundary: several components or handles
-  {
-    return "its Euler number is " + std::to_string(euler);
-  }
-  return {};
-}
-
 // Every vertex and face says where it came from.
 std::string traceErrorOf(const DiskSurface& disk, const TriangleMesh& input)
 {
@@ -188,7 +106,7 @@ Outcome outcomeOf(const TriangleMesh& mesh, const SurfaceToDiskOptions& options)
   try
   {
     const DiskSurface disk = surfaceToDisk(mesh, options);
-    std::string error = defectOf(disk);
+    const std::string error = diskDefect(disk.Surface.Mesh);
     return { "disk", error.empty() ? traceErrorOf(disk, mesh) : error };
   }
   catch (const FlatteningError& error)
@@ -206,6 +124,94 @@ Outcome outcomeOf(const TriangleMesh& mesh, const SurfaceToDiskOptions& options)
   {
     return { "foreign exception", error.what() };
   }
+}
+
+TEST(DiskDefect, SeesEveryKind)
+{
+  const TriangleMesh disk = withoutFaces(sphere(2), { 0 });
+  EXPECT_EQ(diskDefect(disk), "");
+  EXPECT_EQ(diskDefect({}), "it is empty");
+  TriangleMesh mesh = disk;
+  mesh.Vertices(5, 1) = NAN;
+  EXPECT_EQ(diskDefect(mesh), "a coordinate is not finite");
+  mesh = disk;
+  mesh.Vertices.row(disk.Faces(0, 0)) = mesh.Vertices.row(disk.Faces(0, 1)).eval();
+  EXPECT_EQ(diskDefect(mesh), "a face has no area");
+  mesh = disk;
+  std::swap(mesh.Faces(7, 0), mesh.Faces(7, 1));
+  EXPECT_EQ(diskDefect(mesh), "two faces run along an edge in one direction");
+  mesh = disk;
+  mesh.Vertices.conservativeResize(mesh.vertexCount() + 1, 3);
+  mesh.Vertices.bottomRows<1>() << 1, 2, 3;
+  EXPECT_EQ(diskDefect(mesh), "a point has no face");
+
+  EXPECT_EQ(diskDefect(sphere(2)), "it is closed");
+  EXPECT_EQ(diskDefect(withoutFaces(sphere(2), { 0, 100 })), "it has several boundaries");
+  EXPECT_EQ(diskDefect(both(disk, moved(torus(9, 9), 9, 0, 0))), "it has several components");
+  EXPECT_EQ(diskDefect(withoutFaces(torus(9, 9), { 0 })), "its Euler number is -1");
+  // The last vertex of a sphere becomes an inner one of the disk; or a boundary vertex that of another
+  // disk.
+  for (const bool closed : { true, false })
+  {
+    const TriangleMesh other = closed ? sphere(0) : withoutFaces(sphere(0), { 0 });
+    mesh = both(disk, moved(other, 5, 0, 0));
+    const int from = disk.vertexCount() + (closed ? 11 : other.Faces(0, 0));
+    const int boundaryVertex = sphere(2).Faces(0, 0);
+    const int to = closed ? (boundaryVertex + 50) % disk.vertexCount() : boundaryVertex;
+    mesh.Faces = (mesh.Faces.array() == from).select(to, mesh.Faces).eval();
+    EXPECT_NE(diskDefect(mesh), "") << closed;
+  }
+}
+
+TEST(RandomShapes, AreWhatTheySay)
+{
+  for (int seed = 0; seed < 40; ++seed)
+  {
+    RandomNumbers random(seed);
+    const int rings = 1 + seed % 4;
+    const TriangleMesh chain = chainOfRings(random, rings);
+    const MeshTopology topology =
+      analyseTopology(chain.Faces, chain.vertexCount()); // throws if unoriented
+    EXPECT_EQ(topology.Components, 1) << seed;
+    EXPECT_EQ(topology.Genus, rings) << seed;
+    EXPECT_TRUE(topology.BoundaryLoops.empty()) << seed;
+    EXPECT_GT(enclosedVolume(chain), 0.0) << seed;
+
+    const TriangleMesh noise = noiseSurface(random, seed % 3, true);
+    EXPECT_TRUE(analyseTopology(noise.Faces, noise.vertexCount()).BoundaryLoops.empty()) << seed;
+    EXPECT_GT(enclosedVolume(noise), 0.0) << seed;
+  }
+}
+
+// Half a ball of radius 4: its volume to the accuracy of a linear interpolation, its rim open.
+TEST(MarchingTetrahedra, EnclosesTheValuesAboveZero)
+{
+  Volume volume({ 13, 13, 7 });
+  for (int z = 0; z < 7; ++z)
+  {
+    for (int y = 0; y < 13; ++y)
+    {
+      for (int x = 0; x < 13; ++x)
+      {
+        volume.at(x, y, z) = 4.1 - std::hypot(std::hypot(x - 6.0, y - 6.0), z);
+      }
+    }
+  }
+  const TriangleMesh half = marchingTetrahedra(volume);
+  EXPECT_EQ(diskDefect(half), "");
+  EXPECT_NEAR(enclosedVolume(half), 2.0 / 3.0 * Pi * std::pow(4.1, 3), 0.05 * 144.0);
+  for (const int v : requireDisk(half))
+  {
+    EXPECT_EQ(half.Vertices(v, 2), 0.0);
+  }
+}
+
+TEST(RandomSurfaces, AreTheSameForTheSameSeed)
+{
+  const RandomSurface one = randomSurface(5);
+  EXPECT_EQ(one.Mesh.Faces, randomSurface(5).Mesh.Faces);
+  EXPECT_EQ(one.Mesh.Vertices, randomSurface(5).Mesh.Vertices);
+  EXPECT_NE(one.Mesh.faceCount(), randomSurface(6).Mesh.faceCount());
 }
 
 TEST(RandomSurfaces, BecomeDisksOrNamedErrors)
