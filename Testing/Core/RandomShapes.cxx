@@ -120,8 +120,8 @@ TriangleMesh bumpySphere(RandomNumbers& random)
 
 TriangleMesh chainOfRings(RandomNumbers& random, int rings)
 {
-  const double radius = random.real(2.4, 3.0);
-  const double thickness = random.real(0.8, 1.1);
+  const double radius = random.real(2.8, 3.3);
+  const double thickness = random.real(1.0, 1.3);
   const double step = 2.0 * radius - 0.5 * thickness; // the tubes of neighbours merge
   const double margin = radius + thickness + 1.5;
   Volume volume({ int(2.0 * margin + (rings - 1) * step) + 1, int(2.0 * margin) + 1, 6 });
