@@ -20,7 +20,7 @@ constexpr double LengthGrowth = 1.6;
 // A loop is offered for the last time once loops of up to this many times its length were.
 constexpr double Patience = 1.5;
 // Labels become fewer only when they are computed anew: once this share of the handles is left.
-constexpr double FewHandles = 0.6;
+constexpr double FewHandles = 0.3;
 
 double meanLength(const HalfedgeSurface& surface)
 {
@@ -66,7 +66,7 @@ public:
             " cannot be cut: subdivide the surface first, e.g. with Linear Subdivision");
         }
       }
-      this->LengthSearched = length;
+      this->FirstSearch = false;
       length *= LengthGrowth;
     }
     return this->Lengths;
@@ -96,7 +96,7 @@ private:
         [this, here](double, const char* stage)
         { return !this->Progress || this->Progress(here, stage); }));
     const bool any = !queue.empty();
-    while (!queue.empty() && this->Labels.genus() > 0)
+    while (!queue.empty())
     {
       SurfaceLoop loop = queue.top();
       queue.pop();
@@ -104,8 +104,12 @@ private:
       if (this->isUpToDate(loop))
       {
         this->Loops.tighten(loop);
-        const bool offered = loop.Length < this->LengthSearched;
-        this->cut(loop, last || (offered && Patience * loop.Length < length));
+        // Loops so short were offered in the search before, unless this is the first.
+        this->cut(loop, last || (!this->FirstSearch && Patience * loop.Length < length));
+      }
+      if (this->Labels.genus() == 0)
+      {
+        break;
       }
       SurfaceLoop next = this->Loops.findAgain(seed);
       if (!next.Halfedges.empty())
@@ -175,7 +179,7 @@ private:
   ShortLoops Loops;
   int HandlesAtStart;
   int HandlesLabelled;
-  double LengthSearched = 0.0;
+  bool FirstSearch = true;
   std::vector<double> Lengths;
 };
 
