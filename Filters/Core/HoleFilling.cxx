@@ -3,6 +3,7 @@
 
 #include "EditableSurface.h"
 #include "Errors.h"
+#include "SelfIntersections.h"
 #include "SurfaceProjection.h"
 
 #include <CGAL/Polygon_mesh_processing/refine.h>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -122,26 +124,118 @@ TriangleMesh unrefinedPatch(const SurfaceMesh& mesh,
   return patch;
 }
 
-void fillHole(EditableSurface& surface, Halfedge border)
+enum class Patch
+{
+  Refined,
+  Delaunay,
+  LeastAngle,
+  Fan,
+  Kinds
+};
+
+void fillHole(EditableSurface& surface, Halfedge border, Patch kind)
 {
   SurfaceMesh& mesh = surface.mesh();
   const std::vector<Vertex> loop = loopVertices(mesh, border);
   std::vector<Face> patch;
-  PMP::triangulate_hole(mesh,
-    border,
-    std::back_inserter(patch),
-    CGAL::parameters::use_2d_constrained_delaunay_triangulation(true).do_not_use_cubic_algorithm(
-      loop.size() > LongestCubicLoop));
+  if (kind != Patch::Fan)
+  {
+    PMP::triangulate_hole(mesh,
+      border,
+      std::back_inserter(patch),
+      CGAL::parameters::use_2d_constrained_delaunay_triangulation(kind != Patch::LeastAngle)
+        .do_not_use_cubic_algorithm(loop.size() > LongestCubicLoop));
+  }
   if (patch.empty())
   {
     coverWithFan(surface, border, loop);
     return;
   }
-  const TriangleMesh unrefined = unrefinedPatch(mesh, loop, patch);
-  std::vector<Vertex> added;
-  std::vector<Face> refined;
-  PMP::refine(mesh, patch, std::back_inserter(refined), std::back_inserter(added));
-  traceToLoop(surface, loop, unrefined, added);
+  if (kind == Patch::Refined)
+  {
+    const TriangleMesh unrefined = unrefinedPatch(mesh, loop, patch);
+    std::vector<Vertex> added;
+    std::vector<Face> refined;
+    PMP::refine(mesh, patch, std::back_inserter(refined), std::back_inserter(added));
+    traceToLoop(surface, loop, unrefined, added);
+  }
+}
+
+struct PatchedSurface
+{
+  DerivedMesh Surface;
+  std::vector<int> HoleOfFace; ///< -1 for old faces
+};
+
+PatchedSurface patched(const TriangleMesh& mesh,
+  const std::vector<std::vector<int>>& loops,
+  const std::vector<Patch>& kinds,
+  const ProgressCallback& progress)
+{
+  EditableSurface surface(mesh);
+  PatchedSurface result;
+  result.HoleOfFace.assign(mesh.faceCount(), -1);
+  for (std::size_t hole = 0; hole < loops.size(); ++hole)
+  {
+    report(progress, static_cast<double>(hole) / loops.size(), "filling holes");
+    fillHole(surface, borderAt(surface.mesh(), Vertex(loops[hole].front())), kinds[hole]);
+    result.HoleOfFace.resize(surface.mesh().number_of_faces(), static_cast<int>(hole));
+  }
+  result.Surface = surface.derived();
+  return result;
+}
+
+PlacedTriangle placed(const TriangleMesh& mesh, int face)
+{
+  PlacedTriangle triangle;
+  for (int k = 0; k < 3; ++k)
+  {
+    triangle.Vertices[k] = mesh.Faces(face, k);
+    triangle.Points[k] = mesh.Vertices.row(mesh.Faces(face, k));
+  }
+  return triangle;
+}
+
+// Per hole: how many faces, old or new, its patch intersects.
+std::vector<int> intersectionsPerHole(const PatchedSurface& filled, int holes)
+{
+  const TriangleMesh& mesh = filled.Surface.Mesh;
+  std::vector<PlacedTriangle> all;
+  std::vector<PlacedTriangle> ofPatches;
+  all.reserve(mesh.faceCount());
+  int oldFaces = 0;
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    all.push_back(placed(mesh, f));
+    oldFaces += filled.HoleOfFace[f] < 0;
+  }
+  ofPatches.assign(all.begin() + oldFaces, all.end());
+  std::vector<int> count(holes, 0);
+  for (const auto& [i, other] : overlappingBoxes(ofPatches, all))
+  {
+    const int face = oldFaces + i;
+    count[filled.HoleOfFace[face]] += face != other && intersect(all[face], all[other]);
+  }
+  return count;
+}
+
+// The message of a loop that is too long says where it is.
+void requireShort(const TriangleMesh& mesh, const std::vector<int>& loop, double limit)
+{
+  const double length = loopLength(mesh.Vertices, loop);
+  if (length > limit)
+  {
+    Eigen::RowVector3d centre = Eigen::RowVector3d::Zero();
+    for (const int v : loop)
+    {
+      centre += mesh.Vertices.row(v) / static_cast<double>(loop.size());
+    }
+    std::ostringstream message; // lengths of any order of magnitude
+    message << "the hole around (" << centre[0] << ", " << centre[1] << ", " << centre[2] << ") is "
+            << length << " long, more than the limit of " << limit
+            << " for holes that are filled: raise the limit, or cut that part off with Clip";
+    throw InvalidInput(message.str());
+  }
 }
 
 } // namespace
@@ -158,25 +252,62 @@ double loopLength(const Points3& vertices, const std::vector<int>& loop)
 
 FilledSurface fillHoles(const TriangleMesh& mesh,
   const std::vector<std::vector<int>>& loops,
+  const HoleFillingOptions& options,
   const ProgressCallback& progress)
 {
-  EditableSurface surface(mesh);
-  FilledSurface result;
   for (const std::vector<int>& loop : loops)
   {
-    report(progress, static_cast<double>(result.FilledHoles) / loops.size(), "filling holes");
-    fillHole(surface, borderAt(surface.mesh(), Vertex(loop.front())));
-    ++result.FilledHoles;
+    requireShort(mesh, loop, options.LongestLoop);
+  }
+  const int holes = static_cast<int>(loops.size());
+  std::vector<Patch> kinds(holes, Patch::Refined);
+  PatchedSurface filled = patched(mesh, loops, kinds, subrange(progress, 0.0, 0.4));
+  std::vector<int> fewest = intersectionsPerHole(filled, holes);
+
+  const auto pierces = [](int count) { return count > 0; };
+  for (int k = 1; k < static_cast<int>(Patch::Kinds); ++k)
+  {
+    if (std::none_of(fewest.begin(), fewest.end(), pierces))
+    {
+      break;
+    }
+    report(progress, 0.4 + 0.15 * (k - 1), "filling holes");
+    std::vector<Patch> tried = kinds;
+    for (int hole = 0; hole < holes; ++hole)
+    {
+      tried[hole] = pierces(fewest[hole]) ? static_cast<Patch>(k) : kinds[hole];
+    }
+    const std::vector<int> counts = intersectionsPerHole(patched(mesh, loops, tried, {}), holes);
+    for (int hole = 0; hole < holes; ++hole)
+    {
+      if (counts[hole] < fewest[hole])
+      {
+        kinds[hole] = tried[hole];
+        fewest[hole] = counts[hole];
+      }
+    }
+    filled = patched(mesh, loops, kinds, {});
+    fewest = intersectionsPerHole(filled, holes);
   }
 
-  result.Surface = surface.derived();
-  const TriangleMesh& filled = result.Surface.Mesh;
-  const Eigen::VectorXd areas = faceAreas(filled.Vertices, filled.Faces);
-  for (int f = 0; f < filled.faceCount(); ++f)
+  FilledSurface result;
+  result.FilledHoles = holes;
+  result.PiercingPatches = static_cast<int>(std::count_if(fewest.begin(), fewest.end(), pierces));
+  result.Surface = std::move(filled.Surface);
+  const TriangleMesh& surface = result.Surface.Mesh;
+  const Eigen::VectorXd areas = faceAreas(surface.Vertices, surface.Faces);
+  for (int f = 0; f < surface.faceCount(); ++f)
   {
     result.FilledArea += result.Surface.Faces[f] < 0 ? areas[f] : 0.0;
   }
   return result;
+}
+
+FilledSurface fillHoles(const TriangleMesh& mesh,
+  const std::vector<std::vector<int>>& loops,
+  const ProgressCallback& progress)
+{
+  return fillHoles(mesh, loops, HoleFillingOptions{}, progress);
 }
 
 } // namespace flattening

@@ -12,22 +12,6 @@
 
 namespace flattening
 {
-namespace
-{
-
-Eigen::VectorXd componentAreas(const TriangleMesh& mesh, const SurfaceComponents& components)
-{
-  const Eigen::VectorXd faceArea = faceAreas(mesh.Vertices, mesh.Faces);
-  Eigen::VectorXd areas = Eigen::VectorXd::Zero(components.Count);
-  for (int f = 0; f < mesh.faceCount(); ++f)
-  {
-    areas[components.OfFace[f]] += faceArea[f];
-  }
-  return areas;
-}
-
-} // namespace
-
 std::vector<int> SurfaceComponents::faces(int component) const
 {
   std::vector<int> result;
@@ -66,6 +50,23 @@ SurfaceComponents connectedComponents(const TriangleMesh& mesh)
     components.OfFace[f] = component;
   }
   return components;
+}
+
+Eigen::VectorXd componentAreas(const TriangleMesh& mesh, const SurfaceComponents& components)
+{
+  const Eigen::VectorXd faceArea = faceAreas(mesh.Vertices, mesh.Faces);
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(components.Count);
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    areas[components.OfFace[f]] += faceArea[f];
+  }
+  return areas;
+}
+
+int componentsAbove(const TriangleMesh& mesh, const SurfaceComponents& components, double share)
+{
+  const Eigen::VectorXd areas = componentAreas(mesh, components);
+  return static_cast<int>((areas.array() >= share * areas.sum()).count());
 }
 
 int chooseComponent(const TriangleMesh& mesh,

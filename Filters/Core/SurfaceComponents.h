@@ -23,6 +23,12 @@ struct SurfaceComponents
 /// Faces that share a vertex belong together.
 SurfaceComponents connectedComponents(const TriangleMesh& mesh);
 
+/// Area of every component, input units squared.
+Eigen::VectorXd componentAreas(const TriangleMesh& mesh, const SurfaceComponents& components);
+
+/// How many components have at least @p share (0 to 1) of the area of all: the others are fragments.
+int componentsAbove(const TriangleMesh& mesh, const SurfaceComponents& components, double share);
+
 /// Which component of a surface is meant.
 struct ComponentChoice
 {
