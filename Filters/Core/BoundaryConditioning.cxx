@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "BoundaryConditioning.h"
 
+#include "EdgeFlips.h"
+
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
@@ -26,35 +28,27 @@ using Vector = Kernel::Vector_3;
 constexpr double ShortShare = 0.8; // of the mean boundary edge
 constexpr double VeryShortShare = 0.2;
 constexpr double SmallestTilt = 0.5; // cosine of 60 degrees
-constexpr double FlatTilt = 0.98;    // cosine of 11 degrees
 constexpr double Rounding = 1e-6;    // of angles
 constexpr double GoodAngle = 0.35;   // 20 degrees; a collapse need not leave a larger one
-
-double smallestAngle(const std::array<Point, 3>& corners)
-{
-  double smallest = HUGE_VAL;
-  for (int k = 0; k < 3; ++k)
-  {
-    const Vector u = corners[(k + 1) % 3] - corners[k];
-    const Vector v = corners[(k + 2) % 3] - corners[k];
-    const double sine = std::sqrt(CGAL::cross_product(u, v).squared_length());
-    smallest = std::min(smallest, std::atan2(sine, u * v));
-  }
-  return smallest;
-}
 
 class BoundaryConditioner
 {
 public:
-  BoundaryConditioner(EditableSurface& surface, int minimumVertices)
+  // With the vertices of the cut, if it is to keep its curve.
+  BoundaryConditioner(EditableSurface& surface,
+    int minimumVertices,
+    std::vector<char> onCut,
+    bool keepsCurve)
     : Surface(surface)
     , Mesh(surface.mesh())
     , MinimumVertices(minimumVertices)
+    , OnCut(std::move(onCut))
+    , KeepsCurve(keepsCurve)
   {
     double length = 0.0;
     for (const Halfedge h : this->Mesh.halfedges())
     {
-      if (this->Mesh.is_border(h))
+      if (this->isCut(h))
       {
         ++this->BoundaryVertices;
         length += std::sqrt(surface.squaredLength(h));
@@ -77,11 +71,37 @@ public:
   }
 
 private:
+  // A half-edge of the boundary that the cut has made.
+  bool isCut(Halfedge border) const
+  {
+    return this->Mesh.is_border(border) && this->OnCut[this->Mesh.source(border)] &&
+           this->OnCut[this->Mesh.target(border)];
+  }
+
+  bool isCut(Edge edge) const
+  {
+    const Halfedge h = this->Mesh.halfedge(edge);
+    return this->isCut(h) || this->isCut(this->Mesh.opposite(h));
+  }
+
+  // Where the cut meets an older boundary.
+  bool isEndOfCut(Vertex v) const
+  {
+    for (const Halfedge h : this->Mesh.halfedges_around_target(this->Mesh.halfedge(v)))
+    {
+      if (this->Mesh.is_border(this->Mesh.edge(h)) && !this->isCut(this->Mesh.edge(h)))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
   void collapseShortEdges()
   {
     for (const Vertex v : this->Mesh.vertices())
     {
-      if (this->Mesh.is_border(v))
+      if (this->OnCut[v])
       {
         this->enqueueAround(v);
       }
@@ -107,9 +127,9 @@ private:
     {
       const Halfedge h = this->Mesh.halfedge(edge);
       if (!this->Mesh.is_border(edge) &&
-          (this->Mesh.is_border(this->Mesh.source(h)) || this->Mesh.is_border(this->Mesh.target(h)) ||
-            this->Mesh.is_border(this->Mesh.target(this->Mesh.next(h))) ||
-            this->Mesh.is_border(this->Mesh.target(this->Mesh.next(this->Mesh.opposite(h))))))
+          (this->OnCut[this->Mesh.source(h)] || this->OnCut[this->Mesh.target(h)] ||
+            this->OnCut[this->Mesh.target(this->Mesh.next(h))] ||
+            this->OnCut[this->Mesh.target(this->Mesh.next(this->Mesh.opposite(h)))]))
       {
         edges.push_back(edge);
       }
@@ -120,7 +140,7 @@ private:
       flipped = false;
       for (const Edge edge : edges)
       {
-        if (this->flipImproves(this->Mesh.halfedge(edge)))
+        if (flipImproves(this->Mesh, this->Mesh.halfedge(edge)))
         {
           CGAL::Euler::flip_edge(this->Mesh.halfedge(edge), this->Mesh);
           flipped = true;
@@ -128,39 +148,6 @@ private:
         }
       }
     }
-  }
-
-  bool flipImproves(Halfedge h) const
-  {
-    const Vertex a = this->Mesh.source(h);
-    const Vertex b = this->Mesh.target(h);
-    const Vertex c = this->Mesh.target(this->Mesh.next(h));
-    const Vertex d = this->Mesh.target(this->Mesh.next(this->Mesh.opposite(h)));
-    const Point& p = this->Mesh.point(a);
-    const Point& q = this->Mesh.point(b);
-    const Point& r = this->Mesh.point(c);
-    const Point& s = this->Mesh.point(d);
-    const double before = std::min(smallestAngle({ p, q, r }), smallestAngle({ q, p, s }));
-    const double after = std::min(smallestAngle({ s, q, r }), smallestAngle({ p, s, r }));
-    if (!(after > (1.0 + Rounding) * before))
-    {
-      return false;
-    }
-    const Vector first = CGAL::cross_product(q - p, r - p);
-    const Vector second = CGAL::cross_product(p - q, s - q);
-    const Vector third = CGAL::cross_product(q - s, r - s);
-    const Vector fourth = CGAL::cross_product(s - p, r - p);
-    for (const Vector& old : { first, second })
-    {
-      for (const Vector& now : { third, fourth })
-      {
-        if (!(old * now > FlatTilt * std::sqrt(old.squared_length() * now.squared_length())))
-        {
-          return false;
-        }
-      }
-    }
-    return !this->Mesh.halfedge(c, d).is_valid();
   }
 
   // Single precision, so that equal lengths up to rounding tie and go by index.
@@ -181,12 +168,17 @@ private:
   void tryCollapse(Edge edge)
   {
     Halfedge h = this->Mesh.halfedge(edge); // source goes, target stays
-    if (this->Mesh.is_border(edge))
+    const bool isCut = this->isCut(edge);
+    if (isCut)
     {
       if (this->BoundaryVertices <= this->MinimumVertices)
       {
         return;
       }
+    }
+    else if (this->Mesh.is_border(edge))
+    {
+      return;
     }
     else
     {
@@ -200,24 +192,32 @@ private:
       }
     }
     // An inner vertex all but on the curve may become a boundary vertex where it is.
-    if (!this->improves(h) &&
-        (this->Mesh.is_border(edge) || this->Surface.squaredLength(h) < this->VeryShort))
+    if (!this->mayMove(h, isCut) &&
+        (isCut || (!this->KeepsCurve && this->Surface.squaredLength(h) < this->VeryShort)))
     {
       h = this->Mesh.opposite(h);
     }
-    if (!this->improves(h) || !CGAL::Euler::does_satisfy_link_condition(edge, this->Mesh))
+    if (!this->mayMove(h, isCut) || !CGAL::Euler::does_satisfy_link_condition(edge, this->Mesh))
     {
       return;
     }
     const Vertex stays = this->Mesh.target(h);
     const Point position = this->Mesh.point(stays);
     const EditableSurface::Origin origin = this->Surface.origin(stays);
-    this->BoundaryVertices -= this->Mesh.is_border(edge);
+    const char onCut = this->OnCut[stays] || this->OnCut[this->Mesh.source(h)];
+    this->BoundaryVertices -= isCut;
     const Vertex kept = CGAL::Euler::collapse_edge(edge, this->Mesh);
+    this->OnCut[kept] = onCut;
     this->Mesh.point(kept) = position;
     this->Surface.origin(kept) = origin;
     this->enqueueAround(kept);
     this->Changed = true;
+  }
+
+  // Whether the source may move to the target.
+  bool mayMove(Halfedge h, bool isCut) const
+  {
+    return !(isCut && this->isEndOfCut(this->Mesh.source(h))) && this->improves(h);
   }
 
   // Whether the faces around the source keep their side and a smallest angle no worse if it moves to the
@@ -263,6 +263,8 @@ private:
   EditableSurface& Surface;
   SurfaceMesh& Mesh;
   int MinimumVertices;
+  std::vector<char> OnCut; // per vertex
+  bool KeepsCurve;
   int BoundaryVertices = 0;
   double Short = 0.0; // squared length
   double VeryShort = 0.0;
@@ -274,7 +276,18 @@ private:
 
 void conditionBoundary(EditableSurface& surface, int minimumVertices)
 {
-  BoundaryConditioner(surface, minimumVertices).run();
+  const SurfaceMesh& mesh = surface.mesh();
+  std::vector<char> onBoundary(mesh.num_vertices(), 0);
+  for (const Vertex v : mesh.vertices())
+  {
+    onBoundary[v] = mesh.is_border(v) ? 1 : 0;
+  }
+  BoundaryConditioner(surface, minimumVertices, std::move(onBoundary), false).run();
+}
+
+void conditionCut(EditableSurface& surface, const std::vector<char>& onCut, int minimumVertices)
+{
+  BoundaryConditioner(surface, minimumVertices, onCut, true).run();
 }
 
 } // namespace flattening

@@ -4,6 +4,8 @@
 
 #include "EditableSurface.h"
 
+#include <vector>
+
 namespace flattening
 {
 
@@ -15,5 +17,10 @@ namespace flattening
 /// where the surface is flat (11 degrees) and that makes the smallest angle larger; both in turns until
 /// nothing changes. At least @p minimumVertices boundary vertices are left, if there are as many.
 void conditionBoundary(EditableSurface& surface, int minimumVertices);
+
+/// The same for boundary edges between vertices marked in @p onCut (one flag per vertex) alone. Other
+/// boundaries stay as they are, the ends of the cut at them too, and the cut keeps its curve: its
+/// vertices become fewer, but none moves off it.
+void conditionCut(EditableSurface& surface, const std::vector<char>& onCut, int minimumVertices);
 
 } // namespace flattening

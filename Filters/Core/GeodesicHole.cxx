@@ -5,10 +5,11 @@
 #include "EditableSurface.h"
 #include "GeodesicDistance.h"
 #include "HolePlacement.h"
+#include "LevelCut.h"
 #include "LongestEdgeBisection.h"
 #include "MeshTopology.h"
 #include "SurfaceNeighbourhood.h"
-#include "SurfaceProjection.h"
+#include "SurfacePick.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -66,7 +67,7 @@ public:
     this->refineBall();
     this->refineAlongCurve(subrange(progress, 0.5, 0.9));
     report(progress, 0.9, "cutting the hole");
-    this->splitAtCurve();
+    splitAtLevel(this->Surface, this->Distance, this->Radius);
     this->removeInside();
 
     OpenedSurface opened;
@@ -85,7 +86,8 @@ private:
   {
     if (this->Options.Centre)
     {
-      const SurfacePoint nearest = SurfaceProjection(this->Closed).closest(*this->Options.Centre);
+      const SurfacePoint nearest = pickOnSurface(
+        this->Closed, SurfaceProjection(this->Closed), *this->Options.Centre, "the hole's point");
       this->Centre = nearest.Position;
       this->CentreFace = nearest.Face;
     }
@@ -102,25 +104,7 @@ private:
     return { this->Centre.x(), this->Centre.y(), this->Centre.z() };
   }
 
-  // The part of the original face CentreFace that the centre lies on.
-  Face faceAtCentre() const
-  {
-    Face nearest = SurfaceMesh::null_face();
-    double distance = HUGE_VAL;
-    for (const Face face : this->Mesh.faces())
-    {
-      if (this->Surface.origin(face) == this->CentreFace)
-      {
-        const double d = squaredDistance(this->Mesh, face, this->centrePoint());
-        if (d < distance)
-        {
-          distance = d;
-          nearest = face;
-        }
-      }
-    }
-    return nearest;
-  }
+  Face faceAtCentre() const { return partAt(this->Surface, this->CentreFace, this->centrePoint()); }
 
   // As if the surface were flat here; halved edge by edge so that big faces are refined near the hole
   // only.
@@ -152,7 +136,8 @@ private:
       this->measure();
       if (this->facesAtCurve(0.0, Slack * edgePerSpacing * this->Spacing).empty())
       {
-        if (static_cast<int>(this->crossedEdges().size()) >= this->Options.BoundaryVertices)
+        if (static_cast<int>(edgesAcrossLevel(this->Mesh, this->Distance, this->Radius).size()) >=
+            this->Options.BoundaryVertices)
         {
           return;
         }
@@ -237,35 +222,6 @@ private:
 
   bool isInside(Vertex v) const { return this->Distance[v] < this->Radius; }
 
-  std::vector<Halfedge> crossedEdges() const
-  {
-    std::vector<Halfedge> crossed;
-    for (const auto edge : this->Mesh.edges())
-    {
-      const Halfedge h = this->Mesh.halfedge(edge);
-      if (this->isInside(this->Mesh.source(h)) != this->isInside(this->Mesh.target(h)))
-      {
-        crossed.push_back(h);
-      }
-    }
-    return crossed;
-  }
-
-  // Afterwards no edge crosses the curve: every face lies on one side.
-  void splitAtCurve()
-  {
-    for (const Halfedge h : this->crossedEdges())
-    {
-      const double from = this->Distance[this->Mesh.source(h)];
-      const double to = this->Distance[this->Mesh.target(h)];
-      // A curve through a vertex still gives an edge of some length, which is collapsed later.
-      const double t = std::clamp((this->Radius - from) / (to - from), 1e-6, 1.0 - 1e-6);
-      const Vertex middle = this->Surface.splitEdge(h, t).Middle;
-      this->Distance.resize(this->Mesh.num_vertices());
-      this->Distance[middle] = this->Radius;
-    }
-  }
-
   void removeInside()
   {
     const auto inside = [this](Face face)
@@ -334,10 +290,6 @@ OpenedSurface cutGeodesicHole(const TriangleMesh& closed,
   {
     throw InvalidInput("a boundary of " + std::to_string(options.BoundaryVertices) +
                        " vertices was asked for: ask for 3 at least");
-  }
-  if (options.Centre && !options.Centre->allFinite())
-  {
-    throw InvalidInput("the hole's point is not finite: set all of its coordinates");
   }
   const MeshTopology topology = analyseTopology(closed.Faces, closed.vertexCount());
   if (topology.Components != 1 || topology.Genus != 0 || !topology.BoundaryLoops.empty())

@@ -14,8 +14,8 @@ namespace flattening
 
 struct GeodesicHoleOptions
 {
-  /// The point of the surface nearest to it becomes the hole's centre (input units); if absent,
-  /// geodesicCentre chooses.
+  /// The point of the surface nearest to it becomes the hole's centre (input units; see pickOnSurface);
+  /// if absent, geodesicCentre chooses.
   std::optional<Eigen::Vector3d> Centre;
   /// Area of the hole as share of the surface's area, in (0, 0.5].
   double AreaFraction = 1e-3;
@@ -38,8 +38,8 @@ struct OpenedSurface
 /// off from the rest, as happens between folds, go with the hole. Vertices nearer to the curve than a
 /// fraction of their edges move onto it, and curve points too close to each other become one, so that no
 /// slivers remain at the cut.
-/// @throws InvalidInput if an option is out of range; TopologyError if the surface is not closed,
-/// connected and of genus 0, or no round hole of that size can be cut.
+/// @throws InvalidInput if an option is out of range or the centre is off the surface; TopologyError if
+/// the surface is not closed, connected and of genus 0, or no round hole of that size can be cut.
 OpenedSurface cutGeodesicHole(const TriangleMesh& closed,
   const GeodesicHoleOptions& options = {},
   const ProgressCallback& progress = {});

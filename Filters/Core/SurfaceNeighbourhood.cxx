@@ -20,6 +20,25 @@ double squaredDistance(const SurfaceMesh& mesh, Face face, const Kernel::Point_3
       mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))));
 }
 
+Face partAt(const EditableSurface& surface, int originalFace, const Kernel::Point_3& point)
+{
+  Face nearest = SurfaceMesh::null_face();
+  double distance = HUGE_VAL;
+  for (const Face face : surface.mesh().faces())
+  {
+    if (surface.origin(face) == originalFace)
+    {
+      const double d = squaredDistance(surface.mesh(), face, point);
+      if (d < distance)
+      {
+        distance = d;
+        nearest = face;
+      }
+    }
+  }
+  return nearest;
+}
+
 std::vector<Face> facesInBall(const SurfaceMesh& mesh,
   Face start,
   const Kernel::Point_3& centre,

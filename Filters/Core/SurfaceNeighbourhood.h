@@ -14,6 +14,11 @@ double squaredDistance(const SurfaceMesh& mesh,
   SurfaceMesh::Face_index face,
   const Kernel::Point_3& point);
 
+/// Of the parts of an original face the one nearest to @p point; null if nothing is left of it.
+SurfaceMesh::Face_index partAt(const EditableSurface& surface,
+  int originalFace,
+  const Kernel::Point_3& point);
+
 /// The faces closer to @p centre than @p radius that are connected to @p start by such faces: not those
 /// of another fold nearby.
 std::vector<SurfaceMesh::Face_index> facesInBall(const SurfaceMesh& mesh,

@@ -80,7 +80,7 @@ TEST(GeodesicHole, OfASphereIsTheSphericalCap)
 
 TEST(GeodesicHole, IsCentredAtThePointAskedFor)
 {
-  const OpenedSurface opened = cutGeodesicHole(sphere(4), holeAt(0, 0, 5));
+  const OpenedSurface opened = cutGeodesicHole(sphere(4), holeAt(0, 0, 1.1));
   EXPECT_NEAR(opened.Centre.x(), 0.0, 1e-12);
   EXPECT_NEAR(opened.Centre.y(), 0.0, 1e-12);
   Eigen::RowVector3d mean = Eigen::RowVector3d::Zero();
@@ -95,7 +95,7 @@ TEST(GeodesicHole, IsCentredAtThePointAskedFor)
 TEST(GeodesicHole, IsRoundOnTheCoarsestMeshes)
 {
   // In the flat, on an edge, at a vertex with five triangles, and at one with three right angles.
-  const OpenedSurface face = cutGeodesicHole(tetrahedron(), holeAt(0.3, 0.2, -0.1));
+  const OpenedSurface face = cutGeodesicHole(tetrahedron(), holeAt(0.3, 0.2, -0.05));
   const OpenedSurface edge = cutGeodesicHole(tetrahedron(), holeAt(0.5, 0.0, 0.0));
   const OpenedSurface five = cutGeodesicHole(icosahedron());
   const OpenedSurface corner = cutGeodesicHole(tetrahedron(), holeAt(0.0, 0.0, 0.0));

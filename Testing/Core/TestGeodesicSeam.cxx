@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Errors.h"
+#include "GeodesicPath.h"
+#include "GeodesicSeam.h"
+#include "MeshTopology.h"
+#include "SampleSurfaces.h"
+
+#include <algorithm>
+
+namespace
+{
+
+using namespace flattening;
+using namespace flattening::samples;
+
+using Points = std::vector<Eigen::Vector3d>;
+
+SeamOpenedSurface seamThrough(const TriangleMesh& mesh, const Points& points, int vertices = 128)
+{
+  GeodesicSeamOptions options;
+  options.Points = points;
+  options.BoundaryVertices = vertices;
+  return cutGeodesicSeam(mesh, options);
+}
+
+Eigen::Vector3d onSphere(double longitude, double latitude)
+{
+  return { std::cos(longitude) * std::cos(latitude),
+    std::sin(longitude) * std::cos(latitude),
+    std::sin(latitude) };
+}
+
+double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+double smallestAngleAtSeam(const CutSurface& cut)
+{
+  const TriangleMesh& mesh = cut.Surface.Mesh;
+  double smallest = 180.0;
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Eigen::Vector3d a = mesh.Vertices.row(mesh.Faces(f, k));
+      const Eigen::Vector3d u = mesh.Vertices.row(mesh.Faces(f, (k + 1) % 3)).transpose() - a;
+      const Eigen::Vector3d v = mesh.Vertices.row(mesh.Faces(f, (k + 2) % 3)).transpose() - a;
+      if (cut.OnSeam[mesh.Faces(f, 0)] || cut.OnSeam[mesh.Faces(f, 1)] || cut.OnSeam[mesh.Faces(f, 2)])
+      {
+        smallest = std::min(smallest, angleBetween(u, v) * 180.0 / Pi);
+      }
+    }
+  }
+  return smallest;
+}
+
+// Areas of the parts of every original face.
+Eigen::VectorXd areasOfOriginals(const DerivedMesh& surface, int faceCount)
+{
+  const Eigen::VectorXd areas = faceAreas(surface.Mesh.Vertices, surface.Mesh.Faces);
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(faceCount);
+  for (int f = 0; f < surface.Mesh.faceCount(); ++f)
+  {
+    sums[surface.Faces[f]] += areas[f];
+  }
+  return sums;
+}
+
+TEST(GeodesicPath, OfATubeIsTheStraightLineOfItsNet)
+{
+  constexpr int n = 48;
+  constexpr int m = 40;
+  const EditableSurface tube(cylinder(n, m, 3.0));
+  using Vertex = SurfaceMesh::Vertex_index;
+  const double side = 2.0 * std::sin(Pi / n);
+  // Across both kinds of diagonals, and along an edge.
+  const auto expectStraight = [&](int columns, int row, int otherRow)
+  {
+    const int from = row * n + 3;
+    const int to = otherRow * n + 3 + columns;
+    const GeodesicPath path = geodesicPath(tube.mesh(), Vertex(from), Vertex(to));
+    EXPECT_NEAR(path.Length, std::hypot(columns * side, (otherRow - row) * 3.0 / m), 1e-12);
+    EXPECT_EQ(path.Points.front().Vertex, Vertex(from));
+    EXPECT_EQ(path.Points.back().Vertex, Vertex(to));
+  };
+  expectStraight(14, 5, 28);
+  expectStraight(14, 28, 5);
+  expectStraight(10, 2, 2);
+  expectStraight(1, 7, 7);
+}
+
+TEST(GeodesicSeam, OnASphereIsAnArcOfAGreatCircle)
+{
+  // The last one crosses few edges: it is refined.
+  for (const int levels : { 3, 6 })
+  {
+    const TriangleMesh closed = sphere(levels);
+    for (const Points& ends : { Points{ onSphere(0.1, 0.2), onSphere(2.3, -0.4) },
+           Points{ onSphere(1.0, -1.0), onSphere(1.2, 0.9) },
+           Points{ onSphere(4.0, 0.3), onSphere(4.5, 0.1) } })
+    {
+      const SeamOpenedSurface opened = seamThrough(closed, ends);
+      const Eigen::Vector3d from = opened.Points[0].normalized();
+      const Eigen::Vector3d to = opened.Points[1].normalized();
+      EXPECT_LT(angleBetween(from, ends[0]), 0.02);
+      EXPECT_LT(angleBetween(to, ends[1]), 0.02);
+      // Chords are up to 0.3 % shorter than arcs. Along edges it is 3 to 15 % more.
+      EXPECT_LT(opened.Length, 1.015 * angleBetween(from, to));
+      EXPECT_GT(opened.Length, 0.997 * angleBetween(from, to));
+      const Eigen::Vector3d normal = from.cross(to).normalized();
+      for (int v = 0; v < opened.Cut.Surface.Mesh.vertexCount(); ++v)
+      {
+        if (opened.Cut.OnSeam[v])
+        {
+          EXPECT_LT(std::abs(normal.dot(opened.Cut.Surface.Mesh.Vertices.row(v))), 0.02) << v;
+        }
+      }
+    }
+  }
+}
+
+TEST(GeodesicSeam, KeepsTheSurfaceAndMakesItADisk)
+{
+  for (const TriangleMesh& closed : { tetrahedron(), icosahedron(), sphere(3), sphere(5) })
+  {
+    Points points;
+    for (const int f : { 0, 1, 2 })
+    {
+      points.emplace_back(
+        (closed.Vertices.row(closed.Faces(f, 0)) * 0.5 + closed.Vertices.row(closed.Faces(f, 1)) * 0.2 +
+          closed.Vertices.row(closed.Faces(f, 2)) * 0.3)
+          .transpose());
+    }
+    const SeamOpenedSurface opened = seamThrough(closed, points);
+    const DerivedMesh& surface = opened.Cut.Surface;
+    const std::vector<int> boundary = requireDisk(surface.Mesh);
+    EXPECT_GE(boundary.size(), 128u);
+    double length = 0.0;
+    for (std::size_t i = 0; i < boundary.size(); ++i)
+    {
+      const int v = boundary[i];
+      EXPECT_TRUE(opened.Cut.OnSeam[v]);
+      length +=
+        (surface.Mesh.Vertices.row(v) - surface.Mesh.Vertices.row(boundary[(i + 1) % boundary.size()]))
+          .norm();
+    }
+    EXPECT_NEAR(length, 2.0 * opened.Length, 1e-12 * length);
+    const Eigen::VectorXd before = faceAreas(closed.Vertices, closed.Faces);
+    const Eigen::VectorXd after = areasOfOriginals(surface, closed.faceCount());
+    EXPECT_LT(((after - before).array() / before.array()).abs().maxCoeff(), 1e-11);
+    EXPECT_LT((surface.Vertices * closed.Vertices - surface.Mesh.Vertices).cwiseAbs().maxCoeff(), 1e-13);
+    EXPECT_GT(smallestAngleAtSeam(opened.Cut), 4.0);
+  }
+}
+
+TEST(GeodesicSeam, BoundaryHasAsManyVerticesAsAskedFor)
+{
+  const Points points{ onSphere(0.0, 0.0), onSphere(1.0, 0.5) };
+  for (const int wanted : { 10, 128, 256 })
+  {
+    const TriangleMesh mesh = seamThrough(sphere(3), points, wanted).Cut.Surface.Mesh;
+    const auto vertices = static_cast<int>(requireDisk(mesh).size());
+    EXPECT_GE(vertices, wanted);
+    EXPECT_LE(vertices, std::max(60, 4 * wanted));
+  }
+}
+
+TEST(GeodesicSeam, LengthensTheBoundaryOfAnOpenSurface)
+{
+  TriangleMesh cap = sphere(4);
+  std::vector<int> kept;
+  for (int f = 0; f < cap.faceCount(); ++f)
+  {
+    if (cap.Vertices(cap.Faces(f, 0), 2) > -0.2)
+    {
+      kept.push_back(f);
+    }
+  }
+  cap = extractFaces(cap, kept).Mesh;
+  const std::size_t rim = requireDisk(cap).size();
+  const Eigen::Vector3d start = cap.Vertices.row(requireDisk(cap)[5]);
+  const Eigen::Vector3d pole(0, 0, 1);
+  // Whichever end is at the rim; it need not be met exactly.
+  const Eigen::Vector3d nearStart = (start + Eigen::Vector3d(0, 0, 0.03)).normalized();
+  for (const Points& points :
+    { Points{ start, pole }, Points{ pole, start }, Points{ nearStart, pole } })
+  {
+    const SeamOpenedSurface opened = seamThrough(cap, points);
+    EXPECT_NEAR(opened.Length, angleBetween(start, pole), 0.01 * angleBetween(start, pole));
+    const std::size_t seam =
+      (std::size_t(std::count(opened.Cut.OnSeam.begin(), opened.Cut.OnSeam.end(), 1)) - 1) / 2;
+    EXPECT_EQ(requireDisk(opened.Cut.Surface.Mesh).size(), rim + 2 * seam);
+  }
+  EXPECT_TRUE(contains(messageOf<TopologyError>(
+                         [&] {
+                           seamThrough(cap, { onSphere(0, 0.8), pole });
+                         }),
+    "neither starts"));
+  EXPECT_TRUE(contains(
+    messageOf<TopologyError>(
+      [&] {
+        seamThrough(cap, { start, pole, Eigen::Vector3d(cap.Vertices.row(requireDisk(cap)[40])) });
+      }),
+    "touches the boundary"));
+}
+
+TEST(GeodesicSeam, DoesNotDependOnTheUnitAndGivesTheSameTwice)
+{
+  const TriangleMesh closed = sphere(4);
+  const Points points{ onSphere(0.1, 0.2), onSphere(2.3, -0.4), onSphere(2.5, 0.9) };
+  const SeamOpenedSurface opened = seamThrough(closed, points);
+  for (const double scale : { std::ldexp(1.0, -30), 1.0, std::ldexp(1.0, 30) })
+  {
+    TriangleMesh scaled = closed;
+    scaled.Vertices *= scale;
+    Points picked = points;
+    for (Eigen::Vector3d& point : picked)
+    {
+      point *= scale;
+    }
+    const SeamOpenedSurface other = seamThrough(scaled, picked);
+    EXPECT_EQ(other.Cut.Surface.Mesh.Faces, opened.Cut.Surface.Mesh.Faces);
+    EXPECT_LT(
+      (other.Cut.Surface.Mesh.Vertices / scale - opened.Cut.Surface.Mesh.Vertices).cwiseAbs().maxCoeff(),
+      1e-12);
+    EXPECT_EQ(other.Cut.OnSeam, opened.Cut.OnSeam);
+  }
+}
+
+TEST(GeodesicSeam, RefusesWhatIsNoSeam)
+{
+  const TriangleMesh closed = sphere(4);
+  const Eigen::Vector3d a = onSphere(0.0, 0.0);
+  const Eigen::Vector3d b = onSphere(1.0, 0.0);
+  EXPECT_TRUE(contains(messageOf<InvalidInput>([&] { seamThrough(closed, {}); }), "0 points"));
+  EXPECT_TRUE(contains(messageOf<InvalidInput>([&] { seamThrough(closed, { a }); }), "1 point "));
+  EXPECT_TRUE(contains(messageOf<InvalidInput>([&] { seamThrough(closed, { a, a }); }), "coincide"));
+  EXPECT_TRUE(contains(messageOf<InvalidInput>(
+                         [&] {
+                           seamThrough(closed, { a, b, b });
+                         }),
+    "points 2 and 3 of the seam coincide"));
+  EXPECT_TRUE(contains(messageOf<TopologyError>(
+                         [&] {
+                           seamThrough(closed, { a, b, onSphere(0.5, 0.5), a });
+                         }),
+    "closed"));
+  const std::string crossing = messageOf<TopologyError>(
+    [&] {
+      seamThrough(closed, { a, b, onSphere(0.5, 0.5), onSphere(0.5, -0.5) });
+    });
+  EXPECT_TRUE(contains(crossing, "crosses") && contains(crossing, "points 3 and 4")) << crossing;
+  const std::string off = messageOf<InvalidInput>(
+    [&] {
+      seamThrough(closed, { a, Eigen::Vector3d(0, 0, 2) });
+    });
+  EXPECT_TRUE(contains(off, "point 2") && contains(off, "lies 1") && contains(off, "press P")) << off;
+  EXPECT_TRUE(contains(messageOf<InvalidInput>(
+                         [&] {
+                           seamThrough(closed, { a, Eigen::Vector3d(0, NAN, 1) });
+                         }),
+    "not finite"));
+  EXPECT_TRUE(contains(messageOf<TopologyError>(
+                         [&] {
+                           seamThrough(torus(30, 12), { a, b });
+                         }),
+    "genus 1"));
+  EXPECT_THROW(
+    cutGeodesicSeam(closed, { { a, b }, 128 }, [](double, const char*) { return false; }), Cancelled);
+}
+
+} // namespace
