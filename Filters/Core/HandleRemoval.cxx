@@ -60,20 +60,25 @@ class HandleRemover
 {
 public:
   explicit HandleRemover(const TriangleMesh& mesh)
-    : Surface(mesh)
+    : Original(mesh)
+    , Surface(mesh)
+    , Euler(this->halfedges().eulerCharacteristic())
+    , Boundaries(this->halfedges().boundaryLoops())
   {
   }
 
   SurfaceWithoutHandles run(const ProgressCallback& progress)
   {
-    SurfaceWithoutHandles result;
     this->Report.LoopLengths = cutHandles(
       this->Surface,
       [this](const SurfaceLoop& loop, bool last) { return this->cutAndCap(loop.Halfedges, last); },
-      progress);
+      subrange(progress, 0.0, 0.95));
     this->Report.Handles = static_cast<int>(this->Report.LoopLengths.size());
-    result.Surface = this->Surface.derived();
-    result.Report = std::move(this->Report);
+    this->Report.GreatestDisplacement = this->greatestDisplacement();
+    report(progress, 0.95, "checking the surface");
+    SurfaceWithoutHandles result{ this->Surface.derived(), std::move(this->Report) };
+    this->requireHandlesGone(result);
+    report(progress, 1.0, "handles removed");
     return result;
   }
 
@@ -160,11 +165,6 @@ private:
     }
     for (const auto& [v, place] : faces.Places)
     {
-      if (v < cut.FirstRight)
-      {
-        this->Report.GreatestDisplacement =
-          std::max(this->Report.GreatestDisplacement, (place - this->halfedges().point(v)).norm());
-      }
       this->Surface.move(v, place);
     }
     this->Surface.addFaces(
@@ -177,7 +177,40 @@ private:
     return cut.FirstCopy;
   }
 
+  double greatestDisplacement() const
+  {
+    double greatest = 0.0;
+    for (int v = 0; v < this->halfedges().vertexCount(); ++v)
+    {
+      const TracedSurface::Origin origin = this->Surface.origin(v);
+      if (origin.size() == 1) // kept, or a copy
+      {
+        const Eigen::Vector3d before = this->Original.Vertices.row(origin[0].first).transpose();
+        greatest = std::max(greatest, (this->halfedges().point(v) - before).norm());
+      }
+    }
+    return greatest;
+  }
+
+  // Every cut takes one handle off, and does nothing else.
+  void requireHandlesGone(const SurfaceWithoutHandles& result) const
+  {
+    const TriangleMesh& mesh = result.Surface.Mesh;
+    const MeshTopology topology = analyseTopology(mesh.Faces, mesh.vertexCount());
+    if (topology.Genus != 0 || topology.Components != 1 ||
+        topology.eulerCharacteristic() != this->Euler + 2 * result.Report.Handles ||
+        this->halfedges().boundaryLoops() != this->Boundaries)
+    {
+      throw TopologyError("the handles of the surface could not be removed, genus " +
+                          std::to_string(topology.Genus) +
+                          " is left: smooth the volume more before Contour");
+    }
+  }
+
+  const TriangleMesh& Original;
   TracedSurface Surface;
+  int Euler;
+  std::vector<std::vector<int>> Boundaries;
   std::optional<FaceIntersections> Intersections;
   int KnownFaces = 0; // to them
   HandleRemovalReport Report;
@@ -187,18 +220,7 @@ private:
 
 SurfaceWithoutHandles removeHandles(const TriangleMesh& mesh, const ProgressCallback& progress)
 {
-  SurfaceWithoutHandles result = HandleRemover(mesh).run(progress);
-  const MeshTopology before = analyseTopology(mesh.Faces, mesh.vertexCount());
-  const MeshTopology after =
-    analyseTopology(result.Surface.Mesh.Faces, result.Surface.Mesh.vertexCount());
-  // Every cut takes one handle off, and nothing else.
-  if (after.Genus != 0 || after.Components != 1 || after.BoundaryLoops != before.BoundaryLoops ||
-      after.eulerCharacteristic() != before.eulerCharacteristic() + 2 * result.Report.Handles)
-  {
-    throw TopologyError("the handles of the surface could not be removed, genus " +
-                        std::to_string(after.Genus) + " is left: smooth the volume more before Contour");
-  }
-  return result;
+  return HandleRemover(mesh).run(progress);
 }
 
 } // namespace flattening

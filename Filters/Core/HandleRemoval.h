@@ -16,7 +16,7 @@ struct HandleRemovalReport
   std::vector<double> LoopLengths;   ///< one per handle, input units
   double RemovedArea = 0.0;          ///< lost by the faces beside the loops, input units squared
   double AddedArea = 0.0;            ///< of the caps, input units squared
-  double GreatestDisplacement = 0.0; ///< of a vertex of the loops, input units; all others stay
+  double GreatestDisplacement = 0.0; ///< of a vertex of the loops, input units; others stay
   int PiercingCaps = 0;              ///< cuts whose caps meet other parts of the surface
   int NewIntersections = 0;          ///< pairs of faces that intersect there
 };
