@@ -153,6 +153,15 @@ void removeSmallAngles(ResampledSurface& surface, double degrees, const Progress
   }
 }
 
+DerivedMesh withoutSmallAngles(const TriangleMesh& mesh,
+  double degrees,
+  const ProgressCallback& progress)
+{
+  ResampledSurface surface(mesh);
+  removeSmallAngles(surface, degrees, progress);
+  return surface.derived();
+}
+
 bool opensAngles(const LocalChange& flip)
 {
   const CornerTriangle& left = flip.Before[0];

@@ -17,6 +17,13 @@ double smallestAngle(const TriangleMesh& mesh);
 /// around larger. The topology stays.
 void removeSmallAngles(ResampledSurface& surface, double degrees, const ProgressCallback& progress = {});
 
+/// The same for a surface that stays as it is elsewhere, e.g. after a boundary was cut. Changed vertices
+/// and faces are traced to the nearest places of @p mesh, all others to themselves.
+/// @throws TopologyError if the mesh is no oriented manifold or has unused vertices.
+DerivedMesh withoutSmallAngles(const TriangleMesh& mesh,
+  double degrees,
+  const ProgressCallback& progress = {});
+
 /// Whether the sum of the two angles opposite to a flipped edge becomes smaller: the Delaunay property.
 bool opensAngles(const LocalChange& flip);
 

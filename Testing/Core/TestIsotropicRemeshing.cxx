@@ -87,6 +87,24 @@ TEST(IsotropicRemeshing, SliversBecomeNearlyEquilateral)
   EXPECT_EQ(*std::min_element(remeshed.Faces.begin(), remeshed.Faces.end()) >= 0, true);
 }
 
+TEST(SmallAngles, AreOpenedAndTheRestStays)
+{
+  const TriangleMesh input = sphereWithSlivers();
+  const DerivedMesh opened = withoutSmallAngles(input, 5.0);
+  EXPECT_GT(smallestAngle(opened.Mesh), 5.0);
+  EXPECT_EQ(analyseTopology(opened.Mesh.Faces, opened.Mesh.vertexCount()).eulerCharacteristic(), 2);
+  EXPECT_NEAR(totalArea(opened.Mesh) / totalArea(input), 1.0, 1e-3);
+
+  const TriangleMesh sound = sphere(3);
+  const DerivedMesh same = withoutSmallAngles(sound, 30.0);
+  EXPECT_EQ(same.Mesh.Faces.rows(), sound.Faces.rows());
+  EXPECT_EQ(same.Mesh.Vertices, sound.Vertices);
+  for (int f = 0; f < sound.faceCount(); ++f)
+  {
+    EXPECT_EQ(same.Faces[f], f);
+  }
+}
+
 TEST(IsotropicRemeshing, KeepsTheBoundary)
 {
   const TriangleMesh input = cylinder(200, 5, 1.0); // long narrow faces
