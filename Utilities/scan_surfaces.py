@@ -18,7 +18,7 @@ import time
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "scans"))
 
 from catalogue import SURFACES
-from paraview import servermanager, simple
+from paraview import simple
 from surface_checks import measure
 from vtkmodules.vtkFiltersCore import vtkPolyDataConnectivityFilter
 
