@@ -65,9 +65,13 @@ DerivedMesh TracedSurface::derived() const
   result.Faces = this->Faces;
   std::vector<Eigen::Triplet<double, int>> weights;
   weights.reserve(result.Mesh.vertexCount());
-  for (int v = 0; v < result.Mesh.vertexCount(); ++v)
+  for (int v = 0; v < this->OriginalVertices; ++v)
   {
-    for (const auto& [original, weight] : this->origin(v))
+    weights.emplace_back(v, v, 1.0);
+  }
+  for (int v = this->OriginalVertices; v < result.Mesh.vertexCount(); ++v)
+  {
+    for (const auto& [original, weight] : this->NewVertices[v - this->OriginalVertices])
     {
       weights.emplace_back(v, original, weight);
     }
