@@ -196,6 +196,7 @@ private:
     {
       this->Distance[original[v]] = distances[v];
     }
+    offLevel(this->Distance, this->Radius);
   }
 
   // Faces that come within this distance of the curve and have an edge longer than allowed.

@@ -19,9 +19,6 @@ namespace flattening
 namespace
 {
 
-// Vertices this near, as share of the surface's size, are on the plane.
-constexpr double OnPlane = 1e-12;
-
 void requireValid(const CuttingPlane& plane, int boundaryVertices)
 {
   if (!plane.Origin.allFinite() || !plane.Normal.allFinite())
@@ -43,12 +40,10 @@ void requireValid(const CuttingPlane& plane, int boundaryVertices)
 std::vector<double> heightsOver(const CuttingPlane& plane, const Points3& points)
 {
   const Eigen::Vector3d normal = plane.Normal.stableNormalized();
-  const double size = (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
   std::vector<double> heights(points.rows());
   for (Eigen::Index v = 0; v < points.rows(); ++v)
   {
-    const double height = (points.row(v).transpose() - plane.Origin).dot(normal);
-    heights[v] = std::abs(height) <= OnPlane * size ? 0.0 : height;
+    heights[v] = (points.row(v).transpose() - plane.Origin).dot(normal);
   }
   return heights;
 }
@@ -73,8 +68,9 @@ std::vector<int> facesAbove(const TriangleMesh& mesh, const std::vector<double>&
   std::vector<int> faces;
   for (int f = 0; f < mesh.faceCount(); ++f)
   {
-    if (heights[mesh.Faces(f, 0)] >= 0.0 && heights[mesh.Faces(f, 1)] >= 0.0 &&
-        heights[mesh.Faces(f, 2)] >= 0.0)
+    const double low =
+      std::min({ heights[mesh.Faces(f, 0)], heights[mesh.Faces(f, 1)], heights[mesh.Faces(f, 2)] });
+    if (low >= 0.0)
     {
       faces.push_back(f);
     }
@@ -118,6 +114,8 @@ PlaneCutSurface cutAtPlane(const TriangleMesh& mesh,
 
   PlaneCutSurface cut;
   EditableSurface surface(mesh);
+  offLevel(heights, 0.0);
+  snapToLevel(surface, heights, 0.0);
   splitAtLevel(surface, heights, 0.0);
   cut.Surface = surface.derived();
 
@@ -128,7 +126,7 @@ PlaneCutSurface cutAtPlane(const TriangleMesh& mesh,
   std::vector<char> onCut(part.Mesh.vertexCount());
   for (int v = 0; v < part.Mesh.vertexCount(); ++v)
   {
-    onCut[v] = VertexOrigins::InnerIterator(part.Vertices, v).col() >= mesh.vertexCount() ? 1 : 0;
+    onCut[v] = heights[VertexOrigins::InnerIterator(part.Vertices, v).col()] == 0.0 ? 1 : 0;
   }
   follow(cut.Surface, std::move(part));
 

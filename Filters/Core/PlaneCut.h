@@ -23,9 +23,10 @@ struct PlaneCutSurface
 };
 
 /// Keeps the part of an oriented manifold, of any topology, on the side of the plane that the normal
-/// points to. Faces are cut along the plane. Slivers beside the cut are removed by conditionCut, which
-/// leaves the cut in the plane and changes the surface by no more than the faces along it; boundaries
-/// that the surface had before stay. Then the longest boundary loop is refined (refineBoundary).
+/// points to. Faces are cut along the plane. Where it passes close to vertices they move onto it, and
+/// short edges along the cut are collapsed (snapToLevel, conditionCut), so that no slivers are left: the
+/// surface changes by no more than the faces along the cut, which stays in the plane; boundaries that
+/// the surface had before stay. Then the longest boundary loop is refined (refineBoundary).
 /// @param boundaryVertices that the longest boundary loop gets at least (>= 3).
 /// @throws InvalidInput if the origin or normal is not finite, the normal is zero, or the plane misses:
 /// all of the surface lies on one side.
