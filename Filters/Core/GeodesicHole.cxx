@@ -46,6 +46,9 @@ constexpr double BallEdges = 16.0;
 // than twice the radius away, where it has no influence on the curve.
 constexpr double NeighbourhoodAreas = 6.0;
 constexpr int MostRefinements = 30;
+// Distance of the centre from the region to avoid, in radii of a flat hole: paths along edges are up to
+// 1.4 times as long as straight ones, the curve is not quite a circle, and a strip stays between.
+constexpr double Clearance = 2.0;
 
 class HoleCutter
 {
@@ -71,6 +74,7 @@ public:
     this->removeInside();
 
     OpenedSurface opened;
+    opened.RemovedAvoided = this->removedAvoided();
     opened.Centre = this->Centre;
     opened.Radius = this->Radius;
     opened.RemovedArea = this->TotalArea;
@@ -93,7 +97,8 @@ private:
     }
     else
     {
-      const int centre = geodesicCentre(this->Closed, progress);
+      const double clearance = Clearance * std::sqrt(this->HoleArea / Pi);
+      const int centre = geodesicCentre(this->Closed, this->Options.Avoided, clearance, progress);
       this->Centre = this->Closed.Vertices.row(centre);
       this->CentreFace = static_cast<int>(this->Mesh.face(this->Mesh.halfedge(Vertex(centre))).idx());
     }
@@ -261,6 +266,19 @@ private:
     }
     CGAL::Polygon_mesh_processing::keep_largest_connected_components(
       this->Mesh, 1, CGAL::parameters::face_size_map(size));
+  }
+
+  int removedAvoided() const
+  {
+    int removed = 0;
+    for (std::size_t v = 0; v < this->Options.Avoided.size(); ++v)
+    {
+      removed +=
+        this->Options.Avoided[v] && this->Mesh.is_removed(Vertex(static_cast<SurfaceMesh::size_type>(v)))
+          ? 1
+          : 0;
+    }
+    return removed;
   }
 
   const TriangleMesh& Closed;

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <optional>
+#include <vector>
 
 namespace flattening
 {
@@ -17,6 +18,9 @@ struct GeodesicHoleOptions
   /// The point of the surface nearest to it becomes the hole's centre (input units; see pickOnSurface);
   /// if absent, geodesicCentre chooses.
   std::optional<Eigen::Vector3d> Centre;
+  /// One flag per vertex of the surface: a hole that geodesicCentre places keeps off the vertices that
+  /// are not 0, if there is room for it anywhere else. Empty: no vertex is to be avoided.
+  std::vector<char> Avoided;
   /// Area of the hole as share of the surface's area, in (0, 0.5].
   double AreaFraction = 1e-3;
   /// The hole's boundary gets at least as many vertices (>= 3), whatever the mesh.
@@ -29,6 +33,7 @@ struct OpenedSurface
   Eigen::Vector3d Centre = Eigen::Vector3d::Zero();
   double Radius = 0.0;      ///< geodesic, input units
   double RemovedArea = 0.0; ///< input units squared
+  int RemovedAvoided = 0;   ///< vertices of the region to be avoided that had to go all the same
 };
 
 /// Cuts a geodesic disk out of @p closed. The mesh is first refined around the hole by longest-edge

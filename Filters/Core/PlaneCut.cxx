@@ -5,7 +5,9 @@
 #include "BoundaryRefinement.h"
 #include "EditableSurface.h"
 #include "Errors.h"
+#include "GeodesicDistance.h"
 #include "LevelCut.h"
+#include "LongestEdgeBisection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +20,9 @@ namespace flattening
 {
 namespace
 {
+
+// Edges up to this much longer than wanted do not start another round.
+constexpr double Slack = 1.1;
 
 void requireValid(const CuttingPlane& plane, int boundaryVertices)
 {
@@ -61,6 +66,64 @@ void requireBothSides(const std::vector<double>& heights)
           << "; move the plane's origin into the surface"
           << (*high > 0.0 ? "" : " or turn the normal around");
   throw InvalidInput(message.str());
+}
+
+std::vector<EditableSurface::Face> longFacesAcross(const EditableSurface& surface,
+  const std::vector<double>& heights,
+  double longestEdge)
+{
+  const SurfaceMesh& mesh = surface.mesh();
+  std::vector<EditableSurface::Face> faces;
+  for (const auto face : mesh.faces())
+  {
+    double low = HUGE_VAL;
+    double high = -HUGE_VAL;
+    for (const auto v : mesh.vertices_around_face(mesh.halfedge(face)))
+    {
+      low = std::min(low, heights[v]);
+      high = std::max(high, heights[v]);
+    }
+    if (low <= 0.0 && high >= 0.0 && surface.longestEdge(face) > longestEdge)
+    {
+      faces.push_back(face);
+    }
+  }
+  return faces;
+}
+
+// Where the plane crosses too few edges for the boundary wanted, the faces along it are refined, so that
+// conditioning need not move much. Halved edge by edge, so that big faces are refined near the plane
+// only.
+void refineAlongPlane(EditableSurface& surface,
+  std::vector<double>& heights,
+  const CuttingPlane& plane,
+  int boundaryVertices)
+{
+  if (static_cast<int>(edgesAcrossLevel(surface.mesh(), heights, 0.0).size()) >= boundaryVertices)
+  {
+    return;
+  }
+  const double wanted =
+    levelCurveLength(toTriangleMesh(surface.mesh()),
+      Eigen::Map<const Eigen::VectorXd>(heights.data(), static_cast<Eigen::Index>(heights.size())),
+      0.0) /
+    boundaryVertices;
+  for (;;)
+  {
+    const auto faces = longFacesAcross(surface, heights, Slack * wanted);
+    if (faces.empty())
+    {
+      return;
+    }
+    double longest = 0.0;
+    for (const auto face : faces)
+    {
+      longest = std::max(longest, surface.longestEdge(face));
+    }
+    bisectLongEdges(surface, faces, std::max(wanted, 0.5 * longest));
+    heights = heightsOver(plane, toTriangleMesh(surface.mesh()).Vertices);
+    offLevel(heights, 0.0);
+  }
 }
 
 std::vector<int> facesAbove(const TriangleMesh& mesh, const std::vector<double>& heights)
@@ -115,6 +178,7 @@ PlaneCutSurface cutAtPlane(const TriangleMesh& mesh,
   PlaneCutSurface cut;
   EditableSurface surface(mesh);
   offLevel(heights, 0.0);
+  refineAlongPlane(surface, heights, plane, boundaryVertices);
   snapToLevel(surface, heights, 0.0);
   splitAtLevel(surface, heights, 0.0);
   cut.Surface = surface.derived();

@@ -23,10 +23,11 @@ struct PlaneCutSurface
 };
 
 /// Keeps the part of an oriented manifold, of any topology, on the side of the plane that the normal
-/// points to. Faces are cut along the plane. Where it passes close to vertices they move onto it, and
-/// short edges along the cut are collapsed (snapToLevel, conditionCut), so that no slivers are left: the
-/// surface changes by no more than the faces along the cut, which stays in the plane; boundaries that
-/// the surface had before stay. Then the longest boundary loop is refined (refineBoundary).
+/// points to. Faces are cut along the plane, after longest-edge bisection if they are too coarse. Where
+/// it passes close to vertices they move onto it, and short edges along the cut are collapsed
+/// (snapToLevel, conditionCut), so that no slivers are left: the surface changes by no more than the
+/// faces along the cut, which stays in the plane; boundaries that the surface had before stay. Then the
+/// longest boundary loop is refined (refineBoundary).
 /// @param boundaryVertices that the longest boundary loop gets at least (>= 3).
 /// @throws InvalidInput if the origin or normal is not finite, the normal is zero, or the plane misses:
 /// all of the surface lies on one side.

@@ -185,6 +185,54 @@ TEST(GeodesicHole, IsPlacedOnTheSideOfALongShape)
   EXPECT_EQ(geodesicCentre(cigar), centre);
 }
 
+// Of a long shape the best places are around its waist: all of one side is to be avoided.
+TEST(GeodesicHole, KeepsOffARegion)
+{
+  TriangleMesh cigar = sphere(4);
+  cigar.Vertices.col(2) *= 5.0;
+  GeodesicHoleOptions options;
+  options.AreaFraction = 0.01;
+  options.Avoided.resize(cigar.vertexCount());
+  for (int v = 0; v < cigar.vertexCount(); ++v)
+  {
+    options.Avoided[v] = cigar.Vertices(v, 2) < 1.0;
+  }
+  const OpenedSurface opened = cutGeodesicHole(cigar, options);
+  EXPECT_EQ(opened.RemovedAvoided, 0);
+  double lowest = 5.0;
+  for (const int v : requireDisk(opened.Surface.Mesh))
+  {
+    lowest = std::min(lowest, opened.Surface.Mesh.Vertices(v, 2));
+  }
+  EXPECT_GT(lowest, 1.0);
+  // Still as near to the waist as that allows.
+  EXPECT_LT(opened.Centre.z(), 1.0 + 4.0 * opened.Radius);
+  options.Avoided.assign(cigar.vertexCount(), 0);
+  EXPECT_EQ(cutGeodesicHole(cigar, options).Centre,
+    cutGeodesicHole(cigar,
+      []
+      {
+        GeodesicHoleOptions anywhere;
+        anywhere.AreaFraction = 0.01;
+        return anywhere;
+      }())
+      .Centre);
+
+  // Where the region leaves too little room the hole is as far from it as can be, and says so.
+  for (int v = 0; v < cigar.vertexCount(); ++v)
+  {
+    options.Avoided[v] = cigar.Vertices(v, 2) < 4.9;
+  }
+  const OpenedSurface tip = cutGeodesicHole(cigar, options);
+  EXPECT_GT(tip.Centre.z(), 4.9);
+  EXPECT_GT(tip.RemovedAvoided, 0);
+
+  options.Avoided.assign(cigar.vertexCount(), 1);
+  EXPECT_TRUE(contains(messageOf<InvalidInput>([&] { cutGeodesicHole(cigar, options); }), "covers all"));
+  options.Avoided.resize(5);
+  EXPECT_TRUE(contains(messageOf<InvalidInput>([&] { cutGeodesicHole(cigar, options); }), "5 flags"));
+}
+
 TEST(GeodesicHole, RefusesWhatItCannotCut)
 {
   EXPECT_TRUE(contains(
@@ -196,6 +244,8 @@ TEST(GeodesicHole, RefusesWhatItCannotCut)
     messageOf<InvalidInput>([] { cutGeodesicHole(sphere(1), holeAt(0, 0, 1, 0.7)); }), "share"));
   EXPECT_TRUE(contains(
     messageOf<InvalidInput>([] { cutGeodesicHole(sphere(1), holeAt(NAN, 0, 1)); }), "not finite"));
+  const std::string off = messageOf<InvalidInput>([] { cutGeodesicHole(sphere(3), holeAt(0, 0, 1.3)); });
+  EXPECT_TRUE(contains(off, "the hole's point") && contains(off, "lies 0.3 off")) << off;
   EXPECT_THROW(cutGeodesicHole(sphere(1), {}, [](double, const char*) { return false; }), Cancelled);
 }
 
