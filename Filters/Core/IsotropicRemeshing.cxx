@@ -38,6 +38,9 @@ constexpr double ShortEdge = 4.0 / 5.0;
 constexpr double LeastAlignment = 0.5;
 constexpr double LeastSine = 0.26;
 
+// Share of the target length; vertices that would move less have settled.
+constexpr double SmallestStep = 0.02;
+
 // Degrees; what is left below is worth a search of its own.
 constexpr double NarrowAngle = 15.0;
 
@@ -241,7 +244,8 @@ void IsotropicRemesher::relax(const ProgressCallback& progress)
 {
   report(progress, 0.0, "remeshing");
   const ResampledSurface::Mesh& mesh = this->Surface.mesh();
-  std::vector<SurfacePoint> targets(mesh.num_vertices());
+  const SurfacePoint none{ -1, Eigen::Vector3d::Zero(), { 0.0, 0.0, 0.0 } };
+  std::vector<SurfacePoint> targets(mesh.num_vertices(), none);
   tbb::parallel_for(std::size_t(0),
     targets.size(),
     [this, &mesh, &targets](std::size_t i)
@@ -261,13 +265,20 @@ void IsotropicRemesher::relax(const ProgressCallback& progress)
       const Corner here = this->Surface.corner(v);
       const Eigen::Vector3d step = sum / neighbours - *here.Position;
       const Eigen::Vector3d tangential = step - here.Normal->dot(step) * *here.Normal;
+      if (tangential.norm() < SmallestStep * this->Length)
+      {
+        return;
+      }
       targets[i] =
         this->Surface.walk().closest(*here.Position + tangential, this->Surface.place(v).Face);
     });
   report(progress, 0.5, "remeshing");
   for (const Vertex v : mesh.vertices())
   {
-    this->Surface.move(v, targets[v.idx()], targets[v.idx()].Position, staysSound);
+    if (const SurfacePoint& to = targets[v.idx()]; to.Face >= 0)
+    {
+      this->Surface.move(v, to, to.Position, staysSound);
+    }
   }
 }
 

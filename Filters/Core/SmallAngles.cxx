@@ -157,6 +157,10 @@ DerivedMesh withoutSmallAngles(const TriangleMesh& mesh,
   double degrees,
   const ProgressCallback& progress)
 {
+  if (smallestAngle(mesh) >= degrees)
+  {
+    return derivedFromItself(mesh);
+  }
   ResampledSurface surface(mesh);
   removeSmallAngles(surface, degrees, progress);
   return surface.derived();
