@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkSurfaceToDiskFilter.h"
 
-#include "AttributeTransfer.h"
-#include "Core/SurfaceToDisk.h"
+#include "DiskOutput.h"
 #include "FilterExecution.h"
 #include "PolyDataConversion.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
-#include <vtkDoubleArray.h>
+#include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkTriangleFilter.h>
-#include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -32,13 +32,7 @@ vtkStandardNewMacro(vtkSurfaceToDiskFilter);
 namespace
 {
 
-using flattening::DerivedMesh;
 using flattening::InvalidInput;
-using flattening::setFigure;
-using flattening::SurfaceToDiskReport;
-
-constexpr const char* OriginalPointIds = "vtkOriginalPointIds";
-constexpr const char* OriginalCellIds = "vtkOriginalCellIds";
 
 // Triangulating a polygon needs finite points, so they are checked before, by the ids the user knows.
 void requireFinitePoints(vtkPolyData* input, vtkCellArray* cells)
@@ -77,7 +71,7 @@ vtkSmartPointer<vtkPolyData> triangulate(vtkPolyData* input)
   vtkNew<vtkPolyData> bare;
   bare->CopyStructure(input);
   vtkNew<vtkIdTypeArray> ids;
-  ids->SetName(OriginalCellIds);
+  ids->SetName(flattening::OriginalCellIdsName);
   ids->SetNumberOfTuples(input->GetNumberOfCells());
   for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
   {
@@ -93,91 +87,62 @@ vtkSmartPointer<vtkPolyData> triangulate(vtkPolyData* input)
   return triangles->GetOutput();
 }
 
-void setGeometry(vtkPolyData* output, const flattening::TriangleMesh& mesh)
+std::vector<vtkIdType> cellsOf(vtkPolyData* triangles)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(mesh.vertexCount());
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-  {
-    points->SetPoint(v, mesh.Vertices.row(v).data());
-  }
-  vtkNew<vtkCellArray> cells;
-  cells->AllocateExact(mesh.faceCount(), 3 * static_cast<vtkIdType>(mesh.faceCount()));
-  for (int f = 0; f < mesh.faceCount(); ++f)
-  {
-    const vtkIdType ids[3] = { mesh.Faces(f, 0), mesh.Faces(f, 1), mesh.Faces(f, 2) };
-    cells->InsertNextCell(3, ids);
-  }
-  output->SetPoints(points);
-  output->SetPolys(cells);
+  auto* ids =
+    vtkIdTypeArray::SafeDownCast(triangles->GetCellData()->GetArray(flattening::OriginalCellIdsName));
+  return { ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfTuples() };
 }
 
-void setAttributes(vtkPolyData* output,
-  vtkPolyData* input,
-  vtkIdTypeArray* cellOfTriangle,
-  const DerivedMesh& disk)
+bool isNotZero(vtkDataArray* array, vtkIdType tuple)
 {
-  vtkNew<vtkIdTypeArray> pointIds;
-  pointIds->SetName(OriginalPointIds);
-  pointIds->SetNumberOfTuples(disk.Mesh.vertexCount());
-  for (int v = 0; v < disk.Mesh.vertexCount(); ++v)
-  {
-    flattening::VertexOrigins::InnerIterator first(disk.Vertices, v);
-    const bool kept = disk.Vertices.innerVector(v).nonZeros() == 1;
-    pointIds->SetValue(v, kept ? first.col() : -1);
-  }
-
-  vtkNew<vtkIdTypeArray> cellIds;
-  cellIds->SetName(OriginalCellIds);
-  cellIds->SetNumberOfTuples(disk.Mesh.faceCount());
-  vtkNew<vtkUnsignedCharArray> filled;
-  filled->SetName("Filled");
-  filled->SetNumberOfTuples(disk.Mesh.faceCount());
-  std::vector<vtkIdType> cells(disk.Mesh.faceCount());
-  for (int f = 0; f < disk.Mesh.faceCount(); ++f)
-  {
-    const int triangle = disk.Faces[f];
-    cells[f] = triangle < 0 ? -1 : cellOfTriangle->GetValue(triangle);
-    cellIds->SetValue(f, cells[f]);
-    filled->SetValue(f, triangle < 0 ? 1 : 0);
-  }
-
-  flattening::transferPointData(input->GetPointData(), disk.Vertices, output->GetPointData());
-  flattening::transferCellData(input->GetCellData(), cells, output->GetCellData());
-  output->GetPointData()->AddArray(pointIds);
-  output->GetCellData()->AddArray(cellIds);
-  output->GetCellData()->AddArray(filled);
+  return array->GetComponent(tuple, 0) != 0.0;
 }
 
-void setFigures(vtkFieldData* figures, const SurfaceToDiskReport& report, vtkIdType droppedCells)
+// Per point: whether the array marks it or a cell that it is a corner of.
+std::vector<char> regionOfInterest(vtkPolyData* input, vtkDataArray* array, int association)
 {
-  const auto count = [figures](const char* name, vtkIdType value)
-  { setFigure(figures, name, static_cast<long long>(value)); };
-  count("DroppedCells", droppedCells);
-  count("MergedPoints", report.Repair.MergedPoints);
-  count("UnusedPoints", report.Repair.UnusedPoints);
-  count("DroppedFaces", report.Repair.DegenerateFaces + report.Repair.DuplicateFaces);
-  count("DroppedDegenerateFaces", report.Repair.DegenerateFaces);
-  count("DroppedDuplicateFaces", report.Repair.DuplicateFaces);
-  count("SplitPoints", report.Repair.SplitPoints);
-  count("Components", report.Components);
-  count("DroppedComponents", report.Components - 1);
-  count("ReorientedFaces", report.ReorientedFaces);
-  count("Genus", report.Genus);
-  count("FilledHoles", report.FilledHoles);
-  setFigure(figures, "FilledArea", report.FilledArea);
-  setFigure(figures, "RemeshEdgeLength", report.RemeshEdgeLength);
-  vtkNew<vtkDoubleArray> centre;
-  centre->SetName("HoleCentre");
-  centre->SetNumberOfComponents(3);
-  centre->InsertNextTuple(report.HoleCentre.data());
-  figures->AddArray(centre);
-  setFigure(figures, "HoleRadius", report.HoleRadius);
-  setFigure(figures, "RemovedArea", report.RemovedArea);
-  count("BoundaryVertices", report.BoundaryVertices);
-  setFigure(figures, "BoundaryLength", report.BoundaryLength);
-  setFigure(figures, "SurfaceArea", report.SurfaceArea);
+  const bool perPoint = association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  const vtkIdType expected = perPoint ? input->GetNumberOfPoints() : input->GetNumberOfCells();
+  if (array->GetNumberOfTuples() != expected)
+  {
+    throw InvalidInput("the region of interest \"" + std::string(array->GetName()) + "\" has " +
+                       std::to_string(array->GetNumberOfTuples()) + " values for " +
+                       std::to_string(expected) + (perPoint ? " points" : " cells") +
+                       ": pass an array of the surface itself");
+  }
+  std::vector<char> marked(input->GetNumberOfPoints(), 0);
+  if (perPoint)
+  {
+    for (vtkIdType i = 0; i < expected; ++i)
+    {
+      marked[i] = isNotZero(array, i);
+    }
+    return marked;
+  }
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < expected; ++cell)
+  {
+    if (isNotZero(array, cell))
+    {
+      input->GetCellPoints(cell, corners);
+      for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+      {
+        marked[corners->GetId(k)] = 1;
+      }
+    }
+  }
+  return marked;
+}
+
+const char* nameOf(int mode, std::initializer_list<const char*> names)
+{
+  return names.begin()[mode];
+}
+
+void print(ostream& os, vtkIndent indent, const char* name, const double x[3])
+{
+  os << indent << name << ": (" << x[0] << ", " << x[1] << ", " << x[2] << ")\n";
 }
 
 } // namespace
@@ -196,51 +161,144 @@ int vtkSurfaceToDiskFilter::RequestData(vtkInformation* vtkNotUsed(request),
     outputVector,
     [&]
     {
-      flattening::SurfaceToDiskOptions options;
-      options.MergeTolerance = this->MergeTolerance;
-      if (this->ComponentMode == CLOSEST_TO_POINT)
-      {
-        options.ComponentPoint.emplace(this->ComponentPoint);
-      }
-      if (this->UseHolePoint)
-      {
-        options.Hole.Centre.emplace(this->HolePoint);
-      }
-      options.Hole.AreaFraction = this->HoleAreaFraction;
-      options.Hole.BoundaryVertices = this->MinimumBoundaryVertices;
-      if (this->Remesh)
-      {
-        options.RemeshEdgeLength = this->TargetEdgeLength;
-      }
-
       const auto triangles = triangulate(input);
       const flattening::DiskSurface disk = flattening::surfaceToDisk(
-        flattening::toTriangleMesh(triangles), options, flattening::progressOf(this));
-
-      setGeometry(output, disk.Surface.Mesh);
-      setAttributes(output,
-        input,
-        vtkIdTypeArray::SafeDownCast(triangles->GetCellData()->GetArray(OriginalCellIds)),
-        disk.Surface);
+        flattening::toTriangleMesh(triangles), this->GetOptions(input), flattening::progressOf(this));
+      flattening::setDisk(output, input, cellsOf(triangles), disk);
       output->GetFieldData()->PassData(input->GetFieldData());
-      setFigures(
-        output->GetFieldData(), disk.Report, input->GetNumberOfVerts() + input->GetNumberOfLines());
+      flattening::setReport(output, disk.Report, input->GetNumberOfVerts() + input->GetNumberOfLines());
     });
+}
+
+flattening::SurfaceToDiskOptions vtkSurfaceToDiskFilter::GetOptions(vtkPolyData* input)
+{
+  flattening::SurfaceToDiskOptions options;
+  options.MergeTolerance = this->MergeTolerance;
+  options.Component.By = static_cast<flattening::ComponentChoice::Rule>(this->ComponentMode);
+  options.Component.Point = Eigen::Vector3d(this->ComponentPoint);
+  options.Component.Index = this->ComponentIndex;
+  options.Boundary.By = static_cast<flattening::BoundaryChoice::Rule>(this->BoundaryMode);
+  options.Boundary.Point = Eigen::Vector3d(this->BoundaryPoint);
+  options.FillLengthLimit = this->FillLengthLimit;
+  options.Handles = static_cast<flattening::HandleMode>(this->HandleMode);
+  options.Cut = static_cast<flattening::CutMode>(this->CutMode);
+  if (this->UseHolePoint)
+  {
+    options.Hole.Centre.emplace(this->HolePoint);
+  }
+  options.Hole.AreaFraction = this->HoleAreaFraction;
+  options.Hole.BoundaryVertices = this->MinimumBoundaryVertices;
+  for (const std::array<double, 3>& point : this->SeamPoints)
+  {
+    options.SeamPoints.emplace_back(point.data());
+  }
+  options.Plane.Origin = Eigen::Vector3d(this->PlaneOrigin);
+  options.Plane.Normal = Eigen::Vector3d(this->PlaneNormal);
+  options.SmallestAngle = this->SmallestAngle;
+  options.Remesh = this->Remesh;
+  options.TargetEdgeLength = this->TargetEdgeLength;
+  options.RelativeEdgeLength = this->RelativeEdgeLength;
+  options.CountSelfIntersections = this->CountSelfIntersections;
+  if (this->UseRegionOfInterest)
+  {
+    int association = -1;
+    vtkDataArray* array = this->GetInputArrayToProcess(0, input, association);
+    if (!array)
+    {
+      throw InvalidInput("the region of interest is not an array of the surface: choose a point or cell "
+                         "array, or turn Use Region Of Interest off");
+    }
+    options.RegionOfInterest = regionOfInterest(input, array, association);
+  }
+  return options;
+}
+
+void vtkSurfaceToDiskFilter::SetNumberOfSeamPoints(int number)
+{
+  number = std::max(number, 0);
+  if (number != this->GetNumberOfSeamPoints())
+  {
+    this->SeamPoints.resize(number, { 0.0, 0.0, 0.0 });
+    this->Modified();
+  }
+}
+
+int vtkSurfaceToDiskFilter::GetNumberOfSeamPoints()
+{
+  return static_cast<int>(this->SeamPoints.size());
+}
+
+void vtkSurfaceToDiskFilter::SetSeamPoint(int index, double x, double y, double z)
+{
+  if (index < 0 || index >= this->GetNumberOfSeamPoints())
+  {
+    vtkErrorMacro("there is no seam point " << index << ": call SetNumberOfSeamPoints first");
+    return;
+  }
+  const std::array<double, 3> point{ x, y, z };
+  if (point != this->SeamPoints[index])
+  {
+    this->SeamPoints[index] = point;
+    this->Modified();
+  }
+}
+
+void vtkSurfaceToDiskFilter::SetSeamPoint(int index, const double point[3])
+{
+  this->SetSeamPoint(index, point[0], point[1], point[2]);
+}
+
+void vtkSurfaceToDiskFilter::GetSeamPoint(int index, double point[3])
+{
+  if (index < 0 || index >= this->GetNumberOfSeamPoints())
+  {
+    vtkErrorMacro("there is no seam point " << index);
+    return;
+  }
+  std::copy(this->SeamPoints[index].begin(), this->SeamPoints[index].end(), point);
+}
+
+void vtkSurfaceToDiskFilter::AddSeamPoint(double x, double y, double z)
+{
+  this->SeamPoints.push_back({ x, y, z });
+  this->Modified();
+}
+
+void vtkSurfaceToDiskFilter::RemoveAllSeamPoints()
+{
+  this->SetNumberOfSeamPoints(0);
 }
 
 void vtkSurfaceToDiskFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
-  os << indent << "ComponentMode: " << (this->ComponentMode == LARGEST ? "Largest" : "ClosestToPoint")
+  os << indent
+     << "ComponentMode: " << nameOf(this->ComponentMode, { "Largest", "ClosestToPoint", "ByIndex" })
      << "\n";
-  os << indent << "ComponentPoint: (" << this->ComponentPoint[0] << ", " << this->ComponentPoint[1]
-     << ", " << this->ComponentPoint[2] << ")\n";
+  print(os, indent, "ComponentPoint", this->ComponentPoint);
+  os << indent << "ComponentIndex: " << this->ComponentIndex << "\n";
+  os << indent
+     << "BoundaryMode: " << nameOf(this->BoundaryMode, { "Longest", "ClosestToPoint", "FillAll" })
+     << "\n";
+  print(os, indent, "BoundaryPoint", this->BoundaryPoint);
+  os << indent << "FillLengthLimit: " << this->FillLengthLimit << "\n";
+  os << indent << "HandleMode: " << nameOf(this->HandleMode, { "Remove", "Cut", "Error" }) << "\n";
+  os << indent << "CutMode: " << nameOf(this->CutMode, { "Hole", "Seam", "Plane" }) << "\n";
   os << indent << "UseHolePoint: " << (this->UseHolePoint ? "on" : "off") << "\n";
-  os << indent << "HolePoint: (" << this->HolePoint[0] << ", " << this->HolePoint[1] << ", "
-     << this->HolePoint[2] << ")\n";
+  print(os, indent, "HolePoint", this->HolePoint);
   os << indent << "HoleAreaFraction: " << this->HoleAreaFraction << "\n";
+  os << indent << "UseRegionOfInterest: " << (this->UseRegionOfInterest ? "on" : "off") << "\n";
+  for (const std::array<double, 3>& point : this->SeamPoints)
+  {
+    print(os, indent, "SeamPoint", point.data());
+  }
+  print(os, indent, "PlaneOrigin", this->PlaneOrigin);
+  print(os, indent, "PlaneNormal", this->PlaneNormal);
   os << indent << "MinimumBoundaryVertices: " << this->MinimumBoundaryVertices << "\n";
+  os << indent << "SmallestAngle: " << this->SmallestAngle << "\n";
   os << indent << "Remesh: " << (this->Remesh ? "on" : "off") << "\n";
   os << indent << "TargetEdgeLength: " << this->TargetEdgeLength << "\n";
+  os << indent << "RelativeEdgeLength: " << this->RelativeEdgeLength << "\n";
+  os << indent << "CountSelfIntersections: " << (this->CountSelfIntersections ? "on" : "off") << "\n";
 }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GeodesicDistance.h"
 
-#include "EditableSurface.h"
-
-#include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
+#include "IntrinsicTriangulation.h"
+#include "SparseCholesky.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <vector>
 
 namespace flattening
 {
@@ -23,19 +24,125 @@ std::array<int, 3> ascending(const FaceMatrix& faces, Eigen::Index f, const Eige
   return corners;
 }
 
+// The Laplacian of an intrinsic triangulation and what the heat method needs of its faces.
+struct HeatFaces
+{
+  explicit HeatFaces(const IntrinsicTriangulation& surface)
+    : Surface(surface)
+    , Cotangents(surface.faceCount(), 3)
+    , Mass(Eigen::VectorXd::Zero(surface.vertexCount()))
+    , Laplacian(surface.vertexCount(), surface.vertexCount())
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(4 * static_cast<std::size_t>(surface.halfedgeCount()));
+    for (int f = 0; f < surface.faceCount(); ++f)
+    {
+      // Side k is opposite to corner k + 2.
+      const TriangleAngles angles = triangleAngles(
+        surface.logLength(3 * f), surface.logLength(3 * f + 1), surface.logLength(3 * f + 2));
+      double area = 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        const int h = 3 * f + k;
+        const double cotangent = angles.Cotangent[k];
+        const double length = this->length(h);
+        this->Cotangents(f, k) = cotangent;
+        this->MeanEdge += length / surface.halfedgeCount();
+        area += 0.25 * cotangent * length * length;
+        const int i = surface.origin(h);
+        const int j = surface.tip(h);
+        entries.emplace_back(i, i, 0.5 * cotangent);
+        entries.emplace_back(j, j, 0.5 * cotangent);
+        entries.emplace_back(i, j, -0.5 * cotangent);
+        entries.emplace_back(j, i, -0.5 * cotangent);
+      }
+      for (int k = 0; k < 3; ++k)
+      {
+        this->Mass[surface.origin(3 * f + k)] += area / 3.0;
+      }
+    }
+    this->Laplacian.setFromTriplets(entries.begin(), entries.end());
+  }
+
+  double length(int h) const { return static_cast<double>(std::exp(this->Surface.logLength(h))); }
+
+  // Integrated divergence of the unit vector field along the gradient of @p values.
+  Eigen::VectorXd divergenceOfDirection(const Eigen::VectorXd& values) const
+  {
+    Eigen::VectorXd divergence = Eigen::VectorXd::Zero(values.size());
+    for (int f = 0; f < this->Surface.faceCount(); ++f)
+    {
+      const auto cotangent = this->Cotangents.row(f);
+      double rise[3];
+      double squaredNorm = 0.0; // of the gradient, times twice the area
+      double doubleArea = 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        const int h = 3 * f + k;
+        rise[k] = values[this->Surface.tip(h)] - values[this->Surface.origin(h)];
+        const double length = this->length(h);
+        doubleArea += 0.5 * cotangent[k] * length * length;
+      }
+      // Scaled first: heat far from the source is tiny.
+      const double scale = std::max({ std::abs(rise[0]), std::abs(rise[1]), std::abs(rise[2]) });
+      if (!(scale > 0.0))
+      {
+        continue;
+      }
+      for (int k = 0; k < 3; ++k)
+      {
+        squaredNorm += cotangent[k] * (rise[k] / scale) * (rise[k] / scale);
+      }
+      const double gradient = std::sqrt(squaredNorm / doubleArea) * scale;
+      if (!(gradient > 0.0) || !std::isfinite(gradient))
+      {
+        continue;
+      }
+      for (int k = 0; k < 3; ++k)
+      {
+        const double flux = 0.5 * cotangent[k] * rise[k] / gradient;
+        divergence[this->Surface.origin(3 * f + k)] += flux;
+        divergence[this->Surface.tip(3 * f + k)] -= flux;
+      }
+    }
+    return divergence;
+  }
+
+  const IntrinsicTriangulation& Surface;
+  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> Cotangents;
+  Eigen::VectorXd Mass;
+  SparseMatrix Laplacian;
+  double MeanEdge = 0.0;
+};
+
 } // namespace
 
 Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh, int source)
 {
-  SurfaceMesh surface = toSurfaceMesh(mesh);
-  auto distance = surface.add_property_map<SurfaceMesh::Vertex_index, double>("v:distance", 0.0).first;
-  CGAL::Heat_method_3::estimate_geodesic_distances(surface, distance, SurfaceMesh::Vertex_index(source));
-  Eigen::VectorXd result(mesh.vertexCount());
-  for (const auto v : surface.vertices())
-  {
-    result[v] = distance[v];
-  }
-  return result;
+  // At unit size, by a power of two: not one decision depends on the unit of length.
+  int exponent = 0;
+  std::frexp(
+    (mesh.Vertices.colwise().maxCoeff() - mesh.Vertices.colwise().minCoeff()).norm(), &exponent);
+  TriangleMesh unit = mesh;
+  unit.Vertices *= std::ldexp(1.0, -exponent);
+  IntrinsicTriangulation surface(unit);
+  surface.flipToDelaunay();
+  const HeatFaces faces(surface);
+
+  // Heat that spreads from the source for a short time.
+  SparseMatrix heat = faces.Laplacian * (faces.MeanEdge * faces.MeanEdge);
+  heat.diagonal() += faces.Mass;
+  SparseCholesky factor(heat);
+  Eigen::VectorXd impulse = Eigen::VectorXd::Zero(mesh.vertexCount());
+  impulse[source] = 1.0;
+  const Eigen::VectorXd spread = factor.solve(impulse);
+
+  // The function whose gradient has length 1 against that of the heat.
+  SparseMatrix poisson = faces.Laplacian;
+  poisson.coeffRef(source, source) += 1.0; // fixes the constant: the right-hand side sums to 0
+  factor.compute(poisson);
+  Eigen::VectorXd distance = factor.solve(faces.divergenceOfDirection(spread));
+  return (distance.array() - distance.minCoeff()) * std::ldexp(1.0, exponent);
 }
 
 double areaBelow(const TriangleMesh& mesh, const Eigen::VectorXd& values, double level)

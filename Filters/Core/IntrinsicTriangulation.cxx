@@ -147,7 +147,7 @@ int IntrinsicTriangulation::flipAll(ShouldFlip&& shouldFlip, NewLogLength&& newL
     }
   }
   // Delaunay flips end by themselves; the bound only guards against rounding on degenerate metrics.
-  const long long bound = 200LL * this->halfedgeCount();
+  const long long bound = 10LL * this->halfedgeCount();
   long long flips = 0;
   while (!stack.empty() && flips < bound)
   {

@@ -2,111 +2,374 @@
 #include "SurfaceToDisk.h"
 
 #include "BorderStitching.h"
+#include "BoundaryRefinement.h"
+#include "CoincidentPoints.h"
 #include "ConsistentOrientation.h"
+#include "CutGraph.h"
 #include "Errors.h"
+#include "GeodesicSeam.h"
+#include "HandleLoops.h"
 #include "HoleFilling.h"
 #include "IsotropicRemeshing.h"
 #include "MeshTopology.h"
-#include "SurfaceComponents.h"
+#include "PlaneCut.h"
+#include "SeamCut.h"
+#include "SelfIntersections.h"
+#include "SmallAngles.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace flattening
 {
 namespace
 {
 
-void requireValid(const SurfaceToDiskOptions& options)
+constexpr double Pi = 3.14159265358979323846;
+constexpr double RemeshedAngle = 1.0;    // degrees; remeshed surfaces keep far from it but at a cut
+constexpr double FilledAreaShare = 0.05; // of a circle as long as the longest loop that is filled
+
+void requireValid(const TriangleMesh& soup, const SurfaceToDiskOptions& options)
 {
   if (!(options.MergeTolerance >= 0.0) || !std::isfinite(options.MergeTolerance))
   {
     throw InvalidInput("the merge tolerance is " + std::to_string(options.MergeTolerance) +
                        ": set it to 0 or a small length in the units of the surface");
   }
-  if (options.ComponentPoint && !options.ComponentPoint->allFinite())
+  if (!(options.FillLengthLimit >= 0.0) || !std::isfinite(options.FillLengthLimit))
   {
-    throw InvalidInput("the component's point is not finite: set all of its coordinates");
+    throw InvalidInput("the longest boundary to be filled is " +
+                       std::to_string(options.FillLengthLimit) +
+                       ": set it to 0 or a length in the units of the surface");
+  }
+  if (options.Remesh && options.TargetEdgeLength == 0.0 &&
+      (!(options.RelativeEdgeLength > 0.0) || !std::isfinite(options.RelativeEdgeLength)))
+  {
+    throw InvalidInput("the relative edge length is " + std::to_string(options.RelativeEdgeLength) +
+                       ": set it above 0, in mean edge lengths of the surface");
+  }
+  if (!(options.SmallestAngle >= 0.0 && options.SmallestAngle <= 15.0))
+  {
+    throw InvalidInput("the smallest angle is " + std::to_string(options.SmallestAngle) +
+                       " degrees: set it between 0 and 15");
+  }
+  if (!options.RegionOfInterest.empty() &&
+      options.RegionOfInterest.size() != static_cast<std::size_t>(soup.vertexCount()))
+  {
+    throw InvalidInput("the region of interest has " + std::to_string(options.RegionOfInterest.size()) +
+                       " values for " + std::to_string(soup.vertexCount()) + " points");
   }
 }
 
-// Takes one component and gives it one side that is the outer one.
-MeshTopology chooseComponent(DiskSurface& disk,
-  RepairedSurface&& repaired,
-  const SurfaceToDiskOptions& options)
+double boundaryLength(const TriangleMesh& mesh)
 {
-  disk.Surface = std::move(repaired.Surface);
-  const SurfaceComponents components = connectedComponents(disk.Surface.Mesh);
-  const std::vector<int> faces = components.faces(
-    options.ComponentPoint ? closestComponent(disk.Surface.Mesh, components, *options.ComponentPoint)
-                           : largestComponent(disk.Surface.Mesh, components));
-  disk.Report.Components = components.Count;
-
-  std::vector<char> reversed;
-  reversed.reserve(faces.size());
-  for (const int f : faces)
+  double length = 0.0;
+  for (const std::vector<int>& loop : analyseTopology(mesh.Faces, mesh.vertexCount()).BoundaryLoops)
   {
-    reversed.push_back(repaired.Reversed[f]);
-    if (repaired.OneSided[f])
+    length += loopLength(mesh.Vertices, loop);
+  }
+  return length;
+}
+
+// The two sides of a seam coincide; they are one for this purpose.
+int countSelfIntersections(const TriangleMesh& mesh)
+{
+  const std::vector<int> representative = coincidentPoints(mesh.Vertices, 0.0);
+  TriangleMesh joined = mesh;
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
     {
-      throw TopologyError("the surface is one-sided, like a Moebius strip, at face " +
-                          std::to_string(disk.Surface.Faces[f]) +
-                          ": cut it open there first, e.g. with Clip");
+      joined.Faces(f, k) = representative[mesh.Faces(f, k)];
     }
   }
-  follow(disk.Surface, extractFaces(disk.Surface.Mesh, faces));
-  if (disk.Report.Repair.SplitPoints > 0)
+  return static_cast<int>(selfIntersections(joined).size());
+}
+
+// Flags of vertices made of others: whether all of those are flagged, or any.
+std::vector<char> flagsOf(const VertexOrigins& origins, const std::vector<char>& flags, bool all)
+{
+  std::vector<char> result(origins.rows(), all);
+  for (int v = 0; v < origins.rows(); ++v)
   {
-    follow(disk.Surface, stitchCoincidentBorders(disk.Surface.Mesh));
+    for (VertexOrigins::InnerIterator origin(origins, v); origin; ++origin)
+    {
+      result[v] = all ? result[v] && flags[origin.col()] : result[v] || flags[origin.col()];
+    }
   }
-  TriangleMesh& mesh = disk.Surface.Mesh;
-  MeshTopology topology = analyseTopology(mesh.Faces, mesh.vertexCount());
-  disk.Report.ReorientedFaces = orientOutward(mesh, reversed, topology.BoundaryLoops.empty());
-  return topology;
+  return result;
 }
 
-void requireNoHandles(int genus)
+// One surface on its way to a disk; each step is a stage of surfaceToDisk.
+class DiskMaker
 {
-  if (genus > 0)
+public:
+  DiskMaker(const SurfaceToDiskOptions& options)
+    : Options(options)
+    , Hole(options.Hole)
   {
-    throw TopologyError("the surface has genus " + std::to_string(genus) + ", that is " +
-                        std::to_string(genus) +
-                        (genus > 1 ? " handles or tunnels" : " handle or tunnel") +
-                        ": smooth the volume more before Contour (a Gaussian of 2 voxels or "
-                        "more), change the isovalue, or cut the handles off with Clip");
   }
-}
 
-std::vector<std::vector<int>>::iterator longestLoop(const Points3& vertices,
-  std::vector<std::vector<int>>& loops)
-{
-  return std::max_element(loops.begin(),
-    loops.end(),
-    [&vertices](const auto& a, const auto& b)
-    { return loopLength(vertices, a) < loopLength(vertices, b); });
-}
-
-// Shorter than a circle around the area of the hole that would be cut: a defect or a puncture, of too
-// few edges to become the boundary of the flat disk.
-bool isSmallerThanHole(const TriangleMesh& mesh, const std::vector<int>& loop, double areaFraction)
-{
-  constexpr double pi = 3.14159265358979323846;
-  const double length = loopLength(mesh.Vertices, loop);
-  return length * length < 4.0 * pi * areaFraction * faceAreas(mesh.Vertices, mesh.Faces).sum();
-}
-
-Eigen::Vector3d centreOfLoop(const Points3& vertices, const std::vector<int>& loop)
-{
-  Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-  for (const int v : loop)
+  DiskSurface make(const TriangleMesh& soup, const ProgressCallback& progress)
   {
-    sum += vertices.row(v);
+    report(progress, 0.0, "repairing");
+    this->repair(soup);
+    report(progress, 0.15, "choosing the component");
+    this->keepComponent();
+    this->orient();
+    if (this->Options.CountSelfIntersections)
+    {
+      report(progress, 0.17, "looking for self-intersections");
+      this->Figures.SelfIntersectionsBefore = countSelfIntersections(this->mesh());
+    }
+    if (this->Options.Cut == CutMode::Plane)
+    {
+      this->keepSideOfPlane(subrange(progress, 0.2, 0.24));
+    }
+    this->closeBoundaries(subrange(progress, 0.24, 0.28));
+    this->requireHandlesWanted();
+    if (this->Options.Handles == HandleMode::Remove && this->Figures.Genus > 0)
+    {
+      this->removeHandles(subrange(progress, 0.28, 0.4));
+    }
+    if (this->Options.Remesh)
+    {
+      this->remesh(subrange(progress, 0.4, 0.75));
+    }
+    else if (this->Options.SmallestAngle > 0.0 && this->Options.Handles != HandleMode::Cut)
+    {
+      follow(this->Disk.Surface,
+        withoutSmallAngles(this->mesh(), this->Options.SmallestAngle, subrange(progress, 0.4, 0.75)));
+    }
+    this->open(subrange(progress, 0.75, 0.95));
+    if (this->Options.Remesh && this->Disk.Seam.empty())
+    {
+      follow(this->Disk.Surface, withoutSmallAngles(this->mesh(), RemeshedAngle));
+    }
+    report(progress, 0.95, "checking the disk");
+    this->measure();
+    report(progress, 0.98, "looking for self-intersections");
+    if (this->Options.CountSelfIntersections)
+    {
+      this->Figures.SelfIntersections = countSelfIntersections(this->mesh());
+    }
+    report(progress, 1.0, "done");
+    return std::move(this->Disk);
   }
-  return sum.transpose() / static_cast<double>(loop.size());
-}
+
+private:
+  const TriangleMesh& mesh() const { return this->Disk.Surface.Mesh; }
+
+  void repair(const TriangleMesh& soup)
+  {
+    RepairedSurface repaired = repairTriangleSoup(soup, this->Options.MergeTolerance);
+    this->Figures.Repair = repaired.Report;
+    this->Disk.Surface = std::move(repaired.Surface);
+    this->Reversed = std::move(repaired.Reversed);
+    this->OneSided = std::move(repaired.OneSided);
+  }
+
+  void keepComponent()
+  {
+    const SurfaceComponents components = connectedComponents(this->mesh());
+    const std::vector<int> faces =
+      components.faces(chooseComponent(this->mesh(), components, this->Options.Component));
+    this->Figures.Components = components.Count;
+    const double whole = faceAreas(this->mesh().Vertices, this->mesh().Faces).sum();
+
+    std::vector<char> reversed;
+    reversed.reserve(faces.size());
+    for (const int f : faces)
+    {
+      reversed.push_back(this->Reversed[f]);
+      if (this->OneSided[f])
+      {
+        throw TopologyError("the surface is one-sided, like a Moebius strip, at face " +
+                            std::to_string(this->Disk.Surface.Faces[f]) +
+                            ": cut it open there first, e.g. with Clip");
+      }
+    }
+    this->Reversed = std::move(reversed);
+    if (components.Count > 1)
+    {
+      follow(this->Disk.Surface, extractFaces(this->mesh(), faces));
+      this->Figures.DroppedComponentArea =
+        whole - faceAreas(this->mesh().Vertices, this->mesh().Faces).sum();
+    }
+    if (this->Figures.Repair.SplitPoints > 0)
+    {
+      follow(this->Disk.Surface, stitchCoincidentBorders(this->mesh()));
+    }
+  }
+
+  void orient()
+  {
+    TriangleMesh& mesh = this->Disk.Surface.Mesh;
+    const bool closed = analyseTopology(mesh.Faces, mesh.vertexCount()).BoundaryLoops.empty();
+    this->Figures.ReorientedFaces = orientOutward(mesh, this->Reversed, closed);
+  }
+
+  void keepSideOfPlane(const ProgressCallback& progress)
+  {
+    PlaneCutSurface side =
+      cutAtPlane(this->mesh(), this->Options.Plane, this->Options.Hole.BoundaryVertices, progress);
+    this->Figures.RemovedArea = side.RemovedArea;
+    follow(this->Disk.Surface, std::move(side.Surface));
+    const SurfaceComponents parts = connectedComponents(this->mesh());
+    if (parts.Count > 1)
+    {
+      ComponentChoice choice = this->Options.Component;
+      if (choice.By == ComponentChoice::Rule::ByIndex)
+      {
+        choice.By = ComponentChoice::Rule::Largest;
+      }
+      const double whole = faceAreas(this->mesh().Vertices, this->mesh().Faces).sum();
+      follow(this->Disk.Surface,
+        extractFaces(this->mesh(), parts.faces(chooseComponent(this->mesh(), parts, choice))));
+      this->Figures.RemovedArea += whole - faceAreas(this->mesh().Vertices, this->mesh().Faces).sum();
+    }
+  }
+
+  // Fills all boundary loops but the one that is to be the disk's.
+  void closeBoundaries(const ProgressCallback& progress)
+  {
+    report(progress, 0.0, "filling holes");
+    MeshTopology topology = analyseTopology(this->mesh().Faces, this->mesh().vertexCount());
+    this->Figures.Genus = topology.Genus;
+    std::vector<std::vector<int>>& loops = topology.BoundaryLoops;
+    const int kept = chooseBoundary(this->mesh().Vertices, loops, this->Options.Boundary);
+    this->Closed = kept < 0;
+    if (kept >= 0)
+    {
+      this->Closed = isPuncture(this->mesh(), loops[kept], this->Hole.AreaFraction);
+      if (!this->Closed)
+      {
+        loops.erase(loops.begin() + kept);
+      }
+      else if (!this->Hole.Centre)
+      {
+        this->Hole.Centre = centreOfLoop(this->mesh().Vertices, loops[kept]);
+      }
+    }
+    if (!loops.empty())
+    {
+      FilledSurface filled = fillHoles(this->mesh(), loops, { this->fillLengthLimit() }, progress);
+      this->Figures.FilledHoles = filled.FilledHoles;
+      this->Figures.FilledArea = filled.FilledArea;
+      follow(this->Disk.Surface, std::move(filled.Surface));
+    }
+  }
+
+  double fillLengthLimit() const
+  {
+    const double area = faceAreas(this->mesh().Vertices, this->mesh().Faces).sum();
+    return this->Options.FillLengthLimit > 0.0 ? this->Options.FillLengthLimit
+                                               : std::sqrt(4.0 * Pi * FilledAreaShare * area);
+  }
+
+  void requireHandlesWanted() const
+  {
+    const int genus = this->Figures.Genus;
+    if (genus > 0 && this->Options.Handles == HandleMode::Error)
+    {
+      throw TopologyError("the surface has genus " + std::to_string(genus) + ", that is " +
+                          std::to_string(genus) +
+                          (genus > 1 ? " handles or tunnels" : " handle or tunnel") +
+                          ": set Handles to Remove or Cut, or smooth the volume more before Contour");
+    }
+  }
+
+  void removeHandles(const ProgressCallback& progress)
+  {
+    SurfaceWithoutHandles removed = flattening::removeHandles(this->mesh(), progress);
+    this->Figures.Handles = removed.Report;
+    follow(this->Disk.Surface, std::move(removed.Surface));
+  }
+
+  void remesh(const ProgressCallback& progress)
+  {
+    this->Figures.RemeshEdgeLength = this->Options.TargetEdgeLength != 0.0
+                                       ? this->Options.TargetEdgeLength
+                                       : this->Options.RelativeEdgeLength * meanEdgeLength(this->mesh());
+    follow(this->Disk.Surface,
+      remeshIsotropically(this->mesh(), this->Figures.RemeshEdgeLength, 3, progress));
+  }
+
+  void open(const ProgressCallback& progress)
+  {
+    if (this->Figures.Genus > 0 && this->Options.Handles == HandleMode::Cut)
+    {
+      HandleLoops handles = handleLoops(this->mesh(), subrange(progress, 0.0, 0.7));
+      follow(this->Disk.Surface, std::move(handles.Surface));
+      this->followSeam(cutToDisk(this->mesh(), handles.Loops, subrange(progress, 0.7, 1.0)));
+      this->resolveBoundary();
+    }
+    else if (this->Options.Cut == CutMode::Seam)
+    {
+      GeodesicSeamOptions seam;
+      seam.Points = this->Options.SeamPoints;
+      seam.BoundaryVertices = this->Hole.BoundaryVertices;
+      this->followSeam(cutGeodesicSeam(this->mesh(), seam, progress).Cut);
+    }
+    else if (this->Closed)
+    {
+      this->cutHole(progress);
+    }
+  }
+
+  void followSeam(CutSurface&& cut)
+  {
+    const double before = boundaryLength(this->mesh());
+    this->Disk.Seam = std::move(cut.OnSeam);
+    follow(this->Disk.Surface, std::move(cut.Surface));
+    this->Figures.SeamLength = 0.5 * (boundaryLength(this->mesh()) - before);
+  }
+
+  void cutHole(const ProgressCallback& progress)
+  {
+    if (!this->Options.RegionOfInterest.empty())
+    {
+      // AVOID
+    }
+    OpenedSurface opened = cutGeodesicHole(this->mesh(), this->Hole, progress);
+    this->Figures.HoleCentre = opened.Centre;
+    this->Figures.HoleRadius = opened.Radius;
+    this->Figures.RemovedArea += opened.RemovedArea;
+    this->Figures.RemovedRegionPoints = opened.RemovedAvoided;
+    follow(this->Disk.Surface, std::move(opened.Surface));
+  }
+
+  // Cutting along a graph of edges leaves as many boundary vertices as they have.
+  void resolveBoundary()
+  {
+    DerivedMesh refined = refineBoundary(this->mesh(), this->Hole.BoundaryVertices);
+    if (refined.Mesh.vertexCount() > this->mesh().vertexCount())
+    {
+      this->Disk.Seam = flagsOf(refined.Vertices, this->Disk.Seam, true);
+      follow(this->Disk.Surface, std::move(refined));
+    }
+  }
+
+  void measure()
+  {
+    this->Disk.Seam.resize(this->mesh().vertexCount(), 0);
+    const std::vector<int> boundary = requireDisk(this->mesh());
+    this->Figures.BoundaryVertices = static_cast<int>(boundary.size());
+    this->Figures.BoundaryLength = loopLength(this->mesh().Vertices, boundary);
+    this->Figures.SurfaceArea = faceAreas(this->mesh().Vertices, this->mesh().Faces).sum();
+    this->Figures.SmallestAngle = smallestAngle(this->mesh());
+  }
+
+  const SurfaceToDiskOptions& Options;
+  GeodesicHoleOptions Hole;
+  DiskSurface Disk;
+  SurfaceToDiskReport& Figures = Disk.Report;
+  std::vector<char> Reversed;
+  std::vector<char> OneSided;
+  bool Closed = false;
+};
 
 } // namespace
 
@@ -114,69 +377,8 @@ DiskSurface surfaceToDisk(const TriangleMesh& soup,
   const SurfaceToDiskOptions& options,
   const ProgressCallback& progress)
 {
-  requireValid(options);
-  DiskSurface disk;
-  SurfaceToDiskReport& figures = disk.Report;
-
-  report(progress, 0.0, "repairing");
-  RepairedSurface repaired = repairTriangleSoup(soup, options.MergeTolerance);
-  figures.Repair = repaired.Report;
-  report(progress, 0.2, "choosing the component");
-  MeshTopology topology = chooseComponent(disk, std::move(repaired), options);
-  figures.Genus = topology.Genus;
-  requireNoHandles(figures.Genus);
-
-  report(progress, 0.25, "filling holes");
-  std::vector<std::vector<int>>& loops = topology.BoundaryLoops;
-  GeodesicHoleOptions hole = options.Hole;
-  bool mustOpen = loops.empty();
-  if (!mustOpen)
-  {
-    const auto longest = longestLoop(disk.Surface.Mesh.Vertices, loops);
-    mustOpen = isSmallerThanHole(disk.Surface.Mesh, *longest, hole.AreaFraction);
-    if (!mustOpen)
-    {
-      loops.erase(longest);
-    }
-    else if (!hole.Centre)
-    {
-      hole.Centre = centreOfLoop(disk.Surface.Mesh.Vertices, *longest);
-    }
-  }
-  if (!loops.empty())
-  {
-    FilledSurface filled = fillHoles(disk.Surface.Mesh, loops, subrange(progress, 0.25, 0.35));
-    figures.FilledHoles = filled.FilledHoles;
-    figures.FilledArea = filled.FilledArea;
-    follow(disk.Surface, std::move(filled.Surface));
-  }
-
-  if (options.RemeshEdgeLength)
-  {
-    const double length = *options.RemeshEdgeLength;
-    figures.RemeshEdgeLength = length == 0.0 ? meanEdgeLength(disk.Surface.Mesh) : length;
-    follow(disk.Surface,
-      remeshIsotropically(
-        disk.Surface.Mesh, figures.RemeshEdgeLength, 3, subrange(progress, 0.35, 0.65)));
-  }
-
-  if (mustOpen)
-  {
-    OpenedSurface opened = cutGeodesicHole(disk.Surface.Mesh, hole, subrange(progress, 0.65, 0.95));
-    figures.HoleCentre = opened.Centre;
-    figures.HoleRadius = opened.Radius;
-    figures.RemovedArea = opened.RemovedArea;
-    follow(disk.Surface, std::move(opened.Surface));
-  }
-
-  report(progress, 0.95, "checking the disk");
-  const TriangleMesh& mesh = disk.Surface.Mesh;
-  const std::vector<int> boundary = requireDisk(mesh);
-  figures.BoundaryVertices = static_cast<int>(boundary.size());
-  figures.BoundaryLength = loopLength(mesh.Vertices, boundary);
-  figures.SurfaceArea = faceAreas(mesh.Vertices, mesh.Faces).sum();
-  report(progress, 1.0, "done");
-  return disk;
+  requireValid(soup, options);
+  return DiskMaker(options).make(soup, progress);
 }
 
 } // namespace flattening

@@ -2,15 +2,12 @@
 #include "BenchmarkSurfaces.h"
 
 #include "AnalyticSurfaces.h"
+#include "ScanSurface.h"
 
 #include <vtkCellArray.h>
 #include <vtkClipPolyData.h>
-#include <vtkFlyingEdges3D.h>
 #include <vtkIdList.h>
-#include <vtkImageCast.h>
-#include <vtkImageConstantPad.h>
 #include <vtkImageData.h>
-#include <vtkImageGaussianSmooth.h>
 #include <vtkNIFTIImageReader.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
@@ -20,7 +17,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <stdexcept>
 
 namespace flattening::benchmarks
 {
@@ -46,41 +42,9 @@ TriangleMesh meshOf(vtkPolyData* data)
   return mesh;
 }
 
-// The closed surface of the brain. Cast before smoothing, or the plateaus of the integer image fall
-// apart into thousands of handles; padded, so that the surface closes.
 vtkSmartPointer<vtkPolyData> brainSurface(const std::string& scan)
 {
-  constexpr int margin = 10;
-  vtkNew<vtkNIFTIImageReader> reader;
-  if (!reader->CanReadFile(scan.c_str()))
-  {
-    throw std::runtime_error("cannot read " + scan + ": install Debian's mricron-data");
-  }
-  reader->SetFileName(scan.c_str());
-  reader->Update();
-  vtkNew<vtkImageCast> cast;
-  cast->SetInputConnection(reader->GetOutputPort());
-  cast->SetOutputScalarTypeToFloat();
-  int extent[6];
-  reader->GetOutput()->GetExtent(extent);
-  vtkNew<vtkImageConstantPad> pad;
-  pad->SetInputConnection(cast->GetOutputPort());
-  pad->SetOutputWholeExtent(extent[0] - margin,
-    extent[1] + margin,
-    extent[2] - margin,
-    extent[3] + margin,
-    extent[4] - margin,
-    extent[5] + margin);
-  vtkNew<vtkImageGaussianSmooth> smooth;
-  smooth->SetInputConnection(pad->GetOutputPort());
-  smooth->SetStandardDeviation(2.0);
-  smooth->SetRadiusFactors(3.0, 3.0, 3.0);
-  vtkNew<vtkFlyingEdges3D> contour;
-  contour->SetInputConnection(smooth->GetOutputPort());
-  contour->SetValue(0, 40.0);
-  contour->ComputeNormalsOff();
-  contour->Update();
-  return contour->GetOutput();
+  return scanSurface(scan, 2.0, 40.0);
 }
 
 BenchmarkSurface asDisk(vtkPolyData* surface, double edgeLength)

@@ -36,13 +36,13 @@ struct KnownError
 };
 
 const std::vector<KnownError> KnownErrors = {
-  { "handles", "the surface has genus" },
   { "one-sided", "the surface is one-sided" },
   { "not finite", "has a coordinate that is not finite" },
   { "index out of range", "names vertex" },
   { "zero area", "the surface has zero area" },
   { "no triangles", "the surface has no triangles" },
   { "no round hole", "no round hole of share" },
+  { "too long a hole", "more than the limit of" },
   { "too few faces to remesh", "would leave fewer than" },
 };
 
@@ -53,19 +53,24 @@ SurfaceToDiskOptions randomOptions(std::uint64_t seed, const TriangleMesh& mesh)
   SurfaceToDiskOptions options;
   if (random.chance(0.4))
   {
-    options.RemeshEdgeLength = 0.0;
+    options.Remesh = true;
   }
   if (random.chance(0.2) && mesh.vertexCount() > 0)
   {
     const Eigen::Vector3d point = mesh.Vertices.row(random.integer(0, mesh.vertexCount() - 1));
     if (point.allFinite())
     {
-      options.ComponentPoint = point;
+      options.Component.By = ComponentChoice::Rule::ClosestToPoint;
+      options.Component.Point = point;
     }
   }
   if (random.chance(0.2))
   {
     options.Hole.AreaFraction = random.real(1e-4, 0.2);
+  }
+  if (random.chance(0.4))
+  {
+    options.Handles = HandleMode::Cut;
   }
   return options;
 }

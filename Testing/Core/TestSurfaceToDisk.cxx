@@ -127,7 +127,9 @@ TEST(SurfaceToDisk, KeepsTheLongestBoundary)
   {
     tube.Vertices.row(v).head<2>() *= 1.0 + 0.1 * tube.Vertices(v, 2);
   }
-  const DiskSurface disk = surfaceToDisk(tube);
+  SurfaceToDiskOptions options;
+  options.FillLengthLimit = 7.0;
+  const DiskSurface disk = surfaceToDisk(tube, options);
   EXPECT_EQ(disk.Report.FilledHoles, 1);
   EXPECT_EQ(disk.Report.HoleRadius, 0.0);
   EXPECT_NEAR(disk.Report.BoundaryLength, 1.3 * 120.0 * std::sin(Pi / 60), 1e-12);
@@ -153,14 +155,89 @@ TEST(SurfaceToDisk, WidensATinyBoundary)
   EXPECT_LT(distance, 1e-9);
 }
 
-TEST(SurfaceToDisk, NamesTheGenus)
+TEST(SurfaceToDisk, NamesTheGenusIfHandlesAreErrors)
 {
-  std::string message = messageOf<TopologyError>([] { surfaceToDisk(torus(30, 12)); });
-  EXPECT_TRUE(contains(message, "genus 1") && contains(message, "smooth the volume")) << message;
+  SurfaceToDiskOptions options;
+  options.Handles = HandleMode::Error;
+  std::string message = messageOf<TopologyError>([&] { surfaceToDisk(torus(30, 12), options); });
+  EXPECT_TRUE(contains(message, "genus 1") && contains(message, "Remove or Cut")) << message;
   // A torus with a hole in it has a boundary, and a handle all the same.
   const TriangleMesh pierced = withoutFaces(torus(30, 12), { 0, 1, 2, 3 });
-  message = messageOf<TopologyError>([&] { surfaceToDisk(pierced); });
+  message = messageOf<TopologyError>([&] { surfaceToDisk(pierced, options); });
   EXPECT_TRUE(contains(message, "genus 1")) << message;
+}
+
+TEST(SurfaceToDisk, RemovesAHandle)
+{
+  const TriangleMesh whole = torus(60, 24);
+  const DiskSurface disk = surfaceToDisk(whole);
+  EXPECT_EQ(disk.Report.Genus, 1);
+  EXPECT_EQ(disk.Report.Handles.Handles, 1);
+  ASSERT_EQ(disk.Report.Handles.LoopLengths.size(), 1u);
+  // What the pieces of the account sum up to.
+  const SurfaceToDiskReport& report = disk.Report;
+  EXPECT_NEAR(report.SurfaceArea,
+    totalArea(whole) - report.Handles.RemovedArea + report.Handles.AddedArea - report.RemovedArea,
+    1e-6 * totalArea(whole)); // the hole's boundary is conditioned
+  EXPECT_EQ(report.SelfIntersectionsBefore, 0);
+  EXPECT_EQ(report.SelfIntersections, 0);
+}
+
+TEST(SurfaceToDisk, CutsAHandleOpenAndLosesNothing)
+{
+  const TriangleMesh whole = torus(60, 24);
+  SurfaceToDiskOptions options;
+  options.Handles = HandleMode::Cut;
+  const DiskSurface disk = surfaceToDisk(whole, options);
+  EXPECT_EQ(disk.Report.Genus, 1);
+  EXPECT_EQ(disk.Report.Handles.Handles, 0);
+  EXPECT_NEAR(disk.Report.SurfaceArea, totalArea(whole), 1e-12 * totalArea(whole));
+  EXPECT_NEAR(disk.Report.SeamLength, 0.5 * disk.Report.BoundaryLength, 1e-12);
+  EXPECT_EQ(disk.Report.SelfIntersections, 0); // the two sides of the seam do not count
+  ASSERT_EQ(disk.Seam.size(), std::size_t(disk.Surface.Mesh.vertexCount()));
+  EXPECT_EQ(std::count(disk.Seam.begin(), disk.Seam.end(), 1), disk.Report.BoundaryVertices);
+  EXPECT_GE(disk.Report.BoundaryVertices, 128);
+}
+
+TEST(SurfaceToDisk, CutsAlongASeamOrAPlane)
+{
+  const TriangleMesh closed = sphere(4);
+  SurfaceToDiskOptions options;
+  options.Cut = CutMode::Seam;
+  options.SeamPoints = { { 1, 0, 0 }, { 0, 1, 0 } };
+  const DiskSurface seam = surfaceToDisk(closed, options);
+  EXPECT_NEAR(seam.Report.SeamLength, 0.5 * Pi, 2e-3);
+  EXPECT_NEAR(seam.Report.SurfaceArea, totalArea(closed), 1e-12 * totalArea(closed));
+  EXPECT_EQ(seam.Report.RemovedArea, 0.0);
+
+  options.Cut = CutMode::Plane;
+  options.Plane.Origin = { 0, 0, 0.5 };
+  options.Plane.Normal = { 0, 0, 3 };
+  const DiskSurface cap = surfaceToDisk(closed, options);
+  EXPECT_NEAR(cap.Report.SurfaceArea, Pi, 0.01 * Pi); // 2 pi (1 - 1/2)
+  EXPECT_NEAR(cap.Report.SurfaceArea + cap.Report.RemovedArea, totalArea(closed), 1e-3);
+  EXPECT_NEAR(cap.Report.BoundaryLength, 2.0 * Pi * std::sqrt(0.75), 0.01);
+}
+
+TEST(SurfaceToDisk, KeepsTheBoundaryAskedFor)
+{
+  TriangleMesh tube = cylinder(60, 20, 3.0);
+  for (int v = 0; v < tube.vertexCount(); ++v)
+  {
+    tube.Vertices.row(v).head<2>() *= 1.0 + 0.1 * tube.Vertices(v, 2);
+  }
+  SurfaceToDiskOptions options;
+  options.FillLengthLimit = 10.0;
+  options.Boundary.By = BoundaryChoice::Rule::ClosestToPoint;
+  options.Boundary.Point = { 0.5, 0, 0 };
+  EXPECT_NEAR(surfaceToDisk(tube, options).Report.BoundaryLength, 120.0 * std::sin(Pi / 60), 1e-12);
+  options.Boundary.By = BoundaryChoice::Rule::None;
+  const DiskSurface closed = surfaceToDisk(tube, options);
+  EXPECT_EQ(closed.Report.FilledHoles, 2);
+  EXPECT_GT(closed.Report.HoleRadius, 0.0);
+  options.FillLengthLimit = 7.0; // the loops are 6.3 and 8.2 long
+  const std::string message = messageOf<InvalidInput>([&] { surfaceToDisk(tube, options); });
+  EXPECT_TRUE(contains(message, "8.1")) << message;
 }
 
 TEST(SurfaceToDisk, NamesAOneSidedSurface)
@@ -180,23 +257,36 @@ TEST(SurfaceToDisk, KeepsTheComponentAskedFor)
   EXPECT_NEAR(largest.Report.SurfaceArea, 0.999 * totalArea(big), 1e-4 * totalArea(big));
 
   SurfaceToDiskOptions options;
-  options.ComponentPoint = Eigen::Vector3d(5, 0, 0);
+  options.Component.By = ComponentChoice::Rule::ClosestToPoint;
+  options.Component.Point = Eigen::Vector3d(5, 0, 0);
   const DiskSurface closest = surfaceToDisk(two, options);
   EXPECT_NEAR(closest.Report.SurfaceArea, 0.999 * totalArea(small), 1e-4 * totalArea(small));
-  options.ComponentPoint = Eigen::Vector3d(2.9, 0, 0); // 0.9 from the big one, 1.1 from the small one
+  options.Component.Point = Eigen::Vector3d(2.9, 0, 0); // 0.9 from the big one, 1.1 from the small one
   EXPECT_NEAR(surfaceToDisk(two, options).Report.SurfaceArea, largest.Report.SurfaceArea, 1e-12);
+
+  options.Component.By = ComponentChoice::Rule::ByIndex;
+  options.Component.Index = 1; // by area: the smaller one
+  EXPECT_EQ(surfaceToDisk(two, options).Report.SurfaceArea, closest.Report.SurfaceArea);
+  EXPECT_NEAR(closest.Report.DroppedComponentArea, totalArea(big), 1e-9);
+  options.Component.Index = 2;
+  const std::string message = messageOf<InvalidInput>([&] { surfaceToDisk(two, options); });
+  EXPECT_TRUE(contains(message, "component 2") && contains(message, "has 2")) << message;
 }
 
 // The hole is remeshed around, not with the rest: its boundary stays resolved.
 TEST(SurfaceToDisk, RemeshesBeforeItCuts)
 {
   SurfaceToDiskOptions options;
-  options.RemeshEdgeLength = 0.15;
+  options.Remesh = true;
+  options.TargetEdgeLength = 0.15;
   const DiskSurface disk = surfaceToDisk(sphere(4), options);
   EXPECT_GE(disk.Report.BoundaryVertices, 128);
   EXPECT_EQ(disk.Report.RemeshEdgeLength, 0.15);
-  options.RemeshEdgeLength = 0.0;
-  EXPECT_EQ(surfaceToDisk(sphere(4), options).Report.RemeshEdgeLength, meanEdgeLength(sphere(4)));
+  EXPECT_GT(disk.Report.SmallestAngle, 1.0);
+  options.TargetEdgeLength = 0.0;
+  options.RelativeEdgeLength = 1.5;
+  EXPECT_NEAR(
+    surfaceToDisk(sphere(4), options).Report.RemeshEdgeLength, 1.5 * meanEdgeLength(sphere(4)), 1e-12);
 }
 
 TEST(SurfaceToDisk, SlitsOfNonManifoldEdgesDoNotStay)
@@ -220,7 +310,8 @@ TEST(SurfaceToDisk, GivesTheSameTwice)
   TriangleMesh cigar = sphere(4);
   cigar.Vertices.col(2) *= 3.0;
   SurfaceToDiskOptions options;
-  options.RemeshEdgeLength = 0.1;
+  options.Remesh = true;
+  options.TargetEdgeLength = 0.1;
   const DiskSurface one = surfaceToDisk(cigar, options);
   const DiskSurface two = surfaceToDisk(cigar, options);
   EXPECT_EQ(one.Surface.Mesh.Faces, two.Surface.Mesh.Faces);
@@ -231,7 +322,8 @@ TEST(SurfaceToDisk, ReportsProgressThatNeverFallsAndStopsWhenTold)
 {
   double last = 0.0;
   SurfaceToDiskOptions options;
-  options.RemeshEdgeLength = 0.15;
+  options.Remesh = true;
+  options.TargetEdgeLength = 0.15;
   surfaceToDisk(sphere(4),
     options,
     [&last](double fraction, const char*)

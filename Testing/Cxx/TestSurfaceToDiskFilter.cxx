@@ -114,7 +114,7 @@ TEST(SurfaceToDiskFilter, OpensASphereOfAnyResolution)
     addAttributes(input);
     vtkNew<vtkSurfaceToDiskFilter> filter;
     filter->UseHolePointOn();
-    filter->SetHolePoint(0.1, 0.2, 1);
+    filter->SetHolePoint(0.05, 0.1, 0.5);
     filter->SetHoleAreaFraction(0.01);
     const auto output = run(filter, input);
     expectDisk(output);
@@ -179,6 +179,7 @@ TEST(SurfaceToDiskFilter, FillsHolesAndMarksThem)
     }
   }
   vtkNew<vtkSurfaceToDiskFilter> filter;
+  filter->SetFillLengthLimit(10.0); // the ends are 6.3 and 9.4 long
   const auto output = run(filter, tube);
   expectDisk(output);
   EXPECT_EQ(figure(output, "FilledHoles"), 1);

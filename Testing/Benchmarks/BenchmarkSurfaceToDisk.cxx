@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Times Surface To Disk on isosurfaces of real scans with many handles: the removal of handles alone,
+// and the whole filter with and without remeshing.
+//   BenchmarkSurfaceToDisk [folder of scans] [Google Benchmark's options]
+#include "HandleRemoval.h"
+#include "ScanSurface.h"
+#include "SurfaceComponents.h"
+#include "SurfaceRepair.h"
+#include "SurfaceToDisk.h"
+
+#include <benchmark/benchmark.h>
+
+#include <vtkCellArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <string>
+
+namespace
+{
+
+using namespace flattening;
+
+double secondsOf(const std::function<void()>& work)
+{
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+TriangleMesh soupOf(vtkPolyData* data)
+{
+  TriangleMesh mesh;
+  mesh.Vertices.resize(data->GetNumberOfPoints(), 3);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    data->GetPoint(i, mesh.Vertices.row(i).data());
+  }
+  mesh.Faces.resize(data->GetNumberOfPolys(), 3);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType f = 0; f < data->GetNumberOfPolys(); ++f)
+  {
+    data->GetPolys()->GetCellAtId(f, corners);
+    mesh.Faces.row(f) << static_cast<int>(corners->GetId(0)), static_cast<int>(corners->GetId(1)),
+      static_cast<int>(corners->GetId(2));
+  }
+  return mesh;
+}
+
+TriangleMesh largestComponentOf(const TriangleMesh& soup)
+{
+  const RepairedSurface repaired = repairTriangleSoup(soup);
+  const SurfaceComponents components = connectedComponents(repaired.Surface.Mesh);
+  return extractFaces(
+    repaired.Surface.Mesh, components.faces(chooseComponent(repaired.Surface.Mesh, components, {})))
+    .Mesh;
+}
+
+void toDisk(benchmark::State& state, const std::string& scan, double sigma, double isovalue)
+{
+  const TriangleMesh soup = soupOf(benchmarks::scanSurface(scan, sigma, isovalue));
+  const TriangleMesh component = largestComponentOf(soup);
+  auto& counters = state.counters;
+  for (auto _ : state)
+  {
+    HandleRemovalReport handles;
+    counters["handles_seconds"] = secondsOf([&] { handles = removeHandles(component).Report; });
+    SurfaceToDiskOptions options;
+    SurfaceToDiskReport raw;
+    const double rawSeconds = secondsOf([&] { raw = surfaceToDisk(soup, options).Report; });
+    options.Remesh = true;
+    SurfaceToDiskReport remeshed;
+    const double remeshedSeconds = secondsOf([&] { remeshed = surfaceToDisk(soup, options).Report; });
+    state.SetIterationTime(rawSeconds);
+
+    counters["vertices"] = component.vertexCount();
+    counters["genus"] = handles.Handles;
+    counters["raw_seconds"] = rawSeconds;
+    counters["remeshed_seconds"] = remeshedSeconds;
+    counters["longest_loop"] =
+      handles.LoopLengths.empty()
+        ? 0.0
+        : *std::max_element(handles.LoopLengths.begin(), handles.LoopLengths.end());
+    const double area = faceAreas(component.Vertices, component.Faces).sum();
+    counters["area_added_percent"] = 100.0 * handles.AddedArea / area;
+    counters["displacement"] = handles.GreatestDisplacement;
+    counters["smallest_angle"] = remeshed.SmallestAngle;
+  }
+}
+
+void add(const std::string& scan, double sigma, double isovalue)
+{
+  const std::size_t slash = scan.find_last_of('/');
+  const std::string name = scan.substr(slash + 1, scan.find('.', slash) - slash - 1) + ", iso " +
+                           std::to_string(static_cast<int>(isovalue)) + ", sigma " +
+                           std::to_string(sigma).substr(0, 3);
+  benchmark::RegisterBenchmark(
+    name.c_str(), [=](benchmark::State& state) { toDisk(state, scan, sigma, isovalue); })
+    ->Iterations(1)
+    ->UseManualTime()
+    ->Unit(benchmark::kSecond);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  benchmark::Initialize(&argc, argv);
+  const std::string folder = argc > 1 ? argv[1] : "/usr/share/mricron/templates";
+  add(folder + "/ch2bet.nii.gz", 2.0, 40.0);
+  add(folder + "/ch2bet.nii.gz", 1.0, 40.0);
+  add(folder + "/ch2bet.nii.gz", 1.0, 75.0);
+  add(folder + "/ch2better.nii.gz", 1.0, 60.0);
+  add(folder + "/ch2better.nii.gz", 0.3, 75.0);
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

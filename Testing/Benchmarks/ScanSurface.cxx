@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ScanSurface.h"
+
+#include <vtkFlyingEdges3D.h>
+#include <vtkImageCast.h>
+#include <vtkImageConstantPad.h>
+#include <vtkImageData.h>
+#include <vtkImageGaussianSmooth.h>
+#include <vtkNIFTIImageReader.h>
+#include <vtkNew.h>
+
+#include <stdexcept>
+
+namespace flattening::benchmarks
+{
+
+vtkSmartPointer<vtkPolyData> scanSurface(const std::string& scan, double sigma, double isovalue)
+{
+  constexpr int margin = 10;
+  vtkNew<vtkNIFTIImageReader> reader;
+  if (!reader->CanReadFile(scan.c_str()))
+  {
+    throw std::runtime_error("cannot read " + scan + ": install Debian's mricron-data");
+  }
+  reader->SetFileName(scan.c_str());
+  reader->Update();
+  vtkNew<vtkImageCast> cast;
+  cast->SetInputConnection(reader->GetOutputPort());
+  cast->SetOutputScalarTypeToFloat();
+  int extent[6];
+  reader->GetOutput()->GetExtent(extent);
+  vtkNew<vtkImageConstantPad> pad;
+  pad->SetInputConnection(cast->GetOutputPort());
+  pad->SetOutputWholeExtent(extent[0] - margin,
+    extent[1] + margin,
+    extent[2] - margin,
+    extent[3] + margin,
+    extent[4] - margin,
+    extent[5] + margin);
+  vtkNew<vtkImageGaussianSmooth> smooth;
+  smooth->SetInputConnection(pad->GetOutputPort());
+  smooth->SetStandardDeviation(sigma);
+  smooth->SetRadiusFactors(3.0, 3.0, 3.0);
+  vtkNew<vtkFlyingEdges3D> contour;
+  contour->SetInputConnection(smooth->GetOutputPort());
+  contour->SetValue(0, isovalue);
+  contour->ComputeNormalsOff();
+  contour->Update();
+  return contour->GetOutput();
+}
+
+} // namespace flattening::benchmarks

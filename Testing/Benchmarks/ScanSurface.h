@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Isosurfaces of real scans, as anyone would make them with VTK.
+#pragma once
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+namespace flattening::benchmarks
+{
+
+/// The isosurface of a NIfTI volume: cast to float before smoothing, or the plateaus of the integer
+/// image fall apart into thousands of handles; padded, so that the surface closes.
+/// @param sigma standard deviation of the Gaussian, voxels; cut off at three of them.
+vtkSmartPointer<vtkPolyData> scanSurface(const std::string& scan, double sigma, double isovalue);
+
+} // namespace flattening::benchmarks
