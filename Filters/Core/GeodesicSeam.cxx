@@ -209,11 +209,11 @@ private:
         this->FirstLeg = i == 0 ? path.Points : this->FirstLeg;
         snapToVertices(this->Mesh, path.Points, [this](Vertex v) { return this->Mesh.is_border(v); });
         edges += path.Points.size() - 1;
+        if (edges >= this->edgesWanted())
+        {
+          return;
+        }
         this->addFaces(path.Points, faces);
-      }
-      if (edges >= this->edgesWanted())
-      {
-        return;
       }
       bisectLongEdges(
         this->Surface, faces, refinement * length / static_cast<double>(this->edgesWanted()));
