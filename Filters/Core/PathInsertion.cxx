@@ -114,8 +114,7 @@ void straighten(const SurfaceMesh& mesh, std::vector<PathPoint>& path)
       {
         const double fraction = straightFraction(
           mesh, path[i].Edge, positionOf(mesh, path[i - 1]), positionOf(mesh, path[i + 1]));
-        path[i].Fraction =
-          std::isfinite(fraction) ? keptOffEnds(fraction) : path[i].Fraction;
+        path[i].Fraction = std::isfinite(fraction) ? keptOffEnds(fraction) : path[i].Fraction;
       }
     }
   }
