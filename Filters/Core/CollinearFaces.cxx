@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CollinearFaces.h"
 
-#include "EditableSurface.h"
+#include "NeedleFaces.h"
 
 #include <Eigen/Geometry>
 
@@ -16,11 +16,7 @@ namespace
 
 using Triangle = std::array<int, 3>;
 
-// Shares of the longest edge. A needle, whose shortest edge is tiny too, is left alone unless its
-// corners are exactly on one line: rounding decides which of its long edges is the longest, and
-// splitting at one then at the other would never end.
-constexpr double SmallestAltitude = 1e-12;
-constexpr double NeedleEdge = 1e-10;
+constexpr double SmallestAltitude = 1e-10; // of the longest edge
 
 class CollinearDissolver
 {
@@ -93,10 +89,10 @@ private:
     {
       return;
     }
+    // Rounding decides which of a needle's long edges is the longest: splitting at one, then at the
+    // other would never end.
     const double shortest = std::min(this->squaredLength(t[1], t[2]), side.squaredNorm());
-    if (shortest > NeedleEdge * NeedleEdge * edge.squaredNorm() ||
-        CGAL::collinear(
-          pointOf(this->Vertices, t[0]), pointOf(this->Vertices, t[1]), pointOf(this->Vertices, t[2])))
+    if (shortest > SmallestEdgeShare * SmallestEdgeShare * edge.squaredNorm())
     {
       this->Queue.emplace(edge.squaredNorm(), f);
     }

@@ -10,8 +10,9 @@
 namespace flattening
 {
 
-/// Removes every face whose altitude is below 1e-12 of its longest edge. Dropping it alone would leave a
-/// crack, so the faces beyond its longest edge are split at the vertex that lies on that edge.
+/// Removes every face whose altitude is below 1e-10 of its longest edge, but for needles
+/// (collapseNeedles). Dropping it alone would leave a crack, so the faces beyond its longest edge are
+/// split at the vertex that lies on that edge.
 /// @p faces (no repeated vertices) and @p origins (what each face is a part of) change together; split
 /// faces hand their origin on. Returns the number of faces that were collinear at the start.
 int dissolveCollinearFaces(const Points3& vertices,

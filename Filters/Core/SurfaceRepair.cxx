@@ -5,6 +5,8 @@
 #include "CollinearFaces.h"
 #include "ConsistentOrientation.h"
 #include "Errors.h"
+#include "NeedleFaces.h"
+#include "OpenCracks.h"
 
 #include <algorithm>
 #include <array>
@@ -96,6 +98,19 @@ int dropDuplicates(FaceList& list)
   return list.dropIf([&duplicate](std::size_t f) { return duplicate[f] != 0; });
 }
 
+// Each of the two steps may bring new work for the other.
+void removeDegenerateFaces(const Points3& vertices, FaceList& list, RepairReport& report)
+{
+  for (bool changed = true; changed;)
+  {
+    const CollapsedNeedles needles = collapseNeedles(vertices, list.Faces, list.Origins);
+    const int collinear = dissolveCollinearFaces(vertices, list.Faces, list.Origins);
+    report.MergedPoints += needles.Vertices;
+    report.DegenerateFaces += needles.Faces + collinear;
+    changed = needles.Vertices > 0 || collinear > 0;
+  }
+}
+
 // Merges the corners of the faces; counts what that concerns.
 FaceList mergedFaces(const TriangleMesh& soup, double tolerance, RepairReport& report)
 {
@@ -171,8 +186,9 @@ RepairedSurface repairTriangleSoup(const TriangleMesh& soup, double tolerance)
   RepairReport& report = repaired.Report;
   FaceList list = mergedFaces(soup, tolerance, report);
   report.DegenerateFaces = list.dropIf([&list](std::size_t f) { return repeatsVertex(list.Faces[f]); });
-  report.DegenerateFaces += dissolveCollinearFaces(soup.Vertices, list.Faces, list.Origins);
+  removeDegenerateFaces(soup.Vertices, list, report);
   report.DuplicateFaces = dropDuplicates(list);
+  report.ClosedCracks = closeCracks(soup.Vertices, list.Faces, list.Origins, tolerance);
   if (list.Faces.empty())
   {
     throw InvalidInput("the surface has zero area: all of its " + std::to_string(soup.faceCount()) +

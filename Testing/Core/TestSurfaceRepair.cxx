@@ -119,6 +119,71 @@ TEST(SurfaceRepair, AChainOfCollinearFacesIsDissolved)
   EXPECT_GT(faceAreas(repaired.Surface.Mesh.Vertices, repaired.Surface.Mesh.Faces).minCoeff(), 0.1);
 }
 
+// The square's corners are 1e-12 of its side away from copies that the lower half uses.
+TEST(SurfaceRepair, NeedlesAreCollapsed)
+{
+  const double tiny = 1e-12;
+  const TriangleMesh input =
+    meshOf({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 1, 1 + tiny, 0 }, { tiny, 0, 0 } },
+      { { 0, 4, 3 }, { 0, 2, 4 }, { 0, 5, 2 }, { 5, 1, 2 } });
+  for (const double scale : { 1e-9, 1.0, 1e9 })
+  {
+    TriangleMesh scaled = input;
+    scaled.Vertices *= scale;
+    const RepairedSurface repaired = repairTriangleSoup(scaled);
+    EXPECT_EQ(repaired.Report.MergedPoints, 2);
+    EXPECT_EQ(repaired.Report.DegenerateFaces, 2);
+    EXPECT_EQ(repaired.Surface.Faces, (std::vector<int>{ 0, 3 }));
+    const MeshTopology topology = topologyOf(repaired);
+    EXPECT_EQ(topology.Vertices, 4);
+    EXPECT_EQ(topology.Edges, 5);
+    EXPECT_EQ(totalArea(repaired.Surface.Mesh), scale * scale);
+    EXPECT_EQ(traceError(repaired, scaled), 0.0);
+  }
+  // A hundred times the bound is a triangle like any other.
+  TriangleMesh thin = input;
+  thin.Vertices(4, 1) = 1.0 + 1e-7;
+  thin.Vertices(5, 0) = 1e-7;
+  EXPECT_EQ(repairTriangleSoup(thin).Report.DegenerateFaces, 0);
+}
+
+// Both edges of a unit square's upper half are refined on the other side: at 1/4, 1/2 and 3/4 of the
+// diagonal and in the middle of its right side, without faces that make up for it.
+TEST(SurfaceRepair, ClosesCracksWithoutWidth)
+{
+  const TriangleMesh input = meshOf({ { 0, 0, 0 },
+                                      { 1, 0, 0 },
+                                      { 1, 1, 0 },
+                                      { 0, 1, 0 },
+                                      { .25, .25, 0 },
+                                      { .5, .5, 0 },
+                                      { .75, .75, 0 },
+                                      { 2, .5, 0 },
+                                      { 1, .5, 0 } },
+    { { 0, 2, 3 }, { 1, 4, 0 }, { 5, 4, 1 }, { 6, 5, 1 }, { 2, 6, 1 }, { 1, 7, 8 }, { 8, 7, 2 } });
+  for (const double distance : { 0.0, 1e-13, 1e-8 })
+  {
+    TriangleMesh moved = input;
+    moved.Vertices(5, 1) += distance;
+    const RepairedSurface repaired = repairTriangleSoup(moved, distance > 1e-10 ? 1e-6 : 0.0);
+    EXPECT_EQ(repaired.Report.ClosedCracks, 4);
+    const MeshTopology topology = topologyOf(repaired);
+    EXPECT_EQ(topology.Components, 1);
+    EXPECT_EQ(topology.Vertices, 9);
+    EXPECT_EQ(topology.Faces, 11);
+    ASSERT_EQ(topology.BoundaryLoops.size(), 1u);
+    EXPECT_EQ(topology.BoundaryLoops[0].size(), 5u);
+    EXPECT_NEAR(totalArea(repaired.Surface.Mesh), 1.5, 2.0 * distance + 1e-15);
+    EXPECT_EQ(std::count(repaired.Surface.Faces.begin(), repaired.Surface.Faces.end(), 0), 4);
+    EXPECT_EQ(std::count(repaired.Surface.Faces.begin(), repaired.Surface.Faces.end(), 4), 2);
+  }
+  // Wider than the tolerance, it stays a hole.
+  TriangleMesh wide = input;
+  wide.Vertices(5, 1) += 1e-8;
+  EXPECT_EQ(repairTriangleSoup(wide).Report.ClosedCracks, 3);
+  EXPECT_EQ(topologyOf(repairTriangleSoup(wide)).BoundaryLoops.size(), 2u);
+}
+
 TEST(SurfaceRepair, SeparatesWhatTouchesInAVertexOrAnEdge)
 {
   // Mirrored tetrahedra share the vertex at the origin.
