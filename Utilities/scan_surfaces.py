@@ -25,7 +25,7 @@ from vtkmodules.vtkFiltersCore import vtkPolyDataConnectivityFilter
 COLUMNS = ["surface", "vertices", "components", "genus", "disk in s", "disk"]
 FLATTENING_COLUMNS = ["flat in s", "faces within 2 %", "area error", "angle error", "flipped"]
 # Field data of Surface To Disk that is printed if the filter writes it.
-REPORTED = ["Genus", "MinimumAngle", "SelfIntersections"]
+REPORTED = ["Genus", "SmallestAngle", "SelfIntersectionsBefore", "SelfIntersections"]
 
 
 def execute(proxy):
@@ -50,7 +50,7 @@ def execute(proxy):
 def figures_of(data):
     fields = data.GetFieldData()
     arrays = (fields.GetArray(i) for i in range(fields.GetNumberOfArrays()))
-    return {a.GetName(): a.GetTuple1(0) for a in arrays if a and a.GetNumberOfComponents() == 1}
+    return {a.GetName(): a.GetTuple1(0) for a in arrays if a and a.GetNumberOfValues() == 1}
 
 
 def largest_component(polydata):

@@ -7,6 +7,7 @@
 #include "ConsistentOrientation.h"
 #include "CutGraph.h"
 #include "Errors.h"
+#include "FaceConditioning.h"
 #include "GeodesicSeam.h"
 #include "HandleLoops.h"
 #include "HoleFilling.h"
@@ -138,10 +139,9 @@ public:
     {
       this->remesh(subrange(progress, 0.4, 0.75));
     }
-    else if (this->Options.SmallestAngle > 0.0 && this->Options.Handles != HandleMode::Cut)
+    else if (this->Options.Handles != HandleMode::Cut)
     {
-      follow(this->Disk.Surface,
-        withoutSmallAngles(this->mesh(), this->Options.SmallestAngle, subrange(progress, 0.4, 0.75)));
+      this->condition(subrange(progress, 0.4, 0.75));
     }
     this->open(subrange(progress, 0.75, 0.95));
     if (this->Options.Remesh && this->Disk.Seam.empty())
@@ -258,6 +258,7 @@ private:
       FilledSurface filled = fillHoles(this->mesh(), loops, { this->fillLengthLimit() }, progress);
       this->Figures.FilledHoles = filled.FilledHoles;
       this->Figures.FilledArea = filled.FilledArea;
+      this->Pierced |= filled.PiercingPatches > 0;
       follow(this->Disk.Surface, std::move(filled.Surface));
     }
   }
@@ -285,6 +286,7 @@ private:
   {
     SurfaceWithoutHandles removed = flattening::removeHandles(this->mesh(), progress);
     this->Figures.Handles = removed.Report;
+    this->Pierced |= removed.Report.PiercingCaps > 0;
     follow(this->Disk.Surface, std::move(removed.Surface));
   }
 
@@ -295,6 +297,14 @@ private:
                                        : this->Options.RelativeEdgeLength * meanEdgeLength(this->mesh());
     follow(this->Disk.Surface,
       remeshIsotropically(this->mesh(), this->Figures.RemeshEdgeLength, 3, progress));
+  }
+
+  void condition(const ProgressCallback& progress)
+  {
+    if (this->Pierced || flattening::smallestAngle(this->mesh()) < this->Options.SmallestAngle)
+    {
+      follow(this->Disk.Surface, conditionFaces(this->mesh(), this->Options.SmallestAngle, progress));
+    }
   }
 
   void open(const ProgressCallback& progress)
@@ -369,6 +379,7 @@ private:
   std::vector<char> Reversed;
   std::vector<char> OneSided;
   bool Closed = false;
+  bool Pierced = false; // a patch or a cap passes through other faces
 };
 
 } // namespace
