@@ -341,7 +341,7 @@ private:
   {
     if (!this->Options.RegionOfInterest.empty())
     {
-      // AVOID
+      this->Hole.Avoided = flagsOf(this->Disk.Surface.Vertices, this->Options.RegionOfInterest, false);
     }
     OpenedSurface opened = cutGeodesicHole(this->mesh(), this->Hole, progress);
     this->Figures.HoleCentre = opened.Centre;
