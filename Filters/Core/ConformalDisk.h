@@ -23,7 +23,7 @@ struct ConformalDiskMap
   Points2 Positions;              ///< n x 2, unit disk; boundary vertices on the circle
   Eigen::VectorXd LogFactors;     ///< n, log of (flat length / surface length) at each vertex
   double MaxCurvatureError = 0.0; ///< radians, over the free vertices of the intrinsic triangulation
-  double LayoutError = 0.0;       ///< greatest relative error of a laid out intrinsic edge length
+  double LayoutError = 0.0;       ///< greatest relative error of a laid out edge (see layoutError)
   double AddedLength = 0.0;       ///< length added to every edge to open degenerate faces; 0 mostly
   int NewtonIterations = 0;
   int Flips = 0;                  ///< intrinsic edge flips in all

@@ -15,6 +15,9 @@ namespace
 {
 
 using Complex = std::complex<double>;
+// Of the layout's extent. Along a horn of the surface lengths fall exponentially, past what doubles tell
+// apart.
+constexpr double LeastResolved = 1e-11;
 const Complex Infinity(std::numeric_limits<double>::infinity(), 0.0);
 
 // Places the boundary of the finite part: the surface's boundary on the real axis in order, then the
@@ -143,12 +146,17 @@ double layoutError(const IntrinsicTriangulation& t,
   const IntrinsicTriangulation::Factors& u,
   const ComplexVector& position)
 {
+  double extent = 0.0;
+  for (int h = 0; h < t.halfedgeCount(); ++h)
+  {
+    extent = std::max(extent, std::abs(position[t.origin(h)]));
+  }
   double worst = 0.0;
   for (int h = 0; h < t.halfedgeCount(); ++h)
   {
     const double wanted = std::exp(static_cast<double>(t.scaledLogLength(h, u)));
-    worst =
-      std::max(worst, std::abs(std::abs(position[t.origin(h)] - position[t.tip(h)]) / wanted - 1.0));
+    const double found = std::abs(position[t.origin(h)] - position[t.tip(h)]);
+    worst = std::max(worst, std::abs(found - wanted) / std::max(wanted, LeastResolved * extent));
   }
   return worst;
 }

@@ -19,7 +19,8 @@ ComplexVector layOutInHalfPlane(const IntrinsicTriangulation& triangulation,
   int firstOnAxis,
   int lastOnAxis);
 
-/// Greatest relative error of an edge's length in @p position.
+/// Greatest error of an edge's length in @p position, relative to that length or to 1e-11 of the
+/// layout's extent, whichever is longer: no shorter edge is resolved by positions in double precision.
 double layoutError(const IntrinsicTriangulation& triangulation,
   const IntrinsicTriangulation::Factors& u,
   const ComplexVector& position);
