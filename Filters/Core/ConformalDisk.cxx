@@ -69,6 +69,12 @@ HalfPlaneMap mapToHalfPlane(Workpiece& piece,
   t.growStar(atInfinity, onBoundary, 0.2);
   const auto link = t.removeStar(atInfinity);
 
+  // The other side of a seam lies in the very place of the vertex at infinity.
+  double nearest = HUGE_VAL;
+  for (const auto& spoke : link)
+  {
+    nearest = std::min(nearest, static_cast<double>(std::exp(spoke.LogLength)));
+  }
   const int n = t.vertexCount();
   Eigen::VectorXd targets(n);
   IntrinsicTriangulation::Factors start(n);
@@ -76,9 +82,8 @@ HalfPlaneMap mapToHalfPlane(Workpiece& piece,
   {
     targets[v] = onBoundary[v] ? EIGEN_PI : 2.0 * EIGEN_PI;
     // Inversion of space in the vertex at infinity: exact on planar surfaces.
-    start[v] = v == atInfinity
-                 ? 0.0
-                 : -2.0 * std::log((piece.Points.row(v) - piece.Points.row(atInfinity)).norm());
+    const double distance = (piece.Points.row(v) - piece.Points.row(atInfinity)).norm();
+    start[v] = v == atInfinity ? 0.0 : -2.0 * std::log(std::max(distance, nearest));
   }
   std::vector<char> fixed(n, 0);
   fixed[atInfinity] = 1;

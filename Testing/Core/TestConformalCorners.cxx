@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Boundaries with corners, where the map's scale goes to zero or to infinity.
 #include "ConformalDisk.h"
+#include "GeodesicSeam.h"
+#include "MeshTopology.h"
 #include "SampleSurfaces.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -88,6 +91,61 @@ TEST(ConformalCorners, EquilateralTriangleKeepsItsSymmetry)
     EXPECT_LT(std::abs(middles[k] - std::polar(1.0, Pi / 3.0) * corners[k]), 1e-3) << k;
   }
   EXPECT_LT(std::abs(at(map, vertex(2 * n / 3, n / 3))), 1e-3);
+}
+
+// The unit sphere cut along an arc of a great circle of +-halfAngle about (1, 0, 0), in the disk: by
+// stereographic projection from (-1, 0, 0) a plane cut along a segment, which Joukowski's map takes to
+// the outside of the disk.
+std::complex<double> slitSphereInDisk(const Eigen::RowVector3d& p, double halfAngle)
+{
+  const std::complex<double> z =
+    std::complex<double>(p[1], p[2]) / ((1.0 + p[0]) * std::tan(0.5 * halfAngle));
+  const std::complex<double> root = std::sqrt(z * z - 1.0);
+  return 1.0 / (std::abs(z + root) > std::abs(z - root) ? z + root : z - root);
+}
+
+// The two sides of a seam lie in the same place, and its ends are corners of 360 degrees.
+TEST(ConformalCorners, SeamOpensIntoTheCircle)
+{
+  for (const double halfAngle : { 0.4, 1.5 })
+  {
+    SCOPED_TRACE(halfAngle);
+    const double c = std::cos(halfAngle);
+    const double s = std::sin(halfAngle);
+    const SeamOpenedSurface opened =
+      cutGeodesicSeam(samples::sphere(4), { { { c, -s, 0 }, { 1, 0, 0 }, { c, s, 0 } }, 64 });
+    const TriangleMesh& mesh = opened.Cut.Surface.Mesh;
+    const auto nearest = [&mesh](const Eigen::Vector3d& p)
+    {
+      Eigen::Index v = 0;
+      (mesh.Vertices.rowwise() - p.transpose()).rowwise().squaredNorm().minCoeff(&v);
+      return static_cast<int>(v);
+    };
+    const int centre = nearest({ -0.6, 0.0, 0.8 });
+    const int tip = nearest({ c, s, 0 });
+    const ConformalDiskMap map = conformalDiskMap(mesh, { centre, tip, {} });
+    EXPECT_LE(map.MaxCurvatureError, 1e-10);
+
+    const std::complex<double> zero = slitSphereInDisk(mesh.Vertices.row(centre), halfAngle);
+    const auto moved = [zero](std::complex<double> z)
+    { return (z - zero) / (1.0 - std::conj(zero) * z); };
+    std::vector<char> onBoundary(mesh.vertexCount(), 0);
+    for (const int v : requireDisk(mesh))
+    {
+      onBoundary[v] = 1;
+    }
+    double error = 0.0;
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+    {
+      if (!onBoundary[v])
+      {
+        const std::complex<double> expected =
+          moved(slitSphereInDisk(mesh.Vertices.row(v).normalized(), halfAngle)) / moved(1.0);
+        error = std::max(error, std::abs(at(map, v) - expected));
+      }
+    }
+    EXPECT_LT(error, 0.05);
+  }
 }
 
 } // namespace
