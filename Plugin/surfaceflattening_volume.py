@@ -167,11 +167,14 @@ def metaimage_of_invesalius(path, folder):
 
 
 def _filter(name):
+    # LoadPlugin(path, ns=globals()) tells the caller of the plugin's filters, but not paraview.simple.
+    if not hasattr(simple, name) and hasattr(simple, "_add_functions"):
+        simple._add_functions(vars(simple))
     creator = getattr(simple, name, None)
     if creator is None:
         raise RuntimeError(
-            f"ParaView has no {name}: load the plugin SurfaceFlattening first, in a script with "
-            "LoadPlugin(path, remote=False, ns=vars(paraview.simple)) or by PV_PLUGIN_PATH"
+            f"ParaView has no {name}: load the plugin SurfaceFlattening first, by LoadPlugin(path) in a "
+            "script or by PV_PLUGIN_PATH"
         )
     return creator
 
