@@ -87,6 +87,8 @@ void toDisk(benchmark::State& state, const std::string& scan, double sigma, doub
     const double area = faceAreas(component.Vertices, component.Faces).sum();
     counters["area_added_percent"] = 100.0 * handles.AddedArea / area;
     counters["displacement"] = handles.GreatestDisplacement;
+    counters["intersections"] = raw.SelfIntersections;
+    counters["remeshed_intersections"] = remeshed.SelfIntersections;
     counters["smallest_angle"] = remeshed.SmallestAngle;
   }
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prints the JSON output of BenchmarkFlattening as Markdown tables: markdown_table.py results.json"""
+"""Prints the JSON output of the benchmarks as Markdown tables: markdown_table.py results.json ..."""
 
 import json
 import sys
@@ -29,6 +29,20 @@ ERRORS = {
     "angle error": lambda b: f"{b['angle_error']:.1f}°",
     "flipped ": lambda b: f"{b['flipped']:.0f}",
 }
+HANDLES = {
+    "surface": TIMES["surface"],
+    "vertices": TIMES["vertices"],
+    "genus": lambda b: f"{b['genus']:.0f}",
+    "handles removed (s)": lambda b: f"{b['handles_seconds']:.1f}",
+    "longest loop (mm)": lambda b: f"{b['longest_loop']:.0f}",
+    "area added": lambda b: f"{b['area_added_percent']:.2f} %",
+    "moved at most (mm)": lambda b: f"{b['displacement']:.2f}",
+    "whole filter (s)": lambda b: f"{b['raw_seconds']:.1f}",
+    "intersecting pairs": lambda b: f"{b['intersections']:.0f}",
+    "with Remesh (s)": lambda b: f"{b['remeshed_seconds']:.1f}",
+    "smallest angle": lambda b: f"{b['smallest_angle']:.1f}°",
+    "intersecting pairs ": lambda b: f"{b['remeshed_intersections']:.0f}",
+}
 
 
 def table(columns, benchmarks):
@@ -38,11 +52,14 @@ def table(columns, benchmarks):
         yield "| " + " | ".join(cell(benchmark) for cell in columns.values()) + " |"
 
 
-def main(path):
-    with open(path, encoding="utf-8") as file:
-        benchmarks = json.load(file)["benchmarks"]
-    print("\n".join(table(TIMES, benchmarks)), "\n".join(table(ERRORS, benchmarks)), sep="\n\n")
+def main(paths):
+    for path in paths:
+        with open(path, encoding="utf-8") as file:
+            benchmarks = json.load(file)["benchmarks"]
+        kinds = [HANDLES] if "genus" in benchmarks[0] else [TIMES, ERRORS]
+        for columns in kinds:
+            print("\n".join(table(columns, benchmarks)), end="\n\n")
 
 
 if __name__ == "__main__":
-    main(sys.argv[1])
+    main(sys.argv[1:])
