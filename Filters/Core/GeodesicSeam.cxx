@@ -29,6 +29,8 @@ using Face = EditableSurface::Face;
 // If the seam crosses too few edges all the same.
 constexpr double Refinement = 0.7;
 constexpr int MostRefinements = 30;
+// Of the surface's diagonal: points closer to each other would take refinement down to rounding.
+constexpr double SmallestStep = 1e-6;
 
 SurfacePoint cornerOf(const TriangleMesh& mesh, int face, int vertex)
 {
@@ -111,11 +113,14 @@ private:
     {
       this->startOnBoundary(picked);
     }
+    const double diagonal =
+      (this->Original.Vertices.colwise().maxCoeff() - this->Original.Vertices.colwise().minCoeff())
+        .norm();
     double length = 0.0;
     for (std::size_t i = 0; i + 1 < picked.size(); ++i)
     {
       const double step = (picked[i + 1].Position - picked[i].Position).norm();
-      if (!(step > 0.0))
+      if (!(step > SmallestStep * diagonal))
       {
         throw InvalidInput(this->coincidence(i, i + 1));
       }

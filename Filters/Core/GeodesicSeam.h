@@ -36,9 +36,9 @@ struct SeamOpenedSurface
 /// a vertex closer than a fraction of the edge it goes through the vertex, and the parts of a face are
 /// triangulated for the largest angles. Where the seam would cross too few edges the mesh is refined
 /// first by longest-edge bisection. New vertices are made of the ends of the edge that they split.
-/// @throws InvalidInput if there are fewer than two points, points coincide or lie off the surface
-/// (pickOnSurface); TopologyError if the surface is not connected and of genus 0, or the seam crosses or
-/// touches itself or the boundary.
+/// @throws InvalidInput if there are fewer than two points, points coincide (to a millionth of the
+/// surface's size) or lie off the surface (pickOnSurface); TopologyError if the surface is not connected
+/// and of genus 0, or the seam crosses or touches itself or the boundary.
 SeamOpenedSurface cutGeodesicSeam(const TriangleMesh& mesh,
   const GeodesicSeamOptions& options,
   const ProgressCallback& progress = {});

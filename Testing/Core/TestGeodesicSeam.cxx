@@ -236,6 +236,8 @@ TEST(GeodesicSeam, RefusesWhatIsNoSeam)
   EXPECT_TRUE(contains(messageOf<InvalidInput>([&] { seamThrough(closed, {}); }), "0 points"));
   EXPECT_TRUE(contains(messageOf<InvalidInput>([&] { seamThrough(closed, { a }); }), "1 point "));
   EXPECT_TRUE(contains(messageOf<InvalidInput>([&] { seamThrough(closed, { a, a }); }), "coincide"));
+  const Eigen::Vector3d nearA = a + Eigen::Vector3d(1e-9, 0, 0); // no mesh resolves such a seam
+  EXPECT_TRUE(contains(messageOf<InvalidInput>([&] { seamThrough(closed, { a, nearA }); }), "coincide"));
   EXPECT_TRUE(contains(messageOf<InvalidInput>(
                          [&] {
                            seamThrough(closed, { a, b, b });
