@@ -251,9 +251,10 @@ public:
 
   ///@{
   /**
-   * Whether the hole is kept away from a region of interest: points where the array set by
+   * Whether the hole or seam is kept away from a region of interest: points where the array set by
    * SetInputArrayToProcess(0, ...) is not 0, or corners of cells where it is not 0. Default: off. It
-   * concerns automatic placement only.
+   * concerns automatic placement only. Error if the array is missing, of another length or leaves no
+   * room.
    */
   vtkSetMacro(UseRegionOfInterest, bool);
   vtkGetMacro(UseRegionOfInterest, bool);
@@ -263,8 +264,9 @@ public:
   ///@{
   /**
    * The points that the seam goes through, in order: the points of the surface closest to these. In
-   * units of the input. Default: none, which lets the seam run between two ends of the surface far from
-   * each other. Error if there is a single one, or if one is off the surface as for HolePoint.
+   * units of the input. Default: none, which lets the seam of a closed surface run between two ends of it
+   * that are far from each other, which flattens best, and leaves an open one as it is. Error if there is
+   * a single one, or if one is off the surface as for HolePoint.
    */
   void SetNumberOfSeamPoints(int number);
   int GetNumberOfSeamPoints();

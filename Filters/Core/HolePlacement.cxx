@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "HolePlacement.h"
 
+#include "EdgeDistance.h"
 #include "EditableSurface.h"
 #include "Errors.h"
 
-#include <CGAL/boost/graph/properties_Surface_mesh.h>
-
-#include <boost/graph/dijkstra_shortest_paths.hpp>
-
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,54 +20,6 @@ namespace
 constexpr int Samples = 8;
 
 using Vertex = SurfaceMesh::Vertex_index;
-
-// Of every vertex from the nearest source.
-Eigen::VectorXd distancesAlongEdges(const SurfaceMesh& mesh, const std::vector<Vertex>& sources)
-{
-  Eigen::VectorXd result(mesh.number_of_vertices());
-  const auto index = get(boost::vertex_index, mesh);
-  boost::dijkstra_shortest_paths(mesh,
-    sources.begin(),
-    sources.end(),
-    boost::dummy_property_map(),
-    boost::make_iterator_property_map(result.data(), index),
-    get(boost::edge_weight, mesh),
-    index,
-    std::less<double>(),
-    std::plus<double>(),
-    HUGE_VAL,
-    0.0,
-    boost::default_dijkstra_visitor());
-  return result;
-}
-
-// Distances from the flagged vertices; infinite if none is flagged.
-Eigen::VectorXd distancesFrom(const SurfaceMesh& mesh, const std::vector<char>& avoided)
-{
-  std::vector<Vertex> sources;
-  for (std::size_t v = 0; v < avoided.size(); ++v)
-  {
-    if (avoided[v])
-    {
-      sources.emplace_back(static_cast<SurfaceMesh::size_type>(v));
-    }
-  }
-  if (!sources.empty() && sources.size() == mesh.number_of_vertices())
-  {
-    throw InvalidInput("the region that the hole must avoid covers all of the surface: mark a part of "
-                       "it, or pick the hole's point");
-  }
-  return sources.empty() ? Eigen::VectorXd::Constant(mesh.number_of_vertices(), HUGE_VAL).eval()
-                         : distancesAlongEdges(mesh, sources);
-}
-
-// In single precision, so that candidates equal up to rounding tie and the first one wins.
-int indexOfLargest(const Eigen::VectorXd& values)
-{
-  Eigen::Index largest = 0;
-  values.cast<float>().maxCoeff(&largest);
-  return static_cast<int>(largest);
-}
 
 } // namespace
 
@@ -85,8 +34,13 @@ int geodesicCentre(const TriangleMesh& mesh,
                        " flags, but the surface has " + std::to_string(mesh.vertexCount()) +
                        " vertices: pass one flag per vertex");
   }
+  if (!avoided.empty() && std::find(avoided.begin(), avoided.end(), 0) == avoided.end())
+  {
+    throw InvalidInput("the region that the hole must avoid covers all of the surface: mark a part of "
+                       "it, or pick the hole's point");
+  }
   const SurfaceMesh surface = toSurfaceMesh(mesh);
-  const Eigen::VectorXd distanceFromAvoided = distancesFrom(surface, avoided);
+  const Eigen::VectorXd distanceFromAvoided = distancesFromFlagged(surface, avoided);
   if (!(distanceFromAvoided.maxCoeff() > clearance))
   {
     return indexOfLargest(distanceFromAvoided);

@@ -15,6 +15,7 @@
 #include "MeshTopology.h"
 #include "PlaneCut.h"
 #include "SeamCut.h"
+#include "SeamPlacement.h"
 #include "SelfIntersections.h"
 #include "SmallAngles.h"
 
@@ -316,17 +317,34 @@ private:
       this->followSeam(cutToDisk(this->mesh(), handles.Loops, subrange(progress, 0.7, 1.0)));
       this->resolveBoundary();
     }
-    else if (this->Options.Cut == CutMode::Seam)
+    else if (this->Options.Cut == CutMode::Seam && (this->Closed || !this->Options.SeamPoints.empty()))
     {
-      GeodesicSeamOptions seam;
-      seam.Points = this->Options.SeamPoints;
-      seam.BoundaryVertices = this->Hole.BoundaryVertices;
-      this->followSeam(cutGeodesicSeam(this->mesh(), seam, progress).Cut);
+      this->cutSeam(progress);
     }
     else if (this->Closed)
     {
       this->cutHole(progress);
     }
+  }
+
+  void cutSeam(const ProgressCallback& progress)
+  {
+    GeodesicSeamOptions seam;
+    seam.Points = this->Options.SeamPoints;
+    seam.BoundaryVertices = this->Hole.BoundaryVertices;
+    if (seam.Points.empty())
+    {
+      seam.Points = placeSeam(this->mesh(), this->avoided(), subrange(progress, 0.0, 0.4));
+    }
+    this->followSeam(cutGeodesicSeam(this->mesh(), seam, subrange(progress, 0.4, 1.0)).Cut);
+  }
+
+  // The region of interest on the surface as it is now.
+  std::vector<char> avoided() const
+  {
+    return this->Options.RegionOfInterest.empty()
+             ? std::vector<char>()
+             : flagsOf(this->Disk.Surface.Vertices, this->Options.RegionOfInterest, false);
   }
 
   void followSeam(CutSurface&& cut)
@@ -339,10 +357,7 @@ private:
 
   void cutHole(const ProgressCallback& progress)
   {
-    if (!this->Options.RegionOfInterest.empty())
-    {
-      this->Hole.Avoided = flagsOf(this->Disk.Surface.Vertices, this->Options.RegionOfInterest, false);
-    }
+    this->Hole.Avoided = this->avoided();
     OpenedSurface opened = cutGeodesicHole(this->mesh(), this->Hole, progress);
     this->Figures.HoleCentre = opened.Centre;
     this->Figures.HoleRadius = opened.Radius;

@@ -48,10 +48,11 @@ struct SurfaceToDiskOptions
   /// The hole that is cut if the component is closed or all but closed; its BoundaryVertices hold for
   /// every boundary.
   GeodesicHoleOptions Hole;
-  /// Where the seam goes, in order (input units); none: between two ends of the surface.
+  /// Where the seam goes, in order (input units); none: a closed surface is cut between two ends of it
+  /// (placeSeam), an open one is not.
   std::vector<Eigen::Vector3d> SeamPoints;
   CuttingPlane Plane;
-  /// Per point of the input: not 0 where the hole must not be placed; empty: anywhere.
+  /// Per point of the input: not 0 where no hole or seam may be placed; empty: anywhere.
   std::vector<char> RegionOfInterest;
   /// Without remeshing, smaller angles are opened by local changes (withoutSmallAngles), as slivers
   /// cannot be flattened well; degrees, 0 (as it is) to 15. Not if handles are cut.

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Distances over a surface along its edges: up to about 1.4 times too long, but fast, and good enough
+/// to choose places.
+#pragma once
+
+#include "EditableSurface.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace flattening
+{
+
+/// Of every vertex from the nearest source (input units); infinite where there is no way.
+/// @param blocked one flag per vertex: not 0 where no path may run; none: anywhere.
+Eigen::VectorXd distancesAlongEdges(const SurfaceMesh& mesh,
+  const std::vector<SurfaceMesh::Vertex_index>& sources,
+  const std::vector<char>& blocked = {});
+
+/// Of every vertex from the nearest flagged one (input units); infinite if none is flagged.
+Eigen::VectorXd distancesFromFlagged(const SurfaceMesh& mesh, const std::vector<char>& flags);
+
+/// The index of the largest value; compared in single precision, so that values equal up to rounding tie
+/// and the first one wins.
+int indexOfLargest(const Eigen::VectorXd& values);
+
+} // namespace flattening
