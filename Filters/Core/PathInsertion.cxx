@@ -127,10 +127,11 @@ Vertex insertPoint(EditableSurface& surface, const SurfacePoint& point, double l
   const SurfaceMesh& mesh = surface.mesh();
   const Kernel::Point_3 position{ point.Position.x(), point.Position.y(), point.Position.z() };
   Face face = partAt(surface, point.Face, position);
-  for (double longest = surface.longestEdge(face); longest > longestEdge;
-       longest = surface.longestEdge(face))
+  // As long as there is anything to bisect: an edge longer than the limit by rounding only is kept.
+  for (SurfaceMesh::size_type before = 0; before < mesh.number_of_faces();)
   {
-    bisectLongEdges(surface, { face }, std::max(longestEdge, 0.5 * longest));
+    before = mesh.number_of_faces();
+    bisectLongEdges(surface, { face }, std::max(longestEdge, 0.5 * surface.longestEdge(face)));
     face = partAt(surface, point.Face, position);
   }
 

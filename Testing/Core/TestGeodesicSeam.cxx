@@ -205,6 +205,20 @@ TEST(GeodesicSeam, LengthensTheBoundaryOfAnOpenSurface)
     "touches the boundary"));
 }
 
+// Halving the edges of a corner of a cube ends at the wanted length up to rounding, which must do.
+TEST(GeodesicSeam, EdgesMayBeLongerByRounding)
+{
+  for (int turn = 0; turn < 20; ++turn)
+  {
+    TriangleMesh corner = tetrahedron();
+    const Eigen::Matrix3d rotation =
+      Eigen::AngleAxisd(0.1 * turn, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+    corner.Vertices *= rotation;
+    const Points ends{ corner.Vertices.row(0), corner.Vertices.row(1) };
+    EXPECT_NEAR(seamThrough(corner, ends).Length, 1.0, 1e-12) << turn;
+  }
+}
+
 TEST(GeodesicSeam, DoesNotDependOnTheUnitAndGivesTheSameTwice)
 {
   const TriangleMesh closed = sphere(4);
