@@ -44,34 +44,90 @@ const std::vector<KnownError> KnownErrors = {
   { "no round hole", "no round hole of share" },
   { "too long a hole", "more than the limit of" },
   { "too few faces to remesh", "would leave fewer than" },
+  { "handles are errors", "set Handles to Remove or Cut" },
+  { "seam point off the surface", "pick a point on the surface" },
+  { "seam points coincide", "of the seam coincide" },
+  { "seam off the boundary", "the seam neither starts nor ends on it" },
+  { "region everywhere", "the region that the hole must avoid covers all" },
+  { "plane misses", "the cutting plane misses the surface" },
 };
+
+// A corner of any face; zero if it is not finite or there is none.
+Eigen::Vector3d randomCorner(RandomNumbers& random, const TriangleMesh& mesh)
+{
+  const int face = mesh.faceCount() > 0 ? random.integer(0, mesh.faceCount() - 1) : -1;
+  const int v = face < 0 ? -1 : mesh.Faces(face, random.integer(0, 2));
+  if (v < 0 || v >= mesh.vertexCount() || !mesh.Vertices.row(v).allFinite())
+  {
+    return Eigen::Vector3d::Zero();
+  }
+  return mesh.Vertices.row(v);
+}
+
+void chooseCut(RandomNumbers& random, const TriangleMesh& mesh, SurfaceToDiskOptions& options)
+{
+  if (random.chance(0.15))
+  {
+    options.Cut = CutMode::Seam;
+    options.SeamPoints = { randomCorner(random, mesh), randomCorner(random, mesh) };
+    options.Boundary.By = BoundaryChoice::Rule::None;
+  }
+  else if (random.chance(0.15))
+  {
+    options.Cut = CutMode::Plane;
+    options.Plane.Origin =
+      0.5 * (randomCorner(random, mesh) + randomCorner(random, mesh)); // it may miss the component
+    options.Plane.Normal = random.point(-1.0, 1.0);
+  }
+  else if (random.chance(0.3))
+  {
+    options.Hole.AreaFraction = random.real(1e-4, 0.2);
+  }
+  if (random.chance(0.15))
+  {
+    options.Boundary.By = random.chance(0.7) ? BoundaryChoice::Rule::None //
+                                             : BoundaryChoice::Rule::ClosestToPoint;
+    options.Boundary.Point = randomCorner(random, mesh);
+  }
+  if (random.chance(0.15))
+  {
+    const Eigen::RowVector3d origin = randomCorner(random, mesh);
+    const Eigen::RowVector3d normal = random.point(-1.0, 1.0);
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+    {
+      options.RegionOfInterest.push_back((mesh.Vertices.row(v) - origin).dot(normal) > 0.0);
+    }
+  }
+}
 
 // The options take turns as well.
 SurfaceToDiskOptions randomOptions(std::uint64_t seed, const TriangleMesh& mesh)
 {
   RandomNumbers random(seed + 1'000'000);
   SurfaceToDiskOptions options;
-  if (random.chance(0.4))
-  {
-    options.Remesh = true;
-  }
-  if (random.chance(0.2) && mesh.vertexCount() > 0)
-  {
-    const Eigen::Vector3d point = mesh.Vertices.row(random.integer(0, mesh.vertexCount() - 1));
-    if (point.allFinite())
-    {
-      options.Component.By = ComponentChoice::Rule::ClosestToPoint;
-      options.Component.Point = point;
-    }
-  }
+  options.Remesh = random.chance(0.4);
   if (random.chance(0.2))
   {
-    options.Hole.AreaFraction = random.real(1e-4, 0.2);
+    options.Component.By = ComponentChoice::Rule::ClosestToPoint;
+    options.Component.Point = randomCorner(random, mesh);
   }
   if (random.chance(0.4))
   {
     options.Handles = HandleMode::Cut;
   }
+  else if (random.chance(0.05))
+  {
+    options.Handles = HandleMode::Error;
+  }
+  if (random.chance(0.5))
+  {
+    options.FillLengthLimit = 1e30;
+  }
+  if (random.chance(0.2))
+  {
+    options.SmallestAngle = random.chance(0.5) ? 0.0 : random.real(0.0, 15.0);
+  }
+  chooseCut(random, mesh, options);
   return options;
 }
 
