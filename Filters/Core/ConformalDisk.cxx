@@ -20,39 +20,28 @@ namespace
 {
 
 using Complex = std::complex<double>;
-// Opposite to a boundary edge, before the flow.
-constexpr double LargestBoundaryAngle = 75.0 / 180.0 * EIGEN_PI;
 // How many vertices are tried at infinity before the map is given up.
 constexpr int LargestAttempts = 4;
 // How often a surface too coarse for any of them is subdivided.
 constexpr int LargestSubdivisions = 4;
 
-// The surface while it is being mapped: more triangles and boundary points than the mesh has.
+// The surface while it is being mapped.
 struct Workpiece
 {
   IntrinsicTriangulation Triangulation;
-  Points3 Points; // of the mesh and of the inserted boundary points
+  Points3 Points;
 };
 
-Workpiece prepare(const TriangleMesh& mesh, int& flips, int& inserted)
+Workpiece prepare(const TriangleMesh& mesh, int& flips)
 {
   Workpiece piece{ IntrinsicTriangulation(mesh), mesh.Vertices };
   flips += piece.Triangulation.flipToDelaunay();
-  const auto splits = piece.Triangulation.splitBoundaryEdges(LargestBoundaryAngle);
-  inserted = static_cast<int>(splits.size());
-  piece.Points.conservativeResize(mesh.vertexCount() + inserted, 3);
-  for (int s = 0; s < inserted; ++s)
-  {
-    piece.Points.row(mesh.vertexCount() + s) =
-      (1.0 - splits[s].Parameter) * piece.Points.row(splits[s].From) +
-      splits[s].Parameter * piece.Points.row(splits[s].To);
-  }
   return piece;
 }
 
 struct HalfPlaneMap
 {
-  ComplexVector Positions; // of the mesh's vertices and the inserted ones
+  ComplexVector Positions;
   IntrinsicTriangulation::Factors LogFactors;
   int AtInfinity = -1;
 };
@@ -66,12 +55,11 @@ HalfPlaneMap mapToHalfPlane(Workpiece& piece,
 {
   IntrinsicTriangulation& t = piece.Triangulation;
   const std::vector<char> onBoundary = boundaryVertices(t);
-  t.growStar(atInfinity, onBoundary, 0.2);
-  const auto link = t.removeStar(atInfinity);
+  const IntrinsicTriangulation::Star star = t.removeStar(atInfinity);
 
   // The other side of a seam lies in the very place of the vertex at infinity.
   double nearest = HUGE_VAL;
-  for (const auto& spoke : link)
+  for (const auto& spoke : star.Spokes)
   {
     nearest = std::min(nearest, static_cast<double>(std::exp(spoke.LogLength)));
   }
@@ -87,7 +75,7 @@ HalfPlaneMap mapToHalfPlane(Workpiece& piece,
   }
   std::vector<char> fixed(n, 0);
   fixed[atInfinity] = 1;
-  for (const auto& spoke : link)
+  for (const auto& spoke : star.Spokes)
   {
     fixed[spoke.Vertex] = 1;
     start[spoke.Vertex] = -2.0 * spoke.LogLength;
@@ -101,7 +89,7 @@ HalfPlaneMap mapToHalfPlane(Workpiece& piece,
   HalfPlaneMap half;
   half.AtInfinity = atInfinity;
   half.LogFactors = flow.LogFactors;
-  half.Positions = layOutInHalfPlane(t, flow.LogFactors, link.front().Vertex, link.back().Vertex);
+  half.Positions = layOutInHalfPlane(t, flow.LogFactors, star.FirstBoundaryEdge);
   map.LayoutError = layoutError(t, flow.LogFactors, half.Positions);
   if (!(map.LayoutError < 1e-3))
   {
@@ -206,14 +194,14 @@ ConformalDiskMap conformalDiskMap(const TriangleMesh& mesh,
 
   ConformalDiskMap map;
   report(progress, 0.0, "Intrinsic Delaunay triangulation");
-  Workpiece piece = prepare(mesh, map.Flips, map.InsertedBoundaryPoints);
+  Workpiece piece = prepare(mesh, map.Flips);
   map.AddedLength = piece.Triangulation.addedLength();
   std::vector<int> candidates = verticesForInfinity(piece.Triangulation);
   TriangleMesh fine = mesh;
   for (int round = 0; candidates.empty() && round < LargestSubdivisions; ++round)
   {
     fine = subdivided(fine);
-    piece = prepare(fine, map.Flips, map.InsertedBoundaryPoints);
+    piece = prepare(fine, map.Flips);
     candidates = verticesForInfinity(piece.Triangulation);
   }
   HalfPlaneMap half = mapToHalfPlane(piece, candidates, options, map, subrange(progress, 0.1, 0.9));

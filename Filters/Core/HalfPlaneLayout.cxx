@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -18,75 +19,111 @@ using Complex = std::complex<double>;
 // Of the layout's extent. Along a horn of the surface lengths fall exponentially, past what doubles tell
 // apart.
 constexpr double LeastResolved = 1e-11;
+constexpr int Refinements = 2;
 const Complex Infinity(std::numeric_limits<double>::infinity(), 0.0);
 
-// Places the boundary of the finite part: the surface's boundary on the real axis in order, then the
-// link of the vertex at infinity, whose shape the angles at its vertices tell. Returns which vertices it
-// placed.
+// Places the boundary of the finite part: along the real axis, where the mirror cells tell places, from
+// @p firstEdge on, then the link of the vertex at infinity, whose shape the angles at its vertices tell.
+// Returns which vertices it placed.
 std::vector<char> layOutBoundary(const IntrinsicTriangulation& t,
   const IntrinsicTriangulation::Factors& u,
-  int firstOnAxis,
-  int lastOnAxis,
+  int firstEdge,
   ComplexVector& position)
 {
+  std::vector<char> placed(t.vertexCount(), 0);
   std::vector<double> angle(t.vertexCount(), 0.0);
   for (int f = 0; f < t.faceCount(); ++f)
   {
-    const TriangleAngles angles = triangleAngles(
-      t.scaledLogLength(3 * f, u), t.scaledLogLength(3 * f + 1, u), t.scaledLogLength(3 * f + 2, u));
+    const TriangleAngles angles = t.scaledAngles(f, u);
     for (int k = 0; k < 3; ++k)
     {
       angle[t.origin(t.previous(3 * f + k))] += angles.Angle[k];
     }
   }
-  std::vector<char> placed(t.vertexCount(), 0);
-  position[firstOnAxis] = 0.0;
-  placed[firstOnAxis] = 1;
-  double heading = 0.0;
-  std::vector<int> link{ lastOnAxis };
-  bool onAxis = true;
-  for (int v = firstOnAxis;;)
+  const auto& boundary = t.boundaryEdges();
+  int b = firstEdge;
+  double along = 0.0;
+  for (; !boundary[b].AtInfinity; b = boundary[b].Next)
   {
-    const int h = t.anyOutgoing()[v];
-    const int next = t.tip(h);
-    const Complex place =
-      position[v] + std::polar(std::exp(static_cast<double>(t.scaledLogLength(h, u))), heading);
-    if (next == firstOnAxis)
-    {
-      // Spread what rounding left open over the link.
-      const Complex gap = -place;
-      for (std::size_t k = 1; k < link.size(); ++k)
-      {
-        position[link[k]] += gap * (static_cast<double>(k) / link.size());
-      }
-      return placed;
-    }
-    position[next] = place;
-    placed[next] = 1;
-    if (!onAxis)
-    {
-      link.push_back(next);
-    }
-    onAxis = onAxis && next != lastOnAxis;
-    heading = onAxis ? 0.0 : heading + EIGEN_PI - angle[next];
-    v = next;
+    const MirrorCell cell = t.scaledMirrorCell(b, u);
+    const MirrorCellShape shape = mirrorCellShape(cell);
+    position[boundary[b].Origin] = Complex(along, 0.5 * std::exp(static_cast<double>(cell.LogAtOrigin)));
+    placed[boundary[b].Origin] = 1;
+    angle[boundary[b].Origin] += shape.AngleAtOrigin;
+    angle[t.tipOfBoundaryEdge(b)] += shape.AngleAtTip;
+    along += shape.Extent * std::exp(static_cast<double>(cell.LogEdge));
   }
+  double heading = 0.0;
+  Complex place(along, 0.0);
+  std::vector<int> link;
+  for (; b != firstEdge; b = boundary[b].Next)
+  {
+    const int v = boundary[b].Origin;
+    position[v] = place;
+    placed[v] = 1;
+    link.push_back(v);
+    heading += EIGEN_PI - angle[v];
+    const long double scale = 0.5L * (u[v] + u[t.tipOfBoundaryEdge(b)]);
+    place += std::polar(std::exp(static_cast<double>(boundary[b].LogLength + scale)), heading);
+  }
+  // Spread what rounding left open over the link.
+  const Complex gap = position[boundary[firstEdge].Origin] - place;
+  for (std::size_t k = 1; k < link.size(); ++k)
+  {
+    position[link[k]] += gap * (static_cast<double>(k) / link.size());
+  }
+  return placed;
+}
+
+struct Spring
+{
+  int From;
+  int To;
+  double Weight; // > 0
+};
+
+// The edges with their cotangent weights, which are not negative in a Delaunay triangulation but for
+// rounding. The two cotangents of an edge may nearly cancel, so they are summed before anything else.
+std::vector<Spring> springsOf(const IntrinsicTriangulation& t, const IntrinsicTriangulation::Factors& u)
+{
+  std::vector<double> cotangents(t.halfedgeCount());
+  for (int f = 0; f < t.faceCount(); ++f)
+  {
+    const TriangleAngles angles = t.scaledAngles(f, u);
+    std::copy(std::begin(angles.Cotangent), std::end(angles.Cotangent), &cotangents[3 * f]);
+  }
+  std::vector<Spring> springs;
+  springs.reserve(t.halfedgeCount() / 2);
+  for (int h = 0; h < t.halfedgeCount(); ++h)
+  {
+    const int twin = t.twin(h);
+    const double weight = twin < 0 ? 0.0 : cotangents[h] + cotangents[twin];
+    if (twin > h && weight > 0.0 && t.origin(h) != t.tip(h))
+    {
+      springs.push_back({ t.origin(h), t.tip(h), weight });
+    }
+  }
+  return springs;
 }
 
 } // namespace
 
 ComplexVector layOutInHalfPlane(const IntrinsicTriangulation& t,
   const IntrinsicTriangulation::Factors& u,
-  int firstOnAxis,
-  int lastOnAxis)
+  int firstEdge)
 {
   ComplexVector position(t.vertexCount(), Infinity);
-  const std::vector<char> placed = layOutBoundary(t, u, firstOnAxis, lastOnAxis, position);
+  const std::vector<char> placed = layOutBoundary(t, u, firstEdge, position);
+  std::vector<char> hasFace(t.vertexCount(), 0);
+  for (int h = 0; h < t.halfedgeCount(); ++h)
+  {
+    hasFace[t.origin(h)] = 1;
+  }
   std::vector<int> row(t.vertexCount(), -1);
   std::vector<int> vertex;
   for (int v = 0; v < t.vertexCount(); ++v)
   {
-    if (!placed[v] && t.anyOutgoing()[v] >= 0)
+    if (!placed[v] && hasFace[v])
     {
       row[v] = static_cast<int>(vertex.size());
       vertex.push_back(v);
@@ -96,34 +133,29 @@ ComplexVector layOutInHalfPlane(const IntrinsicTriangulation& t,
   {
     return position;
   }
+  const std::vector<Spring> springs = springsOf(t, u);
   std::vector<Eigen::Triplet<double>> entries;
-  Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(vertex.size(), 2);
-  const auto couple = [&](int from, int to, double weight)
+  for (const Spring& s : springs)
   {
-    const int i = row[from];
-    const int j = row[to];
-    if (i < 0 || from == to)
+    const int i = row[s.From];
+    const int j = row[s.To];
+    for (const int k : { i, j })
     {
-      return;
+      if (k >= 0)
+      {
+        entries.emplace_back(k, k, s.Weight);
+      }
     }
-    entries.emplace_back(i, i, weight);
-    if (j < 0)
+    if (i >= 0 && j >= 0)
     {
-      right.row(i) += weight * Eigen::RowVector2d(position[to].real(), position[to].imag());
+      entries.emplace_back(std::max(i, j), std::min(i, j), -s.Weight);
     }
-    else if (j < i)
+    for (const int v : { s.From, s.To })
     {
-      entries.emplace_back(i, j, -weight);
-    }
-  };
-  for (int f = 0; f < t.faceCount(); ++f)
-  {
-    const TriangleAngles angles = triangleAngles(
-      t.scaledLogLength(3 * f, u), t.scaledLogLength(3 * f + 1, u), t.scaledLogLength(3 * f + 2, u));
-    for (int k = 0; k < 3; ++k)
-    {
-      couple(t.origin(3 * f + k), t.tip(3 * f + k), angles.Cotangent[k]);
-      couple(t.tip(3 * f + k), t.origin(3 * f + k), angles.Cotangent[k]);
+      if (row[v] >= 0)
+      {
+        position[v] = 0.0;
+      }
     }
   }
   SparseMatrix laplacian(vertex.size(), vertex.size());
@@ -134,10 +166,28 @@ ComplexVector layOutInHalfPlane(const IntrinsicTriangulation& t,
     throw ConvergenceError(
       "the flat metric could not be laid out: remesh the surface (Surface To Disk, Remesh)");
   }
-  const Eigen::MatrixX2d solution = cholesky.solve(right);
-  for (std::size_t i = 0; i < vertex.size(); ++i)
+  // Forces are sums of differences: refined by them, positions are as good as the springs' weights.
+  for (int round = 0; round < 1 + Refinements; ++round)
   {
-    position[vertex[i]] = Complex(solution(i, 0), solution(i, 1));
+    Eigen::MatrixX2d force = Eigen::MatrixX2d::Zero(vertex.size(), 2);
+    for (const Spring& s : springs)
+    {
+      const Complex pull = s.Weight * (position[s.To] - position[s.From]);
+      const Eigen::RowVector2d f(pull.real(), pull.imag());
+      if (row[s.From] >= 0)
+      {
+        force.row(row[s.From]) += f;
+      }
+      if (row[s.To] >= 0)
+      {
+        force.row(row[s.To]) -= f;
+      }
+    }
+    const Eigen::MatrixX2d change = cholesky.solve(force);
+    for (std::size_t i = 0; i < vertex.size(); ++i)
+    {
+      position[vertex[i]] += Complex(change(i, 0), change(i, 1));
+    }
   }
   return position;
 }

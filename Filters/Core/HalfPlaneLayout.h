@@ -8,16 +8,16 @@
 namespace flattening
 {
 
-/// Positions of the vertices of @p triangulation at factors @p u, for which it is flat and its boundary
-/// straight from @p firstOnAxis to @p lastOnAxis, which become the real axis; the rest of the boundary
-/// is the link of the vertex at infinity. Coordinates are harmonic in a flat metric, so with the
-/// boundary known one linear solve gives them all; laying out face by face from the boundary would be a
-/// Cauchy problem, whose rounding errors grow exponentially. Vertices without a face get (infinity, 0).
+/// Positions of the vertices of @p triangulation at factors @p u, for which it is flat and its mirror
+/// straight; the mirror, from boundary edge @p firstEdge on, becomes the real axis, and the rest of the
+/// boundary is the link of the vertex at infinity. Coordinates are harmonic in a flat metric, so with
+/// the boundary known one linear solve gives them all; laying out face by face from the boundary would
+/// be a Cauchy problem, whose rounding errors grow exponentially. Vertices that are neither on the
+/// boundary nor on a face get (infinity, 0).
 /// @throws ConvergenceError if the linear system cannot be factored.
 ComplexVector layOutInHalfPlane(const IntrinsicTriangulation& triangulation,
   const IntrinsicTriangulation::Factors& u,
-  int firstOnAxis,
-  int lastOnAxis);
+  int firstEdge);
 
 /// Greatest error of an edge's length in @p position, relative to that length or to 1e-11 of the
 /// layout's extent, whichever is longer: no shorter edge is resolved by positions in double precision.

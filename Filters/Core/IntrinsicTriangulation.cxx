@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "IntrinsicTriangulation.h"
 
-#include "Errors.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -14,16 +13,12 @@ namespace flattening
 namespace
 {
 
-// Cosine of the angle opposite to the side of length exp(opposite); outside [-1, 1] where the triangle
-// inequality fails.
-double cosineOpposite(long double opposite, long double left, long double right)
-{
-  const double x = std::exp(static_cast<double>(left - opposite));
-  const double y = std::exp(static_cast<double>(right - opposite));
-  return (x * x + y * y - 1.0) / (2.0 * x * y);
-}
-
 constexpr double FlipTolerance = 1e-12;
+// Relative to the mean edge length. The angles of a shorter edge's needles would lose more digits of the
+// logarithms than the flow's tolerance allows.
+constexpr double LeastExcess = 1e-10;
+constexpr double LeastLength = 1e-7;
+constexpr long double OnMirror = -std::numeric_limits<long double>::infinity();
 
 std::vector<int> findTwins(const FaceMatrix& faces)
 {
@@ -49,6 +44,88 @@ std::vector<int> findTwins(const FaceMatrix& faces)
   return twins;
 }
 
+// The metric of the surface itself. The boundary stays as it is.
+struct FlatMetric
+{
+  const IntrinsicTriangulation& Triangulation;
+  std::function<long double(int)> OtherDiagonal;
+
+  double cosine(int h) const
+  {
+    const IntrinsicTriangulation& t = this->Triangulation;
+    return cosineOpposite(t.logLength(h), t.logLength(t.next(h)), t.logLength(t.previous(h)));
+  }
+  bool mustFlip(int h) const
+  {
+    return this->cosine(h) + this->cosine(this->Triangulation.twin(h)) < -FlipTolerance;
+  }
+  long double flipped(int h) const { return this->OtherDiagonal(h); }
+  bool mustOpen(int) const { return false; }
+  long double opened(int) const { return 0.0L; }
+  bool mustClose(int) const { return false; }
+  long double closed(int) const { return 0.0L; }
+};
+
+// The metric at some factors. The new lengths are those at factors 0: Ptolemy's relations are the same
+// at all of them.
+struct ConformalMetric
+{
+  const IntrinsicTriangulation& Triangulation;
+  const IntrinsicTriangulation::Factors& U;
+
+  double cosine(int h) const
+  {
+    const IntrinsicTriangulation& t = this->Triangulation;
+    return cosineOpposite(t.scaledLogLength(h, this->U),
+      t.scaledLogLength(t.next(h), this->U),
+      t.scaledLogLength(t.previous(h), this->U));
+  }
+  MirrorCell cell(int b) const { return this->Triangulation.scaledMirrorCell(b, this->U); }
+  MirrorCell unscaledCell(int b) const
+  {
+    const auto& edges = this->Triangulation.boundaryEdges();
+    return { edges[b].LogLength, edges[b].LogCrossing, edges[edges[b].Next].LogCrossing };
+  }
+
+  bool mustFlip(int h) const
+  {
+    return this->cosine(h) + this->cosine(this->Triangulation.twin(h)) < -FlipTolerance;
+  }
+  long double flipped(int h) const
+  {
+    const IntrinsicTriangulation& t = this->Triangulation;
+    const int o = t.twin(h);
+    const long double x = t.logLength(t.previous(h)) + t.logLength(t.previous(o)); // ca + db
+    const long double y = t.logLength(t.next(h)) + t.logLength(t.next(o));         // bc + ad
+    return std::max(x, y) + std::log1p(std::exp(static_cast<double>(-std::abs(x - y)))) - t.logLength(h);
+  }
+  bool mustOpen(int b) const
+  {
+    const auto& edge = this->Triangulation.boundaryEdges()[b];
+    return !edge.AtInfinity && edge.Inner >= 0 &&
+           this->cosine(edge.Inner) + cosineOppositeEdge(this->cell(b)) < -FlipTolerance;
+  }
+  long double opened(int b) const
+  {
+    const IntrinsicTriangulation& t = this->Triangulation;
+    const int h = t.boundaryEdges()[b].Inner;
+    return crossingAtApex(this->unscaledCell(b), t.logLength(t.previous(h)), t.logLength(t.next(h)));
+  }
+  bool mustClose(int b) const
+  {
+    const auto& edge = this->Triangulation.boundaryEdges()[b];
+    return edge.LogCrossing != OnMirror &&
+           cosineOppositeCrossing(this->cell(b)) +
+               cosineOppositeCrossing(this->cell(edge.Previous).reversed()) <
+             -FlipTolerance;
+  }
+  long double closed(int b) const
+  {
+    return edgeAcross(
+      this->unscaledCell(this->Triangulation.boundaryEdges()[b].Previous), this->unscaledCell(b));
+  }
+};
+
 } // namespace
 
 IntrinsicTriangulation::IntrinsicTriangulation(const TriangleMesh& mesh)
@@ -67,17 +144,111 @@ IntrinsicTriangulation::IntrinsicTriangulation(const TriangleMesh& mesh)
     lengths[h] = (mesh.Vertices.row(a) - mesh.Vertices.row(b)).stableNorm();
     total += lengths[h];
   }
-  const double slack = 1e-10 * total / count;
+  const double slack = LeastExcess * total / count;
+  const double shortest = LeastLength * total / count;
   for (int h = 0; h < count; ++h)
   {
     const double excess = lengths[next(h)] + lengths[previous(h)] - lengths[h];
-    this->AddedLength = std::max(this->AddedLength, slack - excess);
+    this->AddedLength = std::max({ this->AddedLength, slack - excess, shortest - lengths[h] });
   }
   this->LogLengths.resize(count);
   for (int h = 0; h < count; ++h)
   {
     this->LogLengths[h] = std::log(lengths[h] + this->AddedLength);
   }
+
+  std::vector<int> leaving(this->VertexCount, -1);
+  for (int h = 0; h < count; ++h)
+  {
+    if (this->Twins[h] < 0)
+    {
+      leaving[this->Origins[h]] =
+        this->addBoundaryEdge({ this->Origins[h], -1, -1, -1, this->LogLengths[h], OnMirror, false });
+      this->glue(h, -1 - leaving[this->Origins[h]]);
+    }
+  }
+  for (int b = 0; b < static_cast<int>(this->Boundary.size()); ++b)
+  {
+    const int next = leaving[this->tip(this->Boundary[b].Inner)];
+    this->Boundary[b].Next = next;
+    this->Boundary[next].Previous = b;
+  }
+}
+
+MirrorCell IntrinsicTriangulation::scaledMirrorCell(int b, const Factors& u) const
+{
+  const BoundaryEdge& edge = this->Boundary[b];
+  const BoundaryEdge& next = this->Boundary[edge.Next];
+  return { edge.LogLength + 0.5L * (u[edge.Origin] + u[next.Origin]),
+    edge.LogCrossing + u[edge.Origin],
+    next.LogCrossing + u[next.Origin] };
+}
+
+int IntrinsicTriangulation::addBoundaryEdge(const BoundaryEdge& edge)
+{
+  this->Boundary.push_back(edge);
+  return static_cast<int>(this->Boundary.size()) - 1;
+}
+
+int IntrinsicTriangulation::addFace()
+{
+  if (!this->FreeFaces.empty())
+  {
+    const int f = this->FreeFaces.back();
+    this->FreeFaces.pop_back();
+    return f;
+  }
+  const int f = this->faceCount();
+  this->Origins.resize(3 * f + 3);
+  this->Twins.resize(3 * f + 3);
+  this->LogLengths.resize(3 * f + 3);
+  return f;
+}
+
+void IntrinsicTriangulation::removeFace(int f)
+{
+  std::fill_n(this->Origins.begin() + 3 * f, 3, -1);
+  this->FreeFaces.push_back(f);
+}
+
+// Moves the last faces to the places of those that are no more.
+void IntrinsicTriangulation::closeGaps()
+{
+  std::sort(this->FreeFaces.begin(), this->FreeFaces.end());
+  int count = this->faceCount();
+  for (const int gap : this->FreeFaces)
+  {
+    while (count > 0 && this->Origins[3 * (count - 1)] < 0)
+    {
+      --count;
+    }
+    if (gap >= count)
+    {
+      break;
+    }
+    const int last = --count;
+    for (int k = 0; k < 3; ++k)
+    {
+      this->Origins[3 * gap + k] = this->Origins[3 * last + k];
+      this->LogLengths[3 * gap + k] = this->LogLengths[3 * last + k];
+      const int twin = this->Twins[3 * last + k];
+      this->glue(3 * gap + k, twin >= 0 && twin / 3 == last ? 3 * gap + twin % 3 : twin);
+    }
+  }
+  this->FreeFaces.clear();
+  this->Origins.resize(3 * count);
+  this->Twins.resize(3 * count);
+  this->LogLengths.resize(3 * count);
+  this->Outgoing.clear();
+}
+
+// Sides are half-edges, or -1 - b for boundary edge b.
+void IntrinsicTriangulation::glue(int side, int otherSide)
+{
+  const auto set = [this](int from, int to)
+  { (from >= 0 ? this->Twins[from] : this->Boundary[-1 - from].Inner) = to; };
+  set(side, otherSide);
+  set(otherSide, side);
 }
 
 void IntrinsicTriangulation::flip(int h, long double logLength)
@@ -105,13 +276,9 @@ void IntrinsicTriangulation::flip(int h, long double logLength)
   }
   for (int k = 0; k < 4; ++k)
   {
-    this->Twins[newSlot[k]] = twins[k];
-    if (twins[k] >= 0)
-    {
-      this->Twins[twins[k]] = newSlot[k];
-    }
     this->Origins[newSlot[k]] = origins[k];
     this->LogLengths[newSlot[k]] = lengths[k];
+    this->glue(newSlot[k], twins[k]);
   }
   this->Origins[h] = origins[1]; // c
   this->Origins[t] = origins[3]; // d
@@ -119,62 +286,146 @@ void IntrinsicTriangulation::flip(int h, long double logLength)
   this->Outgoing.clear();
 }
 
-template <typename ShouldFlip, typename NewLogLength>
-int IntrinsicTriangulation::flipAll(ShouldFlip&& shouldFlip, NewLogLength&& newLogLength)
+// The face a b c on edge b, from a to b, is turned over the mirror: c comes to lie between a and b.
+void IntrinsicTriangulation::openBoundaryEdge(int b, long double logCrossing)
 {
-  std::vector<int> stack;
-  std::vector<char> queued(this->halfedgeCount(), 0);
-  const auto push = [&](int h)
+  const int h = this->Boundary[b].Inner;
+  const int bc = next(h);
+  const int ca = previous(h);
+  const int after = this->Boundary[b].Next;
+  const int added = this->addBoundaryEdge({ this->Origins[ca],
+    b,
+    after,
+    -1,
+    this->LogLengths[bc],
+    logCrossing,
+    this->Boundary[b].AtInfinity });
+  this->Boundary[b].Next = added;
+  this->Boundary[b].LogLength = this->LogLengths[ca];
+  this->Boundary[after].Previous = added;
+  if (this->Twins[bc] == ca)
   {
-    const int t = this->Twins[h];
-    if (t < 0)
+    this->glue(-1 - b, -1 - added);
+  }
+  else
+  {
+    this->glue(-1 - b, this->Twins[ca]);
+    this->glue(-1 - added, this->Twins[bc]);
+  }
+  this->removeFace(face(h));
+}
+
+// The inverse: the origin of edge b leaves the mirror, and a face fills its place. Returns that face.
+int IntrinsicTriangulation::closeBoundaryVertex(int b, long double logAcross)
+{
+  const int before = this->Boundary[b].Previous;
+  const int after = this->Boundary[b].Next;
+  const int f = this->addFace();
+  const int sides[2] = { -1 - b, -1 - before };
+  const int inner[2] = { this->Boundary[b].Inner, this->Boundary[before].Inner };
+  for (int k = 0; k < 2; ++k)
+  {
+    this->LogLengths[3 * f + 1 + k] = this->Boundary[-1 - sides[k]].LogLength;
+    this->glue(3 * f + 1 + k, inner[k] == sides[1 - k] ? 3 * f + 2 - k : inner[k]);
+  }
+  this->Origins[3 * f] = this->Boundary[before].Origin;
+  this->Origins[3 * f + 1] = this->Boundary[after].Origin;
+  this->Origins[3 * f + 2] = this->Boundary[b].Origin;
+  this->LogLengths[3 * f] = this->Boundary[before].LogLength = logAcross;
+  this->glue(3 * f, -1 - before);
+  this->Boundary[before].Next = after;
+  this->Boundary[after].Previous = before;
+  this->Boundary[b].Origin = -1;
+  return f;
+}
+
+template <typename Metric>
+int IntrinsicTriangulation::flipAll(const Metric& metric)
+{
+  std::vector<int> stack; // sides, as in glue()
+  std::vector<char> queued(this->halfedgeCount(), 0);
+  std::vector<char> boundaryQueued(this->Boundary.size(), 0);
+  const auto mark = [&](int side) -> char&
+  { return side >= 0 ? queued[side] : boundaryQueued[-1 - side]; };
+  const auto push = [&](int side)
+  {
+    side = side < 0 ? side : std::min(side, this->Twins[side]);
+    if (!mark(side))
     {
-      return;
-    }
-    h = std::min(h, t);
-    if (!queued[h])
-    {
-      queued[h] = 1;
-      stack.push_back(h);
+      mark(side) = 1;
+      stack.push_back(side);
     }
   };
+  const auto mayFlip = [&](int h)
+  { return this->Origins[h] >= 0 && this->Twins[h] >= 0 && face(this->Twins[h]) != face(h); };
   for (int h = 0; h < this->halfedgeCount(); ++h)
   {
-    const int t = this->Twins[h];
-    if (t > h && this->face(t) != this->face(h) && shouldFlip(h))
+    if (this->Twins[h] > h && mayFlip(h) && metric.mustFlip(h))
     {
       push(h);
     }
   }
+  for (int b = 0; b < static_cast<int>(this->Boundary.size()); ++b)
+  {
+    if (this->Boundary[b].Origin >= 0 && (metric.mustClose(b) || metric.mustOpen(b)))
+    {
+      push(-1 - b);
+    }
+  }
   // Delaunay flips end by themselves; the bound only guards against rounding on degenerate metrics.
-  const long long bound = 10LL * this->halfedgeCount();
+  const long long bound = 10LL * this->halfedgeCount() + 1000;
   long long flips = 0;
   while (!stack.empty() && flips < bound)
   {
-    const int h = stack.back();
+    const int side = stack.back();
     stack.pop_back();
-    queued[h] = 0;
-    const int t = this->Twins[h];
-    if (t < 0 || this->face(t) == this->face(h) || !shouldFlip(h))
+    mark(side) = 0;
+    if (side >= 0 && mayFlip(side) && metric.mustFlip(side))
+    {
+      const int t = this->Twins[side];
+      // Which half-edge stands for an edge may change with the slots: clear the marks of the four sides.
+      const int sides[4] = { next(side), previous(side), next(t), previous(t) };
+      for (const int s : sides)
+      {
+        mark(s) = 0;
+        mark(this->Twins[s]) = 0;
+      }
+      this->flip(side, metric.flipped(side));
+      ++flips;
+      for (const int s : sides)
+      {
+        push(s);
+      }
+    }
+    const int b = -1 - side;
+    if (side >= 0 || this->Boundary[b].Origin < 0)
     {
       continue;
     }
-    // Which half-edge stands for an edge may change with the slots: clear the marks of the four sides.
-    for (const int side : { next(h), previous(h), next(t), previous(t) })
+    if (metric.mustClose(b))
     {
-      queued[side] = 0;
-      if (this->Twins[side] >= 0)
+      const int before = this->Boundary[b].Previous;
+      const int f = this->closeBoundaryVertex(b, metric.closed(b));
+      queued.resize(this->halfedgeCount(), 0);
+      ++flips;
+      for (const int s : { 3 * f + 1, 3 * f + 2, -1 - before, -1 - this->Boundary[before].Next })
       {
-        queued[this->Twins[side]] = 0;
+        push(s);
       }
     }
-    this->flip(h, newLogLength(h));
-    ++flips;
-    for (const int side : { next(h), previous(h), next(t), previous(t) })
+    else if (metric.mustOpen(b))
     {
-      push(side);
+      this->openBoundaryEdge(b, metric.opened(b));
+      boundaryQueued.resize(this->Boundary.size(), 0);
+      ++flips;
+      const int added = this->Boundary[b].Next;
+      for (const int s : { -1 - b, -1 - added, -1 - this->Boundary[added].Next })
+      {
+        push(s);
+      }
     }
   }
+  this->closeGaps();
   return static_cast<int>(flips);
 }
 
@@ -197,139 +448,15 @@ long double IntrinsicTriangulation::otherDiagonal(int h) const
 
 int IntrinsicTriangulation::flipToDelaunay()
 {
-  const auto cosine = [this](int h)
-  {
-    return cosineOpposite(this->LogLengths[h], this->LogLengths[next(h)], this->LogLengths[previous(h)]);
-  };
-  return this->flipAll([&](int h) { return cosine(h) + cosine(this->Twins[h]) < -FlipTolerance; },
-    [&](int h) { return this->otherDiagonal(h); });
-}
-
-void IntrinsicTriangulation::growStar(int vertex, const std::vector<char>& onBoundary, double slack)
-{
-  const auto opposite = [this](int h)
-  {
-    return triangleAngles(this->LogLengths[h], this->LogLengths[next(h)], this->LogLengths[previous(h)])
-      .Angle[0];
-  };
-  for (bool flipped = true; flipped;)
-  {
-    flipped = false;
-    const std::vector<int> around = this->outgoing(vertex);
-    for (const int spoke : around)
-    {
-      const int h = next(spoke);
-      const int t = this->Twins[h];
-      const int apex = t < 0 ? -1 : this->Origins[previous(t)];
-      const bool known =
-        apex < 0 || apex == vertex || onBoundary[apex] ||
-        std::any_of(around.begin(), around.end(), [&](int s) { return this->tip(s) == apex; });
-      if (!known && opposite(h) + opposite(t) > EIGEN_PI - slack)
-      {
-        this->flip(h, this->otherDiagonal(h));
-        flipped = true;
-        break;
-      }
-    }
-  }
+  return this->flipAll(FlatMetric{ *this, [this](int h) { return this->otherDiagonal(h); } });
 }
 
 int IntrinsicTriangulation::flipToDelaunay(const Factors& u)
 {
-  const auto cosine = [&](int h)
-  {
-    return cosineOpposite(this->scaledLogLength(h, u),
-      this->scaledLogLength(next(h), u),
-      this->scaledLogLength(previous(h), u));
-  };
-  return this->flipAll([&](int h) { return cosine(h) + cosine(this->Twins[h]) < -FlipTolerance; },
-    [&](int h)
-    {
-      const int t = this->Twins[h];
-      const long double x = this->LogLengths[previous(h)] + this->LogLengths[previous(t)]; // ca + db
-      const long double y = this->LogLengths[next(h)] + this->LogLengths[next(t)];         // bc + ad
-      return std::max(x, y) + std::log1p(std::exp(static_cast<double>(-std::abs(x - y)))) -
-             this->LogLengths[h];
-    });
+  return this->flipAll(ConformalMetric{ *this, u });
 }
 
-int IntrinsicTriangulation::splitBoundaryEdge(int h)
-{
-  // Face (a b c), boundary edge ab, becomes (a f c) and (f b c), f the foot of the altitude from c or
-  // near it.
-  const int bc = next(h);
-  const int ca = previous(h);
-  const int b = this->Origins[bc];
-  const int c = this->Origins[ca];
-  const long double unit = this->LogLengths[h];
-  const double p = std::exp(static_cast<double>(this->LogLengths[ca] - unit));
-  const double q = std::exp(static_cast<double>(this->LogLengths[bc] - unit));
-  const double foot = 0.5 * (1.0 + (p - q) * (p + q));
-  const double x = std::clamp(foot, 0.2, 0.8);
-  const double altitude = std::sqrt(std::max(0.0, (p - foot) * (p + foot)));
-  const long double logMedian = unit + std::log(std::hypot(altitude, foot - x));
-
-  const int f = this->VertexCount++;
-  const int n = this->halfedgeCount();
-  const int bcTwin = this->Twins[bc];
-  const long double bcLength = this->LogLengths[bc];
-  this->Origins[bc] = f; // the old face: a f, f c, c a
-  this->LogLengths[h] = unit + std::log(x);
-  this->LogLengths[bc] = logMedian;
-  this->Twins[bc] = n + 2;
-  const int origins[3] = { f, b, c };
-  const long double lengths[3] = { unit + std::log1p(-x), bcLength, logMedian };
-  const int twins[3] = { -1, bcTwin, bc };
-  this->Origins.insert(this->Origins.end(), origins, origins + 3);
-  this->LogLengths.insert(this->LogLengths.end(), lengths, lengths + 3);
-  this->Twins.insert(this->Twins.end(), twins, twins + 3);
-  if (bcTwin >= 0)
-  {
-    this->Twins[bcTwin] = n + 1;
-  }
-  this->Outgoing.clear();
-  return f;
-}
-
-std::vector<IntrinsicTriangulation::BoundarySplit> IntrinsicTriangulation::splitBoundaryEdges(
-  double largestAngle,
-  int maximumRounds)
-{
-  const double smallestCosine = std::cos(largestAngle) - 1e-9;
-  std::vector<BoundarySplit> splits;
-  for (int round = 0; round < maximumRounds; ++round)
-  {
-    const int before = this->halfedgeCount();
-    std::vector<char> onBoundary(this->VertexCount, 0);
-    for (int h = 0; h < before; ++h)
-    {
-      onBoundary[this->origin(h)] |= this->Twins[h] < 0;
-    }
-    for (int h = 0; h < before; ++h)
-    {
-      const int apex = this->origin(previous(h));
-      const bool isInner = apex < static_cast<int>(onBoundary.size()) && !onBoundary[apex];
-      if (this->Twins[h] < 0 && isInner &&
-          cosineOpposite(this->LogLengths[h], this->LogLengths[next(h)], this->LogLengths[previous(h)]) <
-            smallestCosine)
-      {
-        const int from = this->origin(h);
-        const int to = this->tip(h);
-        const long double length = this->LogLengths[h];
-        this->splitBoundaryEdge(h);
-        splits.push_back({ from, to, std::exp(static_cast<double>(this->LogLengths[h] - length)) });
-      }
-    }
-    if (this->halfedgeCount() == before)
-    {
-      break;
-    }
-    this->flipToDelaunay();
-  }
-  return splits;
-}
-
-const std::vector<int>& IntrinsicTriangulation::anyOutgoing() const
+std::vector<int> IntrinsicTriangulation::outgoing(int vertex) const
 {
   if (this->Outgoing.empty())
   {
@@ -343,13 +470,8 @@ const std::vector<int>& IntrinsicTriangulation::anyOutgoing() const
       }
     }
   }
-  return this->Outgoing;
-}
-
-std::vector<int> IntrinsicTriangulation::outgoing(int vertex) const
-{
   std::vector<int> halfedges;
-  const int start = this->anyOutgoing()[vertex];
+  const int start = this->Outgoing[vertex];
   for (int h = start; h >= 0;)
   {
     halfedges.push_back(h);
@@ -362,99 +484,60 @@ std::vector<int> IntrinsicTriangulation::outgoing(int vertex) const
   return halfedges;
 }
 
-std::vector<IntrinsicTriangulation::Spoke> IntrinsicTriangulation::removeStar(int vertex)
+IntrinsicTriangulation::Star IntrinsicTriangulation::removeStar(int vertex)
 {
   const std::vector<int> around = this->outgoing(vertex);
-  std::vector<Spoke> link;
-  std::vector<char> removed(this->faceCount(), 0);
+  const int out = -1 - this->Twins[around.front()];
+  const int in = -1 - this->Twins[previous(around.back())];
+  Star star;
   for (const int h : around)
   {
-    link.push_back({ this->tip(h), this->LogLengths[h] });
-    removed[this->face(h)] = 1;
+    star.Spokes.push_back({ this->tip(h), this->LogLengths[h] });
   }
-  if (!around.empty() && this->Twins[previous(around.back())] < 0)
-  {
-    const int last = previous(around.back());
-    link.push_back({ this->Origins[last], this->LogLengths[last] });
-  }
+  star.Spokes.push_back({ this->Boundary[in].Origin, this->Boundary[in].LogLength });
+  star.FirstBoundaryEdge = this->Boundary[out].Next;
 
-  std::vector<int> newFace(this->faceCount(), -1);
-  int kept = 0;
-  for (int f = 0; f < this->faceCount(); ++f)
+  int before = this->Boundary[in].Previous;
+  for (auto h = around.rbegin(); h != around.rend(); ++h)
   {
-    if (!removed[f])
-    {
-      newFace[f] = kept++;
-    }
+    const int opposite = next(*h);
+    const int added = this->addBoundaryEdge(
+      { this->tip(opposite), before, -1, -1, this->LogLengths[opposite], OnMirror, true });
+    this->glue(-1 - added, this->Twins[opposite]);
+    this->Boundary[before].Next = added;
+    this->removeFace(face(*h));
+    before = added;
   }
-  for (int f = 0; f < static_cast<int>(newFace.size()); ++f)
-  {
-    const int g = newFace[f];
-    for (int k = 0; g >= 0 && k < 3; ++k)
-    {
-      const int t = this->Twins[3 * f + k];
-      const int twinFace = t < 0 ? -1 : newFace[t / 3];
-      this->Twins[3 * g + k] = twinFace < 0 ? -1 : 3 * twinFace + t % 3;
-      this->Origins[3 * g + k] = this->Origins[3 * f + k];
-      this->LogLengths[3 * g + k] = this->LogLengths[3 * f + k];
-    }
-  }
-  this->Origins.resize(3 * kept);
-  this->Twins.resize(3 * kept);
-  this->LogLengths.resize(3 * kept);
-  this->Outgoing.clear();
-  return link;
+  this->Boundary[before].Next = star.FirstBoundaryEdge;
+  this->Boundary[star.FirstBoundaryEdge].Previous = before;
+  this->Boundary[out].Origin = this->Boundary[in].Origin = -1;
+  this->closeGaps();
+  return star;
 }
 
-TriangleAngles triangleAngles(long double logA, long double logB, long double logC)
+std::optional<IntrinsicTriangulation::Neighbour> IntrinsicTriangulation::reachInfinity(const Factors& u,
+  const std::vector<char>& excluded)
 {
-  const long double log[3] = { logA, logB, logC };
-  const long double unit = std::max({ logA, logB, logC });
-  double side[3];
-  for (int k = 0; k < 3; ++k)
+  for (int b = 0; b < static_cast<int>(this->Boundary.size()); ++b)
   {
-    side[k] = std::exp(static_cast<double>(log[k] - unit));
-  }
-  // How far the sum of the other two sides exceeds side k, with the nearly equal pair of a needle
-  // subtracted as logarithms.
-  double excess[3];
-  for (int k = 0; k < 3; ++k)
-  {
-    int near = (k + 1) % 3;
-    int other = (k + 2) % 3;
-    if (std::abs(log[other] - log[k]) < std::abs(log[near] - log[k]))
+    const int h = this->Boundary[b].Inner;
+    if (this->Boundary[b].Origin < 0 || !this->Boundary[b].AtInfinity || h < 0)
     {
-      std::swap(near, other);
+      continue;
     }
-    excess[k] = side[other] - side[near] * std::expm1(static_cast<double>(log[k] - log[near]));
-  }
-  TriangleAngles result;
-  result.Degenerate = false;
-  for (int k = 0; k < 3; ++k)
-  {
-    if (!(excess[k] > 0.0))
+    const int apex = this->origin(previous(h));
+    const long double base = this->scaledLogLength(h, u);
+    const double sides = std::exp(static_cast<double>(this->scaledLogLength(next(h), u) - base)) +
+                         std::exp(static_cast<double>(this->scaledLogLength(previous(h), u) - base));
+    if (sides <= 1.0 && !excluded[apex])
     {
-      result.Degenerate = true;
-      for (int j = 0; j < 3; ++j)
-      {
-        result.Angle[j] = j == k ? EIGEN_PI : 0.0;
-        result.Cotangent[j] = 0.0;
-      }
-      return result;
+      this->openBoundaryEdge(b, OnMirror);
+      this->closeGaps();
+      // Ptolemy's relation with the distances from infinity, of which those of the edge's ends are 1.
+      return Neighbour{ apex, u[apex] - 2.0L * std::log(static_cast<long double>(sides)) };
     }
   }
-  const double perimeter = side[0] + side[1] + side[2];
-  const double fourArea = std::sqrt(perimeter * excess[0] * excess[1] * excess[2]);
-  for (int k = 0; k < 3; ++k)
-  {
-    const double b = excess[(k + 1) % 3];
-    const double c = excess[(k + 2) % 3];
-    result.Angle[k] = 2.0 * std::atan2(std::sqrt(b * c), std::sqrt(perimeter * excess[k]));
-    const double l = side[(k + 1) % 3];
-    const double r = side[(k + 2) % 3];
-    result.Cotangent[k] = (l * l + r * r - side[k] * side[k]) / fourArea;
-  }
-  return result;
+  return {};
 }
 
 } // namespace flattening

@@ -2,8 +2,11 @@
 /// A triangulated surface known only by its edge lengths, whose edges may be flipped.
 #pragma once
 
+#include "MirrorCell.h"
+#include "TriangleAngles.h"
 #include "TriangleMesh.h"
 
+#include <optional>
 #include <vector>
 
 namespace flattening
@@ -16,15 +19,21 @@ namespace flattening
 /// Lengths are kept as logarithms: they stay representable whatever the conformal factors, and Ptolemy's
 /// flip is a sum of positive terms in them. They are of extended precision because the angles of needles
 /// depend on small differences of them.
+///
+/// The boundary is a mirror: the surface and its mirror image, glued along it, are a closed surface, for
+/// which discrete uniformization has no exceptions. What flips make of a boundary edge and its image is
+/// kept as mirror cells (MirrorCell.h), in order along the mirror. A vertex that flips have brought
+/// there stands for the edge from it to its image.
 class IntrinsicTriangulation
 {
 public:
   /// One logarithmic conformal factor u per vertex.
   using Factors = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
-  /// The metric of @p mesh. If a face violates or merely attains the triangle inequality (to a relative
-  /// 1e-10), the same small length is added to every edge until none does (Sharp and Crane 2020,
-  /// "intrinsic mollification"); addedLength() tells how much, 0 for a mesh without degenerate faces.
+  /// The metric of @p mesh. If a face violates or merely attains the triangle inequality (to 1e-10 of
+  /// the mean edge length), or an edge is shorter than 1e-7 of that, the same small length is added to
+  /// every edge until none does (Sharp and Crane 2020, "intrinsic mollification"); addedLength() tells
+  /// how much, 0 for a mesh without degenerate faces and nearly coincident vertices.
   explicit IntrinsicTriangulation(const TriangleMesh& mesh);
 
   int vertexCount() const { return this->VertexCount; }
@@ -37,7 +46,7 @@ public:
   static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
   int origin(int h) const { return this->Origins[h]; }
   int tip(int h) const { return this->Origins[next(h)]; }
-  int twin(int h) const { return this->Twins[h]; } ///< -1 on the boundary
+  int twin(int h) const { return this->Twins[h]; } ///< -1 - b if boundary edge b is on its other side
   long double logLength(int h) const { return this->LogLengths[h]; }
 
   /// Natural logarithm of each half-edge's length after the conformal change
@@ -47,77 +56,92 @@ public:
     return this->LogLengths[h] + 0.5L * (u[this->origin(h)] + u[this->tip(h)]);
   }
 
-  /// Flips edges until the triangulation is Delaunay in its own flat metric, which it keeps. Returns
-  /// the number of flips.
+  /// The angles of face @p f at factors @p u: entry k is opposite to half-edge 3 f + k.
+  TriangleAngles scaledAngles(int f, const Factors& u) const
+  {
+    return triangleAngles(this->scaledLogLength(3 * f, u),
+      this->scaledLogLength(3 * f + 1, u),
+      this->scaledLogLength(3 * f + 2, u));
+  }
+
+  /// An edge of the boundary, with the surface on its left.
+  struct BoundaryEdge
+  {
+    int Origin;   ///< vertex; -1 if the edge is no more
+    int Previous; ///< in order along the boundary
+    int Next;
+    int Inner; ///< half-edge along it, or -1 - b if boundary edge b runs along its other side
+    long double LogLength;
+    long double LogCrossing; ///< from its origin to the image of that; minus infinity on the mirror
+    bool AtInfinity;         ///< seen from the vertex at infinity: no mirror cell
+  };
+  const std::vector<BoundaryEdge>& boundaryEdges() const { return this->Boundary; }
+  int tipOfBoundaryEdge(int b) const { return this->Boundary[this->Boundary[b].Next].Origin; }
+  MirrorCell scaledMirrorCell(int b, const Factors& u) const;
+
+  /// Flips inner edges until the triangulation is Delaunay in its own flat metric, which it keeps.
+  /// Returns the number of flips.
   int flipToDelaunay();
 
-  /// Flips edges until the triangulation is Delaunay at conformal factors @p u, keeping the *discrete
-  /// conformal class* (lengths change by Ptolemy's relation: Springborn, Schroeder, Pinkall 2008; Gu,
-  /// Luo, Sun, Wu 2018). The scaled lengths then satisfy every triangle inequality away from the
-  /// boundary.
+  /// Flips edges until the triangulation, with its mirror image, is Delaunay at conformal factors @p u,
+  /// keeping the *discrete conformal class* (lengths change by Ptolemy's relation: Springborn,
+  /// Schroeder, Pinkall 2008; Gu, Luo, Sun, Wu 2018). The scaled lengths then satisfy every triangle
+  /// inequality, but next to edges at infinity.
   int flipToDelaunay(const Factors& u);
 
-  /// Splits every boundary edge that sees an inner vertex at more than @p largestAngle (radians, at most
-  /// pi / 2) at the foot of that altitude (or what is nearest to it in the middle three fifths), and
-  /// makes the triangulation Delaunay again, until there is none or @p maximumRounds are done. A
-  /// boundary edge cannot be flipped, so its triangle is where the flow of a triangulation with boundary
-  /// can degenerate; a narrow one stays far from that. Where the opposite vertex is on the boundary too,
-  /// splitting would only cascade into a sharp corner. New vertices lie on the boundary. Returns for
-  /// each new vertex the ends of its edge and its parameter.
-  struct BoundarySplit
-  {
-    int From;
-    int To;
-    double Parameter; ///< 0 at From, 1 at To
-  };
-  std::vector<BoundarySplit> splitBoundaryEdges(double largestAngle, int maximumRounds = 20);
-
-  /// Flips edges of the link of boundary vertex @p vertex until the two angles opposite to each of them
-  /// sum to less than pi - @p slack (radians), as far as the new neighbours are neither on the boundary
-  /// nor neighbours already. Neighbours on a common circle with the vertex would become collinear, and
-  /// their triangle degenerate, once it is at infinity.
-  void growStar(int vertex, const std::vector<char>& onBoundary, double slack);
-
-  /// Removes the faces around @p vertex and returns its link: the other ends of its edges in the order
-  /// of its faces, counter-clockwise, each with the length of that edge. The vertex keeps its number.
+  /// Removes the faces around boundary vertex @p vertex, which goes to infinity and keeps its number.
+  /// The boundary then consists of the rest of the mirror, from FirstBoundaryEdge on, and after it the
+  /// edges opposite to the vertex, at infinity. The flips above must not have brought a vertex to the
+  /// mirror yet.
   struct Spoke
   {
-    int Vertex;
+    int Vertex; ///< other end
     long double LogLength;
   };
-  std::vector<Spoke> removeStar(int vertex);
+  struct Star
+  {
+    std::vector<Spoke> Spokes; ///< in the order of the faces, counter-clockwise
+    int FirstBoundaryEdge;
+  };
+  Star removeStar(int vertex);
+
+  /// If an edge at infinity is longer than the other two sides of its face together at factors @p u, the
+  /// opposite vertex lies beyond it and becomes a neighbour of the vertex at infinity, unless it is
+  /// @p excluded (per vertex). Its factor must then be the one returned, so that its distance from
+  /// infinity is that of the other neighbours. One vertex at a time.
+  struct Neighbour
+  {
+    int Vertex;
+    long double LogFactor;
+  };
+  std::optional<Neighbour> reachInfinity(const Factors& u, const std::vector<char>& excluded);
 
   /// The half-edges that leave @p vertex, counter-clockwise; for a boundary vertex from the one that
   /// runs along the boundary. The last boundary edge, which arrives at the vertex, is not among them.
+  /// For triangulations without vertices that flips brought to the mirror.
   std::vector<int> outgoing(int vertex) const;
 
-  /// A half-edge that leaves each vertex, the boundary one if there is one; -1 if it has no face.
-  const std::vector<int>& anyOutgoing() const;
-
 private:
+  int addFace();
+  void removeFace(int f);
+  void closeGaps();
+  int addBoundaryEdge(const BoundaryEdge& edge);
+  void glue(int side, int otherSide);
   void flip(int h, long double logLength);
+  void openBoundaryEdge(int b, long double logCrossing);
+  int closeBoundaryVertex(int b, long double logAcross);
   long double otherDiagonal(int h) const;
-  int splitBoundaryEdge(int h);
-  template <typename ShouldFlip, typename NewLogLength>
-  int flipAll(ShouldFlip&& shouldFlip, NewLogLength&& newLogLength);
+  template <typename Metric>
+  int flipAll(const Metric& metric);
 
   int VertexCount = 0;
   double AddedLength = 0.0;
-  std::vector<int> Origins;
+  std::vector<int> Origins; ///< -1 for the sides of a face that is no more, within flipAll only
   std::vector<int> Twins;
   std::vector<long double> LogLengths;
+  std::vector<BoundaryEdge> Boundary;
+  std::vector<int> FreeFaces;
   mutable std::vector<int> Outgoing; ///< empty when stale
 };
-
-/// The angles of a triangle with the given logarithmic side lengths, opposite to each side. Where the
-/// triangle inequality fails the angle opposite to the longest side is pi and the others are 0: the C1
-/// extension of the convex energy (Bobenko, Pinkall, Springborn 2015).
-struct TriangleAngles
-{
-  double Angle[3];
-  double Cotangent[3]; ///< 0 where the triangle is degenerate
-  bool Degenerate;
-};
-TriangleAngles triangleAngles(long double logA, long double logB, long double logC);
 
 } // namespace flattening

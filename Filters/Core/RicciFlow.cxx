@@ -14,6 +14,9 @@ namespace flattening
 namespace
 {
 
+// Radians; what is degenerate next to infinity when no angle is farther off will stay so.
+constexpr double SettledError = 0.1;
+
 // Gradient and, on request, Hessian of the energy at one choice of factors.
 class CurvatureSystem
 {
@@ -23,12 +26,17 @@ public:
     const std::vector<char>& fixed)
     : Triangulation(triangulation)
     , TargetAngles(targetAngles)
-    , Row(fixed.size(), -1)
   {
-    const std::vector<int>& used = triangulation.anyOutgoing();
+    this->setFixed(fixed);
+  }
+
+  void setFixed(const std::vector<char>& fixed)
+  {
+    this->Row.assign(fixed.size(), -1);
+    this->Vertex.clear();
     for (std::size_t v = 0; v < fixed.size(); ++v)
     {
-      if (!fixed[v] && used[v] >= 0)
+      if (!fixed[v])
       {
         this->Row[v] = static_cast<int>(this->Vertex.size());
         this->Vertex.push_back(static_cast<int>(v));
@@ -50,18 +58,26 @@ public:
     this->DegenerateFaces = 0;
     for (int f = 0; f < faces; ++f)
     {
-      const TriangleAngles t = triangleAngles(this->Triangulation.scaledLogLength(3 * f, u),
-        this->Triangulation.scaledLogLength(3 * f + 1, u),
-        this->Triangulation.scaledLogLength(3 * f + 2, u));
+      const TriangleAngles t = this->Triangulation.scaledAngles(f, u);
       this->DegenerateFaces += t.Degenerate;
       for (int k = 0; k < 3; ++k)
       {
         this->Cotangents[3 * f + k] = t.Cotangent[k];
-        const int opposite = this->Triangulation.origin(IntrinsicTriangulation::previous(3 * f + k));
-        if (this->Row[opposite] >= 0)
-        {
-          this->Gradient[this->Row[opposite]] -= t.Angle[k];
-        }
+        this->subtract(
+          this->Triangulation.origin(IntrinsicTriangulation::previous(3 * f + k)), t.Angle[k]);
+      }
+    }
+    const auto& boundary = this->Triangulation.boundaryEdges();
+    this->BoundaryCotangents.assign(boundary.size(), 0.0);
+    for (std::size_t b = 0; b < boundary.size(); ++b)
+    {
+      if (boundary[b].Origin >= 0 && !boundary[b].AtInfinity)
+      {
+        const MirrorCellShape cell = mirrorCellShape(this->Triangulation.scaledMirrorCell(b, u));
+        this->DegenerateFaces += cell.Degenerate;
+        this->BoundaryCotangents[b] = cell.Cotangent;
+        this->subtract(boundary[b].Origin, cell.AngleAtOrigin);
+        this->subtract(this->Triangulation.tipOfBoundaryEdge(b), cell.AngleAtTip);
       }
     }
   }
@@ -71,23 +87,38 @@ public:
   {
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(4 * this->Cotangents.size());
+    // An edge from a vertex to itself contributes nothing.
+    const auto couple = [&](int origin, int tip, double weight)
+    {
+      const int i = this->Row[origin];
+      const int j = this->Row[tip];
+      if (i != j)
+      {
+        if (i >= 0)
+        {
+          entries.emplace_back(i, i, weight);
+        }
+        if (j >= 0)
+        {
+          entries.emplace_back(j, j, weight);
+        }
+        if (i >= 0 && j >= 0)
+        {
+          entries.emplace_back(std::max(i, j), std::min(i, j), -weight);
+        }
+      }
+    };
     for (int h = 0; h < this->Triangulation.halfedgeCount(); ++h)
     {
-      const double w = 0.5 * this->Cotangents[h];
-      const int i = this->Row[this->Triangulation.origin(h)];
-      const int j = this->Row[this->Triangulation.tip(h)];
-      if (i >= 0)
+      couple(this->Triangulation.origin(h), this->Triangulation.tip(h), 0.5 * this->Cotangents[h]);
+    }
+    for (std::size_t b = 0; b < this->BoundaryCotangents.size(); ++b)
+    {
+      if (this->BoundaryCotangents[b] > 0.0)
       {
-        entries.emplace_back(i, i, w);
-      }
-      if (j >= 0)
-      {
-        entries.emplace_back(j, j, w);
-      }
-      if (i >= 0 && j >= 0)
-      {
-        // An edge from a vertex to itself contributes nothing in total: i and j then coincide.
-        entries.emplace_back(std::max(i, j), std::min(i, j), i == j ? -2.0 * w : -w);
+        couple(this->Triangulation.boundaryEdges()[b].Origin,
+          this->Triangulation.tipOfBoundaryEdge(b),
+          0.5 * this->BoundaryCotangents[b]);
       }
     }
     SparseMatrix matrix(this->unknowns(), this->unknowns());
@@ -107,12 +138,43 @@ public:
   int DegenerateFaces = 0;
 
 private:
+  void subtract(int vertex, double angle)
+  {
+    if (this->Row[vertex] >= 0)
+    {
+      this->Gradient[this->Row[vertex]] -= angle;
+    }
+  }
+
   const IntrinsicTriangulation& Triangulation;
   const Eigen::VectorXd& TargetAngles;
   std::vector<int> Row;
   std::vector<int> Vertex;
   std::vector<double> Cotangents;
+  std::vector<double> BoundaryCotangents; // of the mirror cells
 };
+
+// Lets vertices beyond an edge at infinity become neighbours of infinity, and fixes their factors.
+// Vertices of the mirror are not asked: only its ends are next to infinity.
+bool reachInfinity(IntrinsicTriangulation& triangulation,
+  const Eigen::VectorXd& targetAngles,
+  std::vector<char>& fixed,
+  IntrinsicTriangulation::Factors& u)
+{
+  std::vector<char> excluded = fixed;
+  for (std::size_t v = 0; v < excluded.size(); ++v)
+  {
+    excluded[v] |= targetAngles[v] < 1.5 * EIGEN_PI;
+  }
+  bool any = false;
+  while (const auto neighbour = triangulation.reachInfinity(u, excluded))
+  {
+    u[neighbour->Vertex] = neighbour->LogFactor;
+    fixed[neighbour->Vertex] = excluded[neighbour->Vertex] = 1;
+    any = true;
+  }
+  return any;
+}
 
 } // namespace
 
@@ -137,6 +199,7 @@ RicciFlowResult discreteRicciFlow(IntrinsicTriangulation& triangulation,
   const auto error = [&system] { return system.Gradient.lpNorm<Eigen::Infinity>(); };
   const double startError = std::max(error(), 10.0 * options.Tolerance);
   double fraction = 0.0;
+  std::vector<char> settled = fixed;
   SparseCholesky cholesky;
   double best = error();
   int stalled = 0;
@@ -175,6 +238,15 @@ RicciFlowResult discreteRicciFlow(IntrinsicTriangulation& triangulation,
       }
     }
     ++result.NewtonIterations;
+    if (system.DegenerateFaces > 0 && (error() < SettledError || result.NewtonIterations > 8))
+    {
+      if (reachInfinity(triangulation, targetAngles, settled, result.LogFactors))
+      {
+        system.setFixed(settled);
+        result.Flips += triangulation.flipToDelaunay(result.LogFactors);
+        system.evaluate(result.LogFactors);
+      }
+    }
     stalled = error() < 0.9 * best ? 0 : stalled + 1;
     best = std::min(best, error());
     if (stalled >= 4 && best < 1e-9)

@@ -79,13 +79,11 @@ TEST(ConformalDisk, FlatDiskMapsToItself)
   EXPECT_LT(map.LogFactors.cwiseAbs().maxCoeff(), 1e-12);
   EXPECT_EQ(map.FlippedFaces, 0);
 
-  // Where obtuse boundary triangles need intrinsic points on the boundary's chords, which the map moves
-  // to the circle, the error is that of a chord.
+  // Obtuse triangles on the boundary make no difference.
   const RevolutionMesh irregular = sunflowerMesh(flatDisk(), 3000);
   const ConformalDiskMap other =
     conformalDiskMap(irregular.Mesh, { 0, irregular.FirstBoundaryVertex, {} });
-  EXPECT_GT(other.InsertedBoundaryPoints, 0);
-  EXPECT_LT(largestDifference(other.Positions, irregular.Mesh.Vertices.leftCols<2>()), 1e-4);
+  EXPECT_LT(largestDifference(other.Positions, irregular.Mesh.Vertices.leftCols<2>()), 1e-12);
 }
 
 struct Case
@@ -282,7 +280,7 @@ TEST(ConformalDisk, ConvergesOnSlivers)
   const Points2 old = map.Positions.topRows(smooth.Mesh.vertexCount());
   EXPECT_LT(radialError(smooth, old, gaussianBump(1.0, 0.3).ConformalRadius), 2e-4);
   const ConformalDiskMap clean = conformalDiskMap(smooth.Mesh, { 0, smooth.FirstBoundaryVertex, {} });
-  EXPECT_LT(largestDifference(old, clean.Positions), 2e-4);
+  EXPECT_LT(largestDifference(old, clean.Positions), 1e-3);
 }
 
 TEST(ConformalDisk, OpensFacesWithoutArea)

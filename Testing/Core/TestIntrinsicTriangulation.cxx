@@ -65,6 +65,34 @@ void expectConsistent(const IntrinsicTriangulation& t)
       ASSERT_EQ(t.tip(twin), t.origin(h));
       ASSERT_EQ(t.logLength(twin), t.logLength(h));
     }
+    else
+    {
+      ASSERT_EQ(t.boundaryEdges()[-1 - twin].Inner, h);
+    }
+  }
+  for (int b = 0; b < static_cast<int>(t.boundaryEdges().size()); ++b)
+  {
+    const auto& edge = t.boundaryEdges()[b];
+    if (edge.Origin < 0)
+    {
+      continue;
+    }
+    ASSERT_EQ(t.boundaryEdges()[edge.Previous].Next, b);
+    ASSERT_EQ(t.boundaryEdges()[edge.Next].Previous, b);
+    if (edge.Inner >= 0)
+    {
+      ASSERT_EQ(t.twin(edge.Inner), -1 - b);
+      ASSERT_EQ(t.origin(edge.Inner), edge.Origin);
+      ASSERT_EQ(t.tip(edge.Inner), t.tipOfBoundaryEdge(b));
+      ASSERT_EQ(t.logLength(edge.Inner), edge.LogLength);
+    }
+    else
+    {
+      const auto& other = t.boundaryEdges()[-1 - edge.Inner];
+      ASSERT_EQ(other.Inner, -1 - b);
+      ASSERT_EQ(other.Origin, t.tipOfBoundaryEdge(b));
+      ASSERT_EQ(other.LogLength, edge.LogLength);
+    }
   }
 }
 
@@ -85,16 +113,6 @@ void expectDelaunay(const IntrinsicTriangulation& t, const Factors& u)
       ASSERT_LE(opposite(h) + opposite(t.twin(h)), EIGEN_PI + 1e-5) << h;
     }
   }
-}
-
-int boundaryEdges(const IntrinsicTriangulation& t)
-{
-  int count = 0;
-  for (int h = 0; h < t.halfedgeCount(); ++h)
-  {
-    count += t.twin(h) < 0;
-  }
-  return count;
 }
 
 // The disk's rings, squeezed along y: flat, with many triangles that are not Delaunay.
@@ -170,22 +188,21 @@ TEST(IntrinsicTriangulation, PtolemaicFlipsKeepTheConformalClass)
   }
   EXPECT_GT(t.flipToDelaunay(u), 100);
   expectConsistent(t);
-  // Away from the boundary, Delaunay at u means proper triangles at u.
-  std::vector<char> onBoundary(t.vertexCount(), 0);
-  for (const int v : requireDisk(mesh))
-  {
-    onBoundary[v] = 1;
-  }
+  // With the mirror image, Delaunay at u means proper triangles at u, and proper mirror cells.
   for (int f = 0; f < t.faceCount(); ++f)
   {
-    if (!onBoundary[t.origin(3 * f)] && !onBoundary[t.origin(3 * f + 1)] &&
-        !onBoundary[t.origin(3 * f + 2)])
+    EXPECT_FALSE(t.scaledAngles(f, u).Degenerate) << f;
+  }
+  int crossings = 0;
+  for (int b = 0; b < static_cast<int>(t.boundaryEdges().size()); ++b)
+  {
+    if (t.boundaryEdges()[b].Origin >= 0)
     {
-      EXPECT_FALSE(triangleAngles(
-        t.scaledLogLength(3 * f, u), t.scaledLogLength(3 * f + 1, u), t.scaledLogLength(3 * f + 2, u))
-                     .Degenerate);
+      EXPECT_FALSE(mirrorCellShape(t.scaledMirrorCell(b, u)).Degenerate) << b;
+      crossings += std::isfinite(t.boundaryEdges()[b].LogCrossing);
     }
   }
+  EXPECT_GT(crossings, 10);
   EXPECT_GT(t.flipToDelaunay(Factors::Zero(u.size())), 100);
   expectConsistent(t);
   // The Delaunay triangulation of the mesh's own metric is unique: the same edges, the same lengths.
@@ -209,45 +226,94 @@ TEST(IntrinsicTriangulation, PtolemaicFlipsKeepTheConformalClass)
   }
 }
 
-TEST(IntrinsicTriangulation, BoundarySplitsKeepTheMetricAndBoundTheAngle)
+// The surface and its mirror image as one closed mesh: image of vertex v is v itself on the boundary.
+TriangleMesh doubled(const TriangleMesh& mesh)
 {
-  const TriangleMesh mesh = squeezedDisk(800, 0.3);
-  IntrinsicTriangulation t(mesh);
-  t.flipToDelaunay();
-  const int edgesBefore = boundaryEdges(t);
-  const double largestAngle = 75.0 / 180.0 * EIGEN_PI;
-  const auto splits = t.splitBoundaryEdges(largestAngle);
-  const int added = static_cast<int>(splits.size());
-  ASSERT_GT(added, 10);
-  EXPECT_EQ(t.vertexCount(), mesh.vertexCount() + added);
-  EXPECT_EQ(boundaryEdges(t), edgesBefore + added);
-  expectConsistent(t);
-  EXPECT_NEAR(area(t), faceAreas(mesh.Vertices, mesh.Faces).sum(), 1e-12);
-  const Eigen::VectorXd sums = angleSums(t);
-  for (int v = mesh.vertexCount(); v < t.vertexCount(); ++v)
+  std::vector<int> image(mesh.vertexCount(), -1);
+  for (const int v : requireDisk(mesh))
   {
-    EXPECT_NEAR(sums[v], EIGEN_PI, 1e-11) << "a new vertex is on a straight boundary";
+    image[v] = v;
   }
-  for (int h = 0; h < t.halfedgeCount(); ++h)
+  TriangleMesh both = mesh;
+  both.Vertices.conservativeResize(2 * mesh.vertexCount(), 3);
+  both.Vertices.bottomRows(mesh.vertexCount()) = mesh.Vertices;
+  both.Faces.conservativeResize(2 * mesh.faceCount(), 3);
+  for (int f = 0; f < mesh.faceCount(); ++f)
   {
-    if (t.twin(h) < 0)
+    for (int k = 0; k < 3; ++k)
     {
-      EXPECT_LE(anglesOf(t, h / 3).Angle[h % 3], largestAngle + 1e-8);
+      const int v = mesh.Faces(f, 2 - k);
+      both.Faces(mesh.faceCount() + f, k) = image[v] >= 0 ? v : mesh.vertexCount() + v;
     }
   }
-  // Where the splits say they are, lengths are distances.
-  Points3 points = mesh.Vertices;
-  points.conservativeResize(t.vertexCount(), 3);
-  for (int s = 0; s < added; ++s)
+  return both;
+}
+
+// What mirror cells stand for: the Delaunay triangulation of the closed double, where a boundary edge is
+// flipped like any other.
+TEST(IntrinsicTriangulation, MirrorCellsAreHalfOfTheDouble)
+{
+  for (const double spread : { 0.3, 2.0, 6.0 })
   {
-    EXPECT_GE(splits[s].Parameter, 0.2 - 1e-12);
-    EXPECT_LE(splits[s].Parameter, 0.8 + 1e-12);
-    points.row(mesh.vertexCount() + s) = (1.0 - splits[s].Parameter) * points.row(splits[s].From) +
-                                         splits[s].Parameter * points.row(splits[s].To);
-  }
-  for (int h = 0; h < t.halfedgeCount(); ++h)
-  {
-    ASSERT_NEAR(length(t, h) / (points.row(t.origin(h)) - points.row(t.tip(h))).norm(), 1.0, 1e-10);
+    SCOPED_TRACE(spread);
+    const TriangleMesh mesh = sunflowerMesh(gaussianBump(0.5, 0.3), 300).Mesh;
+    const int n = mesh.vertexCount();
+    IntrinsicTriangulation half(mesh);
+    IntrinsicTriangulation whole(doubled(mesh));
+    std::mt19937 random(11);
+    std::normal_distribution<double> normal(0.0, spread);
+    Factors u(n);
+    for (int v = 0; v < n; ++v)
+    {
+      u[v] = normal(random);
+    }
+    Factors twice(2 * n);
+    twice << u, u;
+    half.flipToDelaunay(u);
+    whole.flipToDelaunay(twice);
+    expectConsistent(half);
+    expectDelaunay(half, u);
+    Eigen::VectorXd expected = Eigen::VectorXd::Zero(n);
+    for (int f = 0; f < whole.faceCount(); ++f)
+    {
+      const TriangleAngles angles = whole.scaledAngles(f, twice);
+      ASSERT_FALSE(angles.Degenerate);
+      for (int k = 0; k < 3; ++k)
+      {
+        expected[whole.origin(whole.previous(3 * f + k)) % n] += 0.5 * angles.Angle[k];
+      }
+    }
+    // An inner vertex and its image have the same angles: half of the sum is one vertex's.
+    Eigen::VectorXd found = Eigen::VectorXd::Zero(n);
+    for (int f = 0; f < half.faceCount(); ++f)
+    {
+      const TriangleAngles angles = half.scaledAngles(f, u);
+      for (int k = 0; k < 3; ++k)
+      {
+        found[half.origin(half.previous(3 * f + k))] += angles.Angle[k];
+      }
+    }
+    int crossings = 0;
+    for (int b = 0; b < static_cast<int>(half.boundaryEdges().size()); ++b)
+    {
+      if (half.boundaryEdges()[b].Origin >= 0)
+      {
+        const MirrorCellShape cell = mirrorCellShape(half.scaledMirrorCell(b, u));
+        found[half.boundaryEdges()[b].Origin] += cell.AngleAtOrigin;
+        found[half.tipOfBoundaryEdge(b)] += cell.AngleAtTip;
+        crossings += std::isfinite(half.boundaryEdges()[b].LogCrossing);
+      }
+    }
+    EXPECT_GT(crossings, 0);
+    EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 1e-9);
+
+    // There and back: all vertices leave the mirror again, and lengths are what they were.
+    half.flipToDelaunay(Factors::Zero(n));
+    IntrinsicTriangulation fresh(mesh);
+    fresh.flipToDelaunay(Factors::Zero(n));
+    expectConsistent(half);
+    EXPECT_LT((angleSums(half) - angleSums(fresh)).cwiseAbs().maxCoeff(), 1e-9);
+    EXPECT_NEAR(area(half) / area(fresh), 1.0, 1e-12);
   }
 }
 
@@ -258,41 +324,42 @@ TEST(IntrinsicTriangulation, RemovedStarLeavesTheRestAndNamesTheLink)
   const double whole = area(t);
   double star = 0.0;
   std::vector<int> around;
-  const int interior = 20; // of degree 6
-  for (int h : t.outgoing(interior))
+  const int vertex = disk.FirstBoundaryVertex + 4;
+  for (int h : t.outgoing(vertex))
   {
     const int f = IntrinsicTriangulation::face(h);
     star += 0.5 * length(t, 3 * f) * length(t, 3 * f + 1) * std::sin(anglesOf(t, f).Angle[2]);
     around.push_back(t.tip(h));
   }
-  ASSERT_EQ(around.size(), 6u);
-  const int edgesBefore = boundaryEdges(t);
-  const auto link = t.removeStar(interior);
-  ASSERT_EQ(link.size(), 6u);
-  for (std::size_t k = 0; k < link.size(); ++k)
+  ASSERT_GE(around.size(), 2u);
+  const auto removed = t.removeStar(vertex);
+  ASSERT_EQ(removed.Spokes.size(), around.size() + 1);
+  EXPECT_EQ(removed.Spokes.front().Vertex, vertex + 1);
+  EXPECT_EQ(removed.Spokes.back().Vertex, vertex - 1);
+  for (std::size_t k = 0; k < removed.Spokes.size(); ++k)
   {
-    EXPECT_EQ(link[k].Vertex, around[k]);
-    EXPECT_NEAR(std::exp(static_cast<double>(link[k].LogLength)),
-      (disk.Mesh.Vertices.row(interior) - disk.Mesh.Vertices.row(link[k].Vertex)).norm(),
+    const int other = removed.Spokes[k].Vertex;
+    EXPECT_TRUE(k == around.size() || other == around[k]);
+    EXPECT_NEAR(std::exp(static_cast<double>(removed.Spokes[k].LogLength)),
+      (disk.Mesh.Vertices.row(vertex) - disk.Mesh.Vertices.row(other)).norm(),
       1e-15);
   }
   EXPECT_NEAR(area(t), whole - star, 1e-13);
-  EXPECT_EQ(t.faceCount(), disk.Mesh.faceCount() - 6);
-  EXPECT_EQ(boundaryEdges(t), edgesBefore + 6);
+  EXPECT_EQ(t.faceCount(), disk.Mesh.faceCount() - static_cast<int>(around.size()));
   expectConsistent(t);
-  EXPECT_EQ(t.anyOutgoing()[interior], -1);
-}
-
-TEST(IntrinsicTriangulation, BoundaryStarRunsFromBoundaryToBoundary)
-{
-  const RevolutionMesh disk = ringMesh(flatDisk(), 300);
-  IntrinsicTriangulation t(disk.Mesh);
-  const int vertex = disk.FirstBoundaryVertex + 4;
-  const auto link = t.removeStar(vertex);
-  ASSERT_GE(link.size(), 3u);
-  EXPECT_EQ(link.front().Vertex, vertex + 1);
-  EXPECT_EQ(link.back().Vertex, vertex - 1);
-  expectConsistent(t);
+  // Around the boundary: the rest of the mirror, then the edges at infinity, back to front.
+  int b = removed.FirstBoundaryEdge;
+  for (int v = vertex + 1; !t.boundaryEdges()[b].AtInfinity; b = t.boundaryEdges()[b].Next)
+  {
+    EXPECT_EQ(t.boundaryEdges()[b].Origin, v);
+    v = v + 1 < disk.Mesh.vertexCount() ? v + 1 : disk.FirstBoundaryVertex;
+  }
+  for (std::size_t k = around.size(); k > 0; --k, b = t.boundaryEdges()[b].Next)
+  {
+    EXPECT_TRUE(t.boundaryEdges()[b].AtInfinity);
+    EXPECT_EQ(t.boundaryEdges()[b].Origin, removed.Spokes[k].Vertex);
+  }
+  EXPECT_EQ(b, removed.FirstBoundaryEdge);
 }
 
 TEST(IntrinsicTriangulation, DegenerateFacesAreOpened)

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What lies between a surface and its mirror image, glued to it along the boundary.
+#pragma once
+
+namespace flattening
+{
+
+/// The surface and its mirror image make a closed surface, symmetric about the mirror line: the
+/// boundary. Of its Delaunay triangulation the faces that the mirror line crosses are isosceles
+/// triangles and trapezoids, inscribed in circles whose centres lie on that line. One edge of the
+/// surface, from its origin to its tip, and its image are the legs of such a trapezoid; the crossing
+/// edges from each end to its image are the bases. Half of it, the part on this side of the mirror, is a
+/// mirror cell. The crossing length of a vertex on the mirror is 0, and an edge on the mirror has a cell
+/// without area.
+struct MirrorCell
+{
+  long double LogEdge;     ///< logarithm of the edge's length
+  long double LogAtOrigin; ///< of the crossing length at its origin; minus infinity on the mirror
+  long double LogAtTip;    ///< of the crossing length at its tip; minus infinity on the mirror
+
+  MirrorCell reversed() const { return { this->LogEdge, this->LogAtTip, this->LogAtOrigin }; }
+};
+
+struct MirrorCellShape
+{
+  double AngleAtOrigin; ///< radians, of the half on this side of the mirror
+  double AngleAtTip;
+  double Cotangent; ///< of the angle under which the edge is seen from the circle; 0 if degenerate
+  double Extent;    ///< length along the mirror, in units of the edge
+  bool Degenerate;  ///< no such trapezoid: the crossing lengths differ by more than two edges
+};
+MirrorCellShape mirrorCellShape(const MirrorCell& cell);
+
+/// Cosine of the angle under which the edge is seen from the other points of the cell's circle.
+double cosineOppositeEdge(const MirrorCell& cell);
+
+/// Cosine of the angle under which the crossing edge at the origin is seen from the tip; below -1 where
+/// the cell is degenerate.
+double cosineOppositeCrossing(const MirrorCell& cell);
+
+/// Logarithm of the crossing length of the apex f of a triangle whose side is the edge of @p cell, from
+/// Ptolemy's relations between the six points f, origin, tip and their images; @p logOriginApex and
+/// @p logTipApex are those of the other two sides.
+long double crossingAtApex(const MirrorCell& cell, long double logOriginApex, long double logTipApex);
+
+/// Its inverse: the logarithm of the distance between the origin of @p before and the tip of @p after,
+/// two cells next to each other, when the vertex between them leaves the mirror.
+long double edgeAcross(const MirrorCell& before, const MirrorCell& after);
+
+} // namespace flattening
