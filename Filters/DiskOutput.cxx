@@ -132,11 +132,16 @@ void setReport(vtkPolyData* output, const SurfaceToDiskReport& report, vtkIdType
   count("DroppedFaces", report.Repair.DegenerateFaces + report.Repair.DuplicateFaces);
   count("DroppedDegenerateFaces", report.Repair.DegenerateFaces);
   count("DroppedDuplicateFaces", report.Repair.DuplicateFaces);
+  count("ClosedCracks", report.Repair.ClosedCracks);
   count("SplitPoints", report.Repair.SplitPoints);
   count("Components", report.Components);
   count("DroppedComponents", report.Components - 1);
   measure("DroppedComponentArea", report.DroppedComponentArea);
   count("ReorientedFaces", report.ReorientedFaces);
+  count("RemovedSpikes", report.Folds.Spikes);
+  count("RemovedFins", report.Folds.Fins);
+  count("LeftFolded", report.Folds.LeftFolded);
+  measure("FoldAreaChange", report.Folds.AreaChange);
   count("FilledHoles", report.FilledHoles);
   measure("FilledArea", report.FilledArea);
   count("Genus", report.Genus);

@@ -33,9 +33,11 @@
  * Field data says what was changed, one array each (one tuple unless said otherwise; lengths and areas
  * in units of the input, angles in degrees):
  * - `DroppedCells` (vertices and lines), `MergedPoints`, `UnusedPoints` (of no face), `DroppedFaces` =
- *   `DroppedDegenerateFaces` + `DroppedDuplicateFaces`, `SplitPoints` (copies made where the surface was
- *   not manifold),
+ *   `DroppedDegenerateFaces` + `DroppedDuplicateFaces`, `ClosedCracks` (open edges split at points that
+ *   lie on them), `SplitPoints` (copies made where the surface was not manifold),
  * - `Components`, `DroppedComponents`, `DroppedComponentArea`, `ReorientedFaces`,
+ * - `RemovedSpikes` (and pits: single points), `RemovedFins` (several points), `FoldAreaChange` (what
+ *   flattening them changed the area by), `LeftFolded` (places that it would not have helped),
  * - `FilledHoles`, `FilledArea`,
  * - `Genus` (of the component), `RemovedHandles`, `HandleLoopLengths` (as many tuples),
  * `HandleAreaRemoved`, `HandleAreaAdded`, `HandleDisplacement` (how far a kept point was moved at most),

@@ -126,6 +126,11 @@ public:
       report(progress, 0.17, "looking for self-intersections");
       this->Figures.SelfIntersectionsBefore = countSelfIntersections(this->mesh());
     }
+    if (this->Options.FlattenFolds && this->Options.Handles != HandleMode::Cut)
+    {
+      report(progress, 0.19, "flattening spikes and fins");
+      this->Figures.Folds = flattenSpikesAndFins(this->Disk.Surface.Mesh);
+    }
     if (this->Options.Cut == CutMode::Plane)
     {
       this->keepSideOfPlane(subrange(progress, 0.2, 0.24));

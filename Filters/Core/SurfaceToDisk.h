@@ -8,6 +8,7 @@
 #include "HandleRemoval.h"
 #include "PlaneCut.h"
 #include "Progress.h"
+#include "SpikesAndFins.h"
 #include "SurfaceComponents.h"
 #include "SurfaceRepair.h"
 
@@ -40,6 +41,9 @@ struct SurfaceToDiskOptions
   double MergeTolerance = 0.0;
   ComponentChoice Component;
   BoundaryChoice Boundary;
+  /// Whether spikes, pits and fins of one voxel are flattened (flattenSpikesAndFins). Not if handles are
+  /// cut.
+  bool FlattenFolds = true;
   /// Longest boundary loop that is filled (input units); 0: the circumference of a circle of 5 % of the
   /// surface's area.
   double FillLengthLimit = 0.0;
@@ -72,6 +76,7 @@ struct SurfaceToDiskReport
   int Components = 0;
   double DroppedComponentArea = 0.0;
   int ReorientedFaces = 0; ///< faces of the component turned over
+  FlattenedFolds Folds;
   int FilledHoles = 0;
   double FilledArea = 0.0;
   int Genus = 0; ///< before anything was done about it
@@ -98,11 +103,11 @@ struct DiskSurface
 };
 
 /// Repairs the triangles (repairTriangleSoup), keeps one component, orients it outward (orientOutward),
-/// keeps one side of a plane if asked, fills its boundaries but the chosen one (fillHoles), does away
-/// with handles, remeshes if asked (remeshIsotropically), opens a surface that is closed, resolves its
-/// boundary, and checks the result (requireDisk). A boundary shorter than that of the hole that would
-/// be cut is filled too, and the surface opened there: so short a boundary cannot become that of the
-/// flat disk.
+/// flattens spikes and fins (flattenSpikesAndFins), keeps one side of a plane if asked, fills its
+/// boundaries but the chosen one (fillHoles), does away with handles, remeshes if asked
+/// (remeshIsotropically), opens a surface that is closed, resolves its boundary, and checks the result
+/// (requireDisk). A boundary shorter than that of the hole that would be cut is filled too, and the
+/// surface opened there: so short a boundary cannot become that of the flat disk.
 /// @throws InvalidInput for coordinates that are not finite, zero area, options out of range or that
 /// name what is not there; TopologyError if the component is one-sided, or has handles and they are
 /// errors.
