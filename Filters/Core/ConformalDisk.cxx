@@ -4,6 +4,7 @@
 #include "Errors.h"
 #include "FaceOrientation.h"
 #include "HalfPlaneLayout.h"
+#include "HornSpreading.h"
 #include "MeshTopology.h"
 #include "MoebiusNormalisation.h"
 #include "PointAtInfinity.h"
@@ -41,6 +42,7 @@ Workpiece prepare(const TriangleMesh& mesh, int& flips)
 
 struct HalfPlaneMap
 {
+  IntrinsicTriangulation Triangulation; // in which it is flat
   ComplexVector Positions;
   IntrinsicTriangulation::Factors LogFactors;
   int AtInfinity = -1;
@@ -86,18 +88,15 @@ HalfPlaneMap mapToHalfPlane(Workpiece& piece,
   map.Flips += flow.Flips;
   map.MaxCurvatureError = flow.MaxCurvatureError;
 
-  HalfPlaneMap half;
-  half.AtInfinity = atInfinity;
-  half.LogFactors = flow.LogFactors;
-  half.Positions = layOutInHalfPlane(t, flow.LogFactors, star.FirstBoundaryEdge);
-  map.LayoutError = layoutError(t, flow.LogFactors, half.Positions);
+  const ComplexVector positions = layOutInHalfPlane(t, flow.LogFactors, star.FirstBoundaryEdge);
+  map.LayoutError = layoutError(t, flow.LogFactors, positions);
   if (!(map.LayoutError < 1e-3))
   {
     throw ConvergenceError("the flat metric could not be laid out: an edge is off by a factor of " +
                            std::to_string(1.0 + map.LayoutError) +
                            "; remesh the surface (Surface To Disk, Remesh)");
   }
-  return half;
+  return { std::move(t), positions, flow.LogFactors, atInfinity };
 }
 
 // The same from the first of the candidates for infinity that gets there: near a vertex with an unlucky
@@ -133,6 +132,11 @@ HalfPlaneMap mapToHalfPlane(const Workpiece& piece,
   Workpiece attempt = piece;
   return mapToHalfPlane(
     attempt, candidates[attempts - 1], options, map, subrange(progress, 1.0 - 1.0 / attempts, 1.0));
+}
+
+ComplexVector firstOf(const ComplexVector& positions, int count)
+{
+  return ComplexVector(positions.begin(), positions.begin() + count);
 }
 
 // Splits every face into four: for surfaces so coarse that no boundary vertex can go to infinity.
@@ -206,10 +210,10 @@ ConformalDiskMap conformalDiskMap(const TriangleMesh& mesh,
   }
   HalfPlaneMap half = mapToHalfPlane(piece, candidates, options, map, subrange(progress, 0.1, 0.9));
   report(progress, 0.95, "Moebius normalisation");
-  half.Positions.resize(n);
   const Eigen::VectorXd masses = vertexAreas(mesh.Faces, faceAreas(mesh.Vertices, mesh.Faces), n);
-  const Complex centre = options.CenterVertex >= 0 ? half.Positions[options.CenterVertex]
-                                                   : centreOfMass(half.Positions, masses / masses.sum());
+  const Complex centre = options.CenterVertex >= 0
+                           ? half.Positions[options.CenterVertex]
+                           : centreOfMass(firstOf(half.Positions, n), masses / masses.sum());
   ComplexVector disk = cayley(half.Positions, centre);
   for (const int v : loop)
   {
@@ -220,23 +224,29 @@ ConformalDiskMap conformalDiskMap(const TriangleMesh& mesh,
   {
     angle = -std::arg(disk[options.BoundaryVertex]);
   }
-  else if (!intrinsicRotation(disk, mesh.Vertices, masses / masses.sum(), angle))
+  else if (!intrinsicRotation(firstOf(disk, n), mesh.Vertices, masses / masses.sum(), angle))
   {
     angle = -std::arg(disk[loop.front()]);
   }
   const Complex rotation = std::polar(1.0, angle);
 
+  IntrinsicTriangulation::Factors logFactors = half.LogFactors;
+  for (Eigen::Index v = 0; v < logFactors.size(); ++v)
+  {
+    logFactors[v] =
+      std::log(2.0 * centre.imag()) +
+      (v == half.AtInfinity
+          ? 0.0L
+          : half.LogFactors[v] - 2.0 * std::log(std::abs(half.Positions[v] - std::conj(centre))));
+  }
+  map.LogFactors = logFactors.head(n).cast<double>();
+  map.SpreadVertices =
+    spreadHorns(half.Triangulation, logFactors, 0.5 * std::log(EIGEN_PI / masses.sum()), disk);
   map.Positions.resize(n, 2);
-  map.LogFactors.resize(n);
   for (int v = 0; v < n; ++v)
   {
     const Complex w = disk[v] * rotation;
     map.Positions.row(v) << w.real(), w.imag();
-    map.LogFactors[v] =
-      std::log(2.0 * centre.imag()) +
-      (v == half.AtInfinity ? 0.0
-                            : static_cast<double>(half.LogFactors[v]) -
-                                2.0 * std::log(std::abs(half.Positions[v] - std::conj(centre))));
   }
   map.FlippedFaces = countFlippedFaces(map.Positions, mesh.Faces);
   report(progress, 1.0, "Conformal disk");

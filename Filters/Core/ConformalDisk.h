@@ -27,7 +27,8 @@ struct ConformalDiskMap
   double AddedLength = 0.0;       ///< length added to every edge to open degenerate faces; 0 mostly
   int NewtonIterations = 0;
   int Flips = 0;                  ///< intrinsic edge flips in all
-  int InsertedBoundaryPoints = 0; ///< intrinsic points on boundary edges; not part of the result
+  int InsertedBoundaryPoints = 0; ///< always 0: boundary edges flip with their mirror images
+  int SpreadVertices = 0;         ///< whose true positions double precision hardly tells apart
   int FlippedFaces = 0;           ///< faces of the *original* connectivity not positively oriented
 };
 

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SpringLayout.h"
+
+#include "Errors.h"
+#include "SparseCholesky.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace flattening
+{
+namespace
+{
+
+using Complex = std::complex<double>;
+constexpr int Refinements = 2;
+
+} // namespace
+
+std::vector<Spring> springsOf(const IntrinsicTriangulation& t, const IntrinsicTriangulation::Factors& u)
+{
+  std::vector<double> cotangents(t.halfedgeCount());
+  for (int f = 0; f < t.faceCount(); ++f)
+  {
+    const TriangleAngles angles = t.scaledAngles(f, u);
+    std::copy(std::begin(angles.Cotangent), std::end(angles.Cotangent), &cotangents[3 * f]);
+  }
+  std::vector<Spring> springs;
+  springs.reserve(t.halfedgeCount() / 2);
+  for (int h = 0; h < t.halfedgeCount(); ++h)
+  {
+    const int twin = t.twin(h);
+    const double weight = twin < 0 ? 0.0 : cotangents[h] + cotangents[twin];
+    if (twin > h && weight > 0.0 && t.origin(h) != t.tip(h))
+    {
+      springs.push_back({ t.origin(h), t.tip(h), weight });
+    }
+  }
+  return springs;
+}
+
+void relaxSprings(const std::vector<Spring>& springs,
+  const std::vector<char>& fixed,
+  ComplexVector& position)
+{
+  std::vector<int> row(fixed.size(), -1);
+  std::vector<int> vertex;
+  for (std::size_t v = 0; v < fixed.size(); ++v)
+  {
+    if (!fixed[v])
+    {
+      row[v] = static_cast<int>(vertex.size());
+      vertex.push_back(static_cast<int>(v));
+    }
+  }
+  if (vertex.empty())
+  {
+    return;
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(3 * springs.size());
+  for (const Spring& s : springs)
+  {
+    const int i = row[s.From];
+    const int j = row[s.To];
+    for (const int k : { i, j })
+    {
+      if (k >= 0)
+      {
+        entries.emplace_back(k, k, s.Weight);
+      }
+    }
+    if (i >= 0 && j >= 0)
+    {
+      entries.emplace_back(std::max(i, j), std::min(i, j), -s.Weight);
+    }
+  }
+  SparseMatrix laplacian(vertex.size(), vertex.size());
+  laplacian.setFromTriplets(entries.begin(), entries.end());
+  const SparseCholesky cholesky(laplacian);
+  if (cholesky.info() != Eigen::Success)
+  {
+    throw ConvergenceError(
+      "the flat metric could not be laid out: remesh the surface (Surface To Disk, Remesh)");
+  }
+  // Forces are sums of differences: refined by them, positions are as good as the springs' weights.
+  for (int round = 0; round < 1 + Refinements; ++round)
+  {
+    Eigen::MatrixX2d force = Eigen::MatrixX2d::Zero(vertex.size(), 2);
+    for (const Spring& s : springs)
+    {
+      const Complex pull = s.Weight * (position[s.To] - position[s.From]);
+      const Eigen::RowVector2d f(pull.real(), pull.imag());
+      if (row[s.From] >= 0)
+      {
+        force.row(row[s.From]) += f;
+      }
+      if (row[s.To] >= 0)
+      {
+        force.row(row[s.To]) -= f;
+      }
+    }
+    const Eigen::MatrixX2d change = cholesky.solve(force);
+    for (std::size_t i = 0; i < vertex.size(); ++i)
+    {
+      position[vertex[i]] += Complex(change(i, 0), change(i, 1));
+    }
+  }
+}
+
+} // namespace flattening
