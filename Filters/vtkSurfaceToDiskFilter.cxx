@@ -201,12 +201,17 @@ flattening::SurfaceToDiskOptions vtkSurfaceToDiskFilter::GetOptions(vtkPolyData*
   options.CountSelfIntersections = this->CountSelfIntersections;
   if (this->UseRegionOfInterest)
   {
+    vtkInformation* choice = this->GetInputArrayInformation(0);
+    const bool isChosen =
+      choice->Has(vtkDataObject::FIELD_NAME()) || choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
     int association = -1;
-    vtkDataArray* array = this->GetInputArrayToProcess(0, input, association);
-    if (!array)
+    vtkDataArray* array = isChosen ? this->GetInputArrayToProcess(0, input, association) : nullptr;
+    if (!array || array->GetNumberOfComponents() != 1 ||
+        (association != vtkDataObject::FIELD_ASSOCIATION_CELLS &&
+          association != vtkDataObject::FIELD_ASSOCIATION_POINTS))
     {
-      throw InvalidInput("the region of interest is not an array of the surface: choose a point or cell "
-                         "array, or turn Use Region Of Interest off");
+      throw InvalidInput("the region of interest is not an array of the surface with one number per "
+                         "point or cell: choose another, or turn Use Region Of Interest off");
     }
     options.RegionOfInterest = regionOfInterest(input, array, association);
   }

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "FilterTest.h"
 #include "SurfaceToDiskChecks.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkExecutive.h>
+#include <vtkFieldData.h>
+#include <vtkIntArray.h>
 #include <vtkLineSource.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -21,54 +25,27 @@ namespace
 {
 
 using namespace disk_tests;
+using flattening::testing::ErrorLog;
 
-// Quads around a ring.
-vtkSmartPointer<vtkPolyData> torus(int n, int m)
+// Expects exactly one error, with these words, and an empty output.
+void expectError(vtkSurfaceToDiskFilter* filter, vtkPolyData* input, const std::string& words)
 {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> quads;
-  for (int i = 0; i < n; ++i)
-  {
-    for (int j = 0; j < m; ++j)
-    {
-      const double u = 2 * Pi * i / n;
-      const double v = 2 * Pi * j / m;
-      const double r = 2 + std::cos(v);
-      points->InsertNextPoint(r * std::cos(u), r * std::sin(u), std::sin(v));
-      const vtkIdType next = (i + 1) % n * m;
-      const vtkIdType up = (j + 1) % m;
-      const vtkIdType ids[] = { i * m + j, next + j, next + up, i * m + up };
-      quads->InsertNextCell(4, ids);
-    }
-  }
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->SetPoints(points);
-  result->SetPolys(quads);
-  return result;
+  SCOPED_TRACE(words);
+  const ErrorLog errors(filter);
+  const auto output = run(filter, input);
+  ASSERT_EQ(errors.messages().size(), 1u);
+  EXPECT_NE(errors.messages().front().find(words), std::string::npos) << errors.messages().front();
+  EXPECT_EQ(output->GetNumberOfPoints(), 0);
+  EXPECT_EQ(output->GetNumberOfCells(), 0);
+  EXPECT_EQ(output->GetFieldData()->GetNumberOfArrays(), 0);
 }
 
-// Expects one error with these words and an empty output; then the filter works again.
-void expectError(vtkSurfaceToDiskFilter* filter, vtkPolyData* input, const char* words)
+// Whatever went wrong before, the next update is as good as any.
+void expectDiskWithoutError(vtkSurfaceToDiskFilter* filter, vtkPolyData* input)
 {
-  vtkNew<vtkTest::ErrorObserver> filterErrors;
-  vtkNew<vtkTest::ErrorObserver> executiveErrors;
-  const unsigned long filterTag = filter->AddObserver(vtkCommand::ErrorEvent, filterErrors);
-  const unsigned long executiveTag =
-    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, executiveErrors);
-  filter->SetInputData(input);
-  filter->Update();
-  EXPECT_TRUE(filterErrors->GetError()) << words;
-  EXPECT_NE(filterErrors->GetErrorMessage().find(words), std::string::npos)
-    << filterErrors->GetErrorMessage() << " lacks: " << words;
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
-  filter->RemoveObserver(filterTag);
-  filter->GetExecutive()->RemoveObserver(executiveTag);
-
-  vtkNew<vtkSurfaceToDiskFilter> fresh;
-  filter->SetTargetEdgeLength(fresh->GetTargetEdgeLength());
-  filter->SetMergeTolerance(fresh->GetMergeTolerance());
-  expectDisk(run(filter, square(8)));
+  const ErrorLog errors(filter);
+  expectDisk(run(filter, input));
+  EXPECT_TRUE(errors.messages().empty()) << errors.messages().front();
 }
 
 TEST(SurfaceToDiskErrors, EmptyInputGivesEmptyOutputSilently)
@@ -82,10 +59,9 @@ TEST(SurfaceToDiskErrors, EmptyInputGivesEmptyOutputSilently)
   EXPECT_FALSE(errors->GetError());
 }
 
-TEST(SurfaceToDiskErrors, NamesWhatIsWrongAndTheRemedy)
+TEST(SurfaceToDiskErrors, SurfacesThatAreNone)
 {
   vtkNew<vtkSurfaceToDiskFilter> filter;
-
   vtkNew<vtkLineSource> line;
   line->Update();
   expectError(filter, line->GetOutput(), "no triangles");
@@ -108,15 +84,181 @@ TEST(SurfaceToDiskErrors, NamesWhatIsWrongAndTheRemedy)
   collinear->GetOutput()->SetPoints(flat->GetPoints());
   expectError(filter, collinear->GetOutput(), "zero area");
 
+  // The band of a Moebius strip.
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> quads;
+  constexpr int Sections = 20;
+  for (int i = 0; i < Sections; ++i)
+  {
+    const double u = 2.0 * Pi * i / Sections;
+    for (const double w : { -0.3, 0.3 })
+    {
+      const double r = 1.0 + w * std::cos(0.5 * u);
+      points->InsertNextPoint(r * std::cos(u), r * std::sin(u), w * std::sin(0.5 * u));
+    }
+    const bool last = i + 1 == Sections;
+    const vtkIdType next = last ? 1 : 2 * i + 2;
+    const vtkIdType opposite = last ? 0 : 2 * i + 3;
+    const vtkIdType quad[] = { 2 * i, next, opposite, 2 * i + 1 };
+    quads->InsertNextCell(4, quad);
+  }
+  vtkNew<vtkPolyData> moebius;
+  moebius->SetPoints(points);
+  moebius->SetPolys(quads);
+  expectError(filter, moebius, "one-sided");
+  expectDiskWithoutError(filter, sphere(20));
+}
+
+TEST(SurfaceToDiskErrors, Handles)
+{
+  vtkNew<vtkSurfaceToDiskFilter> filter;
   filter->SetHandleModeToError();
-  expectError(filter, torus(24, 10), "genus 1");
-  filter->SetHandleModeToRemove();
+  expectError(
+    filter, torus(24, 10), "genus 1, that is 1 handle or tunnel: set Handles to Remove or Cut");
+  expectError(filter, slabWithHoles(3), "3 handles or tunnels");
+  expectDiskWithoutError(filter, sphere(20));
+}
+
+TEST(SurfaceToDiskErrors, ComponentsThatDoNotExist)
+{
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  filter->SetComponentModeToByIndex();
+  for (const int index : { 1, 7, -1 })
+  {
+    filter->SetComponentIndex(index);
+    expectError(filter, sphere(12), "component " + std::to_string(index));
+  }
+  filter->SetComponentIndex(0);
+  expectDiskWithoutError(filter, sphere(12));
+}
+
+TEST(SurfaceToDiskErrors, PicksOffTheSurface)
+{
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  filter->UseHolePointOn();
+  for (const double bad : { 3.0, double(NAN) })
+  {
+    filter->SetHolePoint(0.0, bad, 0.0);
+    expectError(filter, sphere(20), "the hole's point");
+  }
+  filter->SetHolePoint(0.0, 0.51, 0.0);
+  expectDiskWithoutError(filter, sphere(20));
+}
+
+TEST(SurfaceToDiskErrors, Seams)
+{
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  filter->SetCutModeToSeam();
+  filter->AddSeamPoint(0.5, 0.0, 0.0);
+  expectError(filter, sphere(20), "a seam through 1 point");
+  filter->AddSeamPoint(0.5, 0.0, 0.0);
+  expectError(filter, sphere(20), "points 1 and 2 of the seam coincide");
+  filter->SetSeamPoint(1, 0.0, 2.0, 0.0);
+  expectError(filter, sphere(20), "point 2 of the seam (0 2 0) lies");
+  filter->SetSeamPoint(1, 0.0, NAN, 0.0);
+  expectError(filter, sphere(20), "point 2 of the seam is not finite");
+  filter->SetSeamPoint(1, 0.0, 0.5, 0.0);
+  expectDiskWithoutError(filter, sphere(20));
+
+  filter->SetSeamPoint(0, 0.3, 0.5, 0.0);
+  filter->SetSeamPoint(1, 0.7, 0.5, 0.0);
+  expectError(filter, square(20), "neither starts nor ends on it");
+  filter->RemoveAllSeamPoints();
+  expectDiskWithoutError(filter, square(20));
+
+  const ErrorLog errors(filter);
+  filter->SetSeamPoint(0, 1.0, 2.0, 3.0);
+  ASSERT_EQ(errors.messages().size(), 1u);
+  EXPECT_NE(errors.messages().front().find("no seam point 0"), std::string::npos);
+}
+
+TEST(SurfaceToDiskErrors, Planes)
+{
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  filter->SetCutModeToPlane();
+  filter->SetPlaneOrigin(0.7, 0.0, 0.0);
+  expectError(filter, sphere(20), "plane");
+  filter->SetPlaneOrigin(0.1, 0.0, 0.0);
+  filter->SetPlaneNormal(0.0, 0.0, 0.0);
+  expectError(filter, sphere(20), "normal");
+  filter->SetPlaneNormal(0.0, NAN, 0.0);
+  expectError(filter, sphere(20), "normal");
+  filter->SetPlaneNormal(0.0, 0.0, 1e-30);
+  expectDiskWithoutError(filter, sphere(20));
+}
+
+TEST(SurfaceToDiskErrors, RegionsOfInterest)
+{
+  const auto input = sphere(20);
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  filter->UseRegionOfInterestOn();
+  expectError(filter, input, "not an array of the surface");
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Region");
+  expectError(filter, input, "not an array of the surface");
+
+  vtkNew<vtkIntArray> region;
+  region->SetName("Region");
+  region->SetNumberOfTuples(input->GetNumberOfPoints() - 1);
+  region->Fill(0);
+  input->GetPointData()->AddArray(region);
+  expectError(filter,
+    input,
+    "has " + std::to_string(region->GetNumberOfTuples()) + " values for " +
+      std::to_string(input->GetNumberOfPoints()) + " points");
+
+  vtkNew<vtkIntArray> vectors;
+  vectors->SetName("Vectors");
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(input->GetNumberOfPoints());
+  input->GetPointData()->AddArray(vectors);
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Vectors");
+  expectError(filter, input, "with one number per point or cell");
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Region");
+
+  region->SetNumberOfTuples(input->GetNumberOfPoints());
+  region->Fill(1);
+  region->Modified();
+  expectError(filter, input, "covers all of the surface");
+  filter->SetCutModeToSeam();
+  expectError(filter, input, "leaves no room for a seam");
+  region->Fill(0);
+  region->Modified();
+  expectDiskWithoutError(filter, input);
+  filter->SetCutModeToHole();
+  expectDiskWithoutError(filter, input);
+}
+
+TEST(SurfaceToDiskErrors, LengthsOutOfRange)
+{
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  filter->SetMergeTolerance(-1.0);
+  expectError(filter, square(8), "merge tolerance");
+  filter->SetMergeTolerance(0.0);
+
+  for (const double bad : { -1.0, double(NAN), double(INFINITY) })
+  {
+    filter->SetFillLengthLimit(bad);
+    expectError(filter, square(8), "longest boundary to be filled");
+  }
+  filter->SetFillLengthLimit(3.9);
+  filter->SetBoundaryModeToFillAll();
+  expectError(filter, square(8), "4"); // its circumference
+  filter->SetFillLengthLimit(0.0);
+  filter->SetBoundaryModeToLongest();
 
   filter->RemeshOn();
   filter->SetTargetEdgeLength(-2);
   expectError(filter, square(8), "target edge length");
   filter->SetTargetEdgeLength(5);
   expectError(filter, square(8), "fewer than 20 faces");
+  filter->SetTargetEdgeLength(0);
+  for (const double bad : { 0.0, -1.0, double(NAN) })
+  {
+    filter->SetRelativeEdgeLength(bad);
+    expectError(filter, square(8), "relative edge length");
+  }
+  filter->SetRelativeEdgeLength(1.0);
+  expectDiskWithoutError(filter, square(8));
 }
 
 TEST(SurfaceToDiskErrors, StopsWhenAborted)
