@@ -208,14 +208,15 @@ TEST(GeodesicSeam, LengthensTheBoundaryOfAnOpenSurface)
 // Halving the edges of a corner of a cube ends at the wanted length up to rounding, which must do.
 TEST(GeodesicSeam, EdgesMayBeLongerByRounding)
 {
-  for (int turn = 0; turn < 20; ++turn)
+  for (int turn = 0; turn < 6; ++turn)
   {
     TriangleMesh corner = tetrahedron();
     const Eigen::Matrix3d rotation =
       Eigen::AngleAxisd(0.1 * turn, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
     corner.Vertices *= rotation;
+    corner.Vertices.rowwise() += Eigen::RowVector3d::Constant(1000.0); // midpoints are rounded
     const Points ends{ corner.Vertices.row(0), corner.Vertices.row(1) };
-    EXPECT_NEAR(seamThrough(corner, ends).Length, 1.0, 1e-12) << turn;
+    EXPECT_NEAR(seamThrough(corner, ends).Length, 1.0, 1e-9) << turn;
   }
 }
 

@@ -66,7 +66,7 @@ Eigen::Vector3d randomCorner(RandomNumbers& random, const TriangleMesh& mesh)
 
 void chooseCut(RandomNumbers& random, const TriangleMesh& mesh, SurfaceToDiskOptions& options)
 {
-  if (random.chance(0.15))
+  if (random.chance(0.08))
   {
     options.Cut = CutMode::Seam;
     options.SeamPoints = { randomCorner(random, mesh), randomCorner(random, mesh) };
@@ -105,7 +105,8 @@ SurfaceToDiskOptions randomOptions(std::uint64_t seed, const TriangleMesh& mesh)
 {
   RandomNumbers random(seed + 1'000'000);
   SurfaceToDiskOptions options;
-  options.Remesh = random.chance(0.4);
+  options.Remesh = random.chance(0.3);
+  options.CountSelfIntersections = random.chance(0.3);
   if (random.chance(0.2))
   {
     options.Component.By = ComponentChoice::Rule::ClosestToPoint;
@@ -123,6 +124,7 @@ SurfaceToDiskOptions randomOptions(std::uint64_t seed, const TriangleMesh& mesh)
   {
     options.FillLengthLimit = 1e30;
   }
+  options.FlattenFolds = random.chance(0.8);
   if (random.chance(0.2))
   {
     options.SmallestAngle = random.chance(0.5) ? 0.0 : random.real(0.0, 15.0);
