@@ -10,10 +10,10 @@
 namespace flattening
 {
 
-/// Splits every face whose open edge (an edge of one face only) has vertices of other open edges on it
-/// at these, so that the faces on the other side fit. On it means: within @p tolerance (input units) or
-/// 1e-10 of the edge's length, whichever is more, off its ends, and beyond a tenth of that from the
-/// face's third corner.
+/// Splits every face whose open edge (an edge of one face only) has ends of other open edges on it at
+/// these, so that the faces on the other side fit. On it means: off its ends, and not farther from it
+/// than @p tolerance (input units) or 1e-10 of its length, whichever is more, nor than a tenth of the
+/// face's height over it.
 /// @p faces (no repeated vertices) and @p origins (what each face is a part of) change together; parts
 /// hand the origin on. Returns the number of places where an edge was split.
 int closeCracks(const Points3& vertices,
