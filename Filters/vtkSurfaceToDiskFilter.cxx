@@ -180,6 +180,7 @@ flattening::SurfaceToDiskOptions vtkSurfaceToDiskFilter::GetOptions(vtkPolyData*
   options.Boundary.By = static_cast<flattening::BoundaryChoice::Rule>(this->BoundaryMode);
   options.Boundary.Point = Eigen::Vector3d(this->BoundaryPoint);
   options.FillLengthLimit = this->FillLengthLimit;
+  options.FlattenFolds = this->FlattenFolds;
   options.Handles = static_cast<flattening::HandleMode>(this->HandleMode);
   options.Cut = static_cast<flattening::CutMode>(this->CutMode);
   if (this->UseHolePoint)
@@ -288,6 +289,7 @@ void vtkSurfaceToDiskFilter::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   print(os, indent, "BoundaryPoint", this->BoundaryPoint);
   os << indent << "FillLengthLimit: " << this->FillLengthLimit << "\n";
+  os << indent << "FlattenFolds: " << (this->FlattenFolds ? "on" : "off") << "\n";
   os << indent << "HandleMode: " << nameOf(this->HandleMode, { "Remove", "Cut", "Error" }) << "\n";
   os << indent << "CutMode: " << nameOf(this->CutMode, { "Hole", "Seam", "Plane" }) << "\n";
   os << indent << "UseHolePoint: " << (this->UseHolePoint ? "on" : "off") << "\n";

@@ -9,6 +9,7 @@
  * - merges coincident points, drops degenerate and duplicate faces without leaving cracks, and where
  *   more than two faces share an edge, or fans of faces only a vertex, cuts the surface into its sheets,
  * - keeps one component (ComponentMode), turns its faces to the same side, a closed one outward,
+ * - flattens spikes, pits and fins of one voxel (FlattenFolds),
  * - keeps one side of a plane, if CutMode is PLANE,
  * - keeps one boundary (BoundaryMode) and fills all others with patches of the density around them; a
  *   boundary shorter than that of the hole below is filled too, and the surface opened there,
@@ -170,6 +171,19 @@ public:
    */
   vtkSetMacro(FillLengthLimit, double);
   vtkGetMacro(FillLengthLimit, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether spikes, pits and fins as thin as one voxel, which noise leaves on an isosurface, are
+   * flattened into the surface around them: such a fold has nearly no base to put its area on in a flat
+   * map. At most 20 neighbouring points are moved together; larger sheets stay. See the figures
+   * RemovedSpikes, RemovedFins, FoldAreaChange and LeftFolded. Default: on. Nothing is changed if
+   * HandleMode is CUT_HANDLES.
+   */
+  vtkSetMacro(FlattenFolds, bool);
+  vtkGetMacro(FlattenFolds, bool);
+  vtkBooleanMacro(FlattenFolds, bool);
   ///@}
 
   enum HandleModes
@@ -368,6 +382,7 @@ protected:
   int BoundaryMode = LONGEST_BOUNDARY;
   double BoundaryPoint[3] = { 0.0, 0.0, 0.0 };
   double FillLengthLimit = 0.0;
+  bool FlattenFolds = true;
   int HandleMode = REMOVE_HANDLES;
   int CutMode = HOLE;
   bool UseHolePoint = false;

@@ -322,6 +322,38 @@ TEST(SurfaceToDiskModes, SmallAnglesAreOpened)
   EXPECT_NEAR(areaOf(output), areaOf(needles), 0.01 * areaOf(needles));
 }
 
+// A point of a sphere drawn out to four times its radius.
+TEST(SurfaceToDiskModes, SpikesAreFlattened)
+{
+  const auto input = sphere(40);
+  const double area = areaOf(input);
+  double x[3];
+  input->GetPoint(500, x);
+  input->GetPoints()->SetPoint(500, 4.0 * x[0], 4.0 * x[1], 4.0 * x[2]);
+  const double spike = areaOf(input) - area;
+  ASSERT_GT(spike, 0.05 * area);
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  EXPECT_TRUE(filter->GetFlattenFolds());
+  const auto flattened = run(filter, input);
+  expectDisk(flattened);
+  EXPECT_EQ(figure(flattened, "RemovedSpikes"), 1);
+  EXPECT_EQ(figure(flattened, "RemovedFins"), 0);
+  EXPECT_NEAR(figure(flattened, "FoldAreaChange"), -spike, 2e-3 * area);
+  EXPECT_NEAR(areaOf(flattened) + figure(flattened, "RemovedArea"), area, 2e-3 * area);
+
+  for (const bool cutHandles : { false, true })
+  {
+    filter->SetFlattenFolds(cutHandles);
+    filter->SetHandleMode(
+      cutHandles ? vtkSurfaceToDiskFilter::CUT_HANDLES : vtkSurfaceToDiskFilter::REMOVE_HANDLES);
+    const auto output = run(filter, input);
+    expectDisk(output);
+    EXPECT_EQ(figure(output, "RemovedSpikes"), 0);
+    EXPECT_EQ(figure(output, "FoldAreaChange"), 0.0);
+    EXPECT_NEAR(areaOf(output) + figure(output, "RemovedArea"), area + spike, 2e-3 * area);
+  }
+}
+
 TEST(SurfaceToDiskModes, ReportsEveryFigure)
 {
   const auto input = slabWithHoles(3);

@@ -144,6 +144,12 @@ coarser = disk(sheet, Remesh=1, TargetEdgeLength=0.05)
 assert figure(coarser, "RemeshEdgeLength") == 0.05
 assert coarser.GetNumberOfCells() < 0.2 * finer.GetNumberOfCells()
 
+spiked = Calculator(  # one point, the first pole, three times as far out
+    Input=ball, CoordinateResults=1, Function="coords * if(coordsZ > 9.99, 3, 1)"
+)
+assert figure(disk(spiked, FlattenFolds=1), "RemovedSpikes") == 1
+assert figure(disk(spiked, FlattenFolds=0), "RemovedSpikes") == 0
+
 needles = Sphere(ThetaResolution=600, PhiResolution=12)
 assert figure(disk(needles, SmallestAngle=0.0), "SmallestAngle") < 0.7
 assert figure(disk(needles, SmallestAngle=2.0), "SmallestAngle") >= 2
