@@ -156,6 +156,7 @@ void setReport(vtkPolyData* output, const SurfaceToDiskReport& report, vtkIdType
   measure("SeamLength", report.SeamLength);
   measure("RemovedArea", report.RemovedArea);
   count("RemovedRegionPoints", report.RemovedRegionPoints);
+  count("SeamRegionPoints", report.SeamRegionPoints);
   count("BoundaryVertices", report.BoundaryVertices);
   measure("BoundaryLength", report.BoundaryLength);
   measure("SurfaceArea", report.SurfaceArea);

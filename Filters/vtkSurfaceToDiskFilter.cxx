@@ -167,6 +167,19 @@ int vtkSurfaceToDiskFilter::RequestData(vtkInformation* vtkNotUsed(request),
       flattening::setDisk(output, input, cellsOf(triangles), disk);
       output->GetFieldData()->PassData(input->GetFieldData());
       flattening::setReport(output, disk.Report, input->GetNumberOfVerts() + input->GetNumberOfLines());
+      if (disk.Report.RemovedRegionPoints > 0)
+      {
+        vtkWarningMacro("the hole took "
+                        << disk.Report.RemovedRegionPoints
+                        << " points of the region of interest, which leaves it no other "
+                           "place: mark a smaller region or lower the hole's area");
+      }
+      if (disk.Report.SeamRegionPoints > 0)
+      {
+        vtkWarningMacro("the cut of the handles runs through "
+                        << disk.Report.SeamRegionPoints
+                        << " points of the region of interest: set Handles to Remove to keep it whole");
+      }
     });
 }
 

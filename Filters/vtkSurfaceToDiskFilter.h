@@ -45,7 +45,8 @@
  * - `RemeshEdgeLength` (0: not remeshed),
  * - `HoleCentre` (3 components), `HoleRadius` (geodesic; 0: no hole was cut), `SeamLength` (0: no seam),
  *   `RemovedArea` (of the hole, or beyond the plane), `RemovedRegionPoints` (of the region of interest,
- *   where the surface has no other place for the hole),
+ *   where the surface has no other place for the hole), `SeamRegionPoints` (of the region of interest,
+ *   where the cut of handles runs through it),
  * - what came of it: `BoundaryVertices`, `BoundaryLength`, `SurfaceArea`, `SmallestAngle`,
  *   `SelfIntersectionsBefore` and `SelfIntersections` (pairs of faces of the repaired component and of
  * the disk that intersect).
@@ -199,7 +200,9 @@ public:
    * - REMOVE_HANDLES: each is cut along the shortest loop, around the handle or around the tunnel, and
    *   the two openings are capped. For topological noise, whose loops are short.
    * - CUT_HANDLES: the surface is cut open along a short graph of its edges and stays as it is; all of
-   *   its area is kept. A closed surface needs no further opening then.
+   *   its area is kept. A closed surface is open then, and is not opened at a hole or seam besides,
+   *   unless it is given a point for it: the hole of HolePoint (UseHolePoint) or the seam of SeamPoints
+   *   is cut first. The graph does not keep off a region of interest: a warning if it meets it.
    * - HANDLES_ARE_ERRORS: an error that names their number.
    * Default: REMOVE_HANDLES.
    */
@@ -270,7 +273,7 @@ public:
    * Whether the hole or seam is kept away from a region of interest: points where the array set by
    * SetInputArrayToProcess(0, ...) is not 0, or corners of cells where it is not 0. Default: off. It
    * concerns automatic placement only. Error if the array is missing, of another length or leaves no
-   * room.
+   * room for a seam; a warning if the hole takes some of it.
    */
   vtkSetMacro(UseRegionOfInterest, bool);
   vtkGetMacro(UseRegionOfInterest, bool);
@@ -280,9 +283,9 @@ public:
   ///@{
   /**
    * The points that the seam goes through, in order: the points of the surface closest to these. In
-   * units of the input. Default: none, which lets the seam of a closed surface run between two ends of it
-   * that are far from each other, which flattens best, and leaves an open one as it is. Error if there is
-   * a single one, or if one is off the surface as for HolePoint.
+   * units of the input. Default: none, which lets the seam of a closed surface run between two ends of
+   * it that are far from each other, which flattens best, and leaves an open one as it is. Error if
+   * there is a single one, or if one is off the surface as for HolePoint.
    */
   void SetNumberOfSeamPoints(int number);
   int GetNumberOfSeamPoints();

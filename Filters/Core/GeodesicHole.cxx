@@ -311,14 +311,23 @@ OpenedSurface cutGeodesicHole(const TriangleMesh& closed,
                        " vertices was asked for: ask for 3 at least");
   }
   const MeshTopology topology = analyseTopology(closed.Faces, closed.vertexCount());
-  if (topology.Components != 1 || topology.Genus != 0 || !topology.BoundaryLoops.empty())
+  if (topology.Components != 1 || !topology.BoundaryLoops.empty())
   {
-    throw TopologyError(
-      "a hole can be cut into one closed surface of genus 0 only; this one has " +
-      std::to_string(topology.Components) + " components, genus " + std::to_string(topology.Genus) +
-      " and " + std::to_string(topology.BoundaryLoops.size()) + " boundary loops: run Surface To Disk");
+    throw TopologyError("a hole can be cut into one closed surface only; this one has " +
+                        std::to_string(topology.Components) + " components and " +
+                        std::to_string(topology.BoundaryLoops.size()) +
+                        " boundary loops: run Surface To Disk");
   }
-  return HoleCutter(closed, options).cut(progress);
+  OpenedSurface opened = HoleCutter(closed, options).cut(progress);
+  const TriangleMesh& rest = opened.Surface.Mesh;
+  const MeshTopology left = analyseTopology(rest.Faces, rest.vertexCount());
+  if (left.Genus != topology.Genus || left.BoundaryLoops.size() != 1)
+  {
+    throw TopologyError("a hole of share " + std::to_string(options.AreaFraction) +
+                        " of the area reaches around a handle or tunnel there: choose another hole "
+                        "point or a smaller area");
+  }
+  return opened;
 }
 
 } // namespace flattening

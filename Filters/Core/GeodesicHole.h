@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Opens a closed surface of genus 0 by a small round hole.
+/// Opens a closed surface by a small round hole.
 #pragma once
 
 #include "DerivedMesh.h"
@@ -29,7 +29,7 @@ struct GeodesicHoleOptions
 
 struct OpenedSurface
 {
-  DerivedMesh Surface; ///< a disk
+  DerivedMesh Surface; ///< of the same genus; a disk if that is 0
   Eigen::Vector3d Centre = Eigen::Vector3d::Zero();
   double Radius = 0.0;      ///< geodesic, input units
   double RemovedArea = 0.0; ///< input units squared
@@ -44,7 +44,8 @@ struct OpenedSurface
 /// fraction of their edges move onto it, and curve points too close to each other become one, so that no
 /// slivers remain at the cut.
 /// @throws InvalidInput if an option is out of range or the centre is off the surface; TopologyError if
-/// the surface is not closed, connected and of genus 0, or no round hole of that size can be cut.
+/// the surface is not closed and connected, or no round hole of that size can be cut, for instance
+/// because it would reach around a handle.
 OpenedSurface cutGeodesicHole(const TriangleMesh& closed,
   const GeodesicHoleOptions& options = {},
   const ProgressCallback& progress = {});

@@ -349,11 +349,10 @@ SeamOpenedSurface cutGeodesicSeam(const TriangleMesh& mesh,
                        " vertices was asked for: ask for 3 at least");
   }
   const MeshTopology topology = analyseTopology(mesh.Faces, mesh.vertexCount());
-  if (topology.Components != 1 || topology.Genus != 0)
+  if (topology.Components != 1)
   {
-    throw TopologyError("a seam opens one connected surface of genus 0; this one has " +
-                        std::to_string(topology.Components) + " components and genus " +
-                        std::to_string(topology.Genus) + ": run Surface To Disk");
+    throw TopologyError("a seam opens one connected surface; this one has " +
+                        std::to_string(topology.Components) + " components: run Surface To Disk");
   }
   return SeamCutter(mesh, options, topology).cut(progress);
 }

@@ -23,13 +23,13 @@ struct GeodesicSeamOptions
 
 struct SeamOpenedSurface
 {
-  CutSurface Cut; ///< a disk if the surface was closed
+  CutSurface Cut; ///< of the same genus; a disk if the surface was closed and of genus 0
   /// Where the seam passes the points asked for: on the surface.
   std::vector<Eigen::Vector3d> Points;
   double Length = 0.0; ///< of the seam, input units
 };
 
-/// Cuts a closed surface of genus 0 into a disk along the exact geodesics (geodesicPath) between
+/// Opens a closed surface along the exact geodesics (geodesicPath) between
 /// consecutive points. A surface with boundary is cut from its boundary inwards: the first or the last
 /// point must lie on the boundary or not farther from it than the edges there, and moves onto it.
 /// The geodesics are cut into the faces, which keep their areas and their planes. Where the seam passes
@@ -37,8 +37,8 @@ struct SeamOpenedSurface
 /// triangulated for the largest angles. Where the seam would cross too few edges the mesh is refined
 /// first by longest-edge bisection. New vertices are made of the ends of the edge that they split.
 /// @throws InvalidInput if there are fewer than two points, points coincide (to a millionth of the
-/// surface's size) or lie off the surface (pickOnSurface); TopologyError if the surface is not connected
-/// and of genus 0, or the seam crosses or touches itself or the boundary.
+/// surface's size) or lie off the surface (pickOnSurface); TopologyError if the surface is not
+/// connected, or the seam crosses or touches itself or the boundary.
 SeamOpenedSurface cutGeodesicSeam(const TriangleMesh& mesh,
   const GeodesicSeamOptions& options,
   const ProgressCallback& progress = {});

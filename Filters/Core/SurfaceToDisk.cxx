@@ -313,16 +313,42 @@ private:
     }
   }
 
+  // Cutting handles opens a closed surface; but what was asked for by name is done as well.
   void open(const ProgressCallback& progress)
   {
-    if (this->Figures.Genus > 0 && this->Options.Handles == HandleMode::Cut)
+    if (this->Figures.Genus == 0 || this->Options.Handles != HandleMode::Cut)
     {
-      HandleLoops handles = handleLoops(this->mesh(), subrange(progress, 0.0, 0.7));
-      follow(this->Disk.Surface, std::move(handles.Surface));
-      this->followSeam(cutToDisk(this->mesh(), handles.Loops, subrange(progress, 0.7, 1.0)));
-      this->resolveBoundary();
+      this->openOnce(progress);
+      return;
     }
-    else if (this->Options.Cut == CutMode::Seam && (this->Closed || !this->Options.SeamPoints.empty()))
+    const bool opensTwice = this->Options.Cut == CutMode::Seam
+                              ? !this->Options.SeamPoints.empty()
+                              : this->Options.Cut == CutMode::Hole && this->Options.Hole.Centre;
+    if (opensTwice)
+    {
+      this->openOnce(subrange(progress, 0.0, 0.4));
+    }
+    this->cutHandles(subrange(progress, opensTwice ? 0.4 : 0.0, 1.0));
+  }
+
+  void cutHandles(const ProgressCallback& progress)
+  {
+    HandleLoops handles = handleLoops(this->mesh(), subrange(progress, 0.0, 0.7));
+    this->followFlags(handles.Surface);
+    follow(this->Disk.Surface, std::move(handles.Surface));
+    CutSurface cut = cutToDisk(this->mesh(), handles.Loops, subrange(progress, 0.7, 1.0));
+    const std::vector<char> region = this->avoided();
+    for (std::size_t v = 0; v < region.size(); ++v)
+    {
+      this->Figures.SeamRegionPoints += region[v] && cut.OnSeam[v] ? 1 : 0;
+    }
+    this->followSeam(std::move(cut));
+    this->resolveBoundary();
+  }
+
+  void openOnce(const ProgressCallback& progress)
+  {
+    if (this->Options.Cut == CutMode::Seam && (this->Closed || !this->Options.SeamPoints.empty()))
     {
       this->cutSeam(progress);
     }
@@ -355,9 +381,24 @@ private:
   void followSeam(CutSurface&& cut)
   {
     const double before = boundaryLength(this->mesh());
-    this->Disk.Seam = std::move(cut.OnSeam);
+    this->followFlags(cut.Surface);
+    this->Disk.Seam.resize(cut.OnSeam.size(), 0);
+    std::transform(cut.OnSeam.begin(),
+      cut.OnSeam.end(),
+      this->Disk.Seam.begin(),
+      this->Disk.Seam.begin(),
+      [](char now, char earlier) { return now || earlier; });
     follow(this->Disk.Surface, std::move(cut.Surface));
-    this->Figures.SeamLength = 0.5 * (boundaryLength(this->mesh()) - before);
+    this->Figures.SeamLength += 0.5 * (boundaryLength(this->mesh()) - before);
+  }
+
+  // The vertices of an earlier seam, if there is one, on the surface that comes next.
+  void followFlags(const DerivedMesh& next)
+  {
+    if (!this->Disk.Seam.empty())
+    {
+      this->Disk.Seam = flagsOf(next.Vertices, this->Disk.Seam, true);
+    }
   }
 
   void cutHole(const ProgressCallback& progress)
@@ -377,7 +418,7 @@ private:
     DerivedMesh refined = refineBoundary(this->mesh(), this->Hole.BoundaryVertices);
     if (refined.Mesh.vertexCount() > this->mesh().vertexCount())
     {
-      this->Disk.Seam = flagsOf(refined.Vertices, this->Disk.Seam, true);
+      this->followFlags(refined);
       follow(this->Disk.Surface, std::move(refined));
     }
   }

@@ -23,7 +23,8 @@ namespace flattening
 enum class HandleMode
 {
   Remove, ///< cut and capped (removeHandles)
-  Cut,    ///< cut open along a short graph of edges, nothing removed (shortCutGraph)
+  Cut,    ///< cut open along a short graph of edges, nothing removed (shortCutGraph); a closed surface
+          ///< gets no hole or seam besides, unless a point is given for it
   Error   ///< a TopologyError that names the genus
 };
 
@@ -56,7 +57,8 @@ struct SurfaceToDiskOptions
   /// (placeSeam), an open one is not.
   std::vector<Eigen::Vector3d> SeamPoints;
   CuttingPlane Plane;
-  /// Per point of the input: not 0 where no hole or seam may be placed; empty: anywhere.
+  /// Per point of the input: not 0 where no hole or seam may be placed; empty: anywhere. Cuts of handles
+  /// do not keep off it.
   std::vector<char> RegionOfInterest;
   /// Without remeshing, smaller angles are opened by local changes (withoutSmallAngles), as slivers
   /// cannot be flattened well; degrees, 0 (as it is) to 15. Not if handles are cut.
@@ -87,6 +89,7 @@ struct SurfaceToDiskReport
   double SeamLength = 0.0;     ///< of the seam or cut graph; 0 if there is none
   double RemovedArea = 0.0;    ///< of the hole, or beyond the plane
   int RemovedRegionPoints = 0; ///< of the region of interest, that the hole took all the same
+  int SeamRegionPoints = 0;    ///< of the region of interest, that cuts of handles run through
   int BoundaryVertices = 0;
   double BoundaryLength = 0.0;
   double SurfaceArea = 0.0;

@@ -280,11 +280,27 @@ TEST(GeodesicSeam, RefusesWhatIsNoSeam)
     "not finite"));
   EXPECT_TRUE(contains(messageOf<TopologyError>(
                          [&] {
-                           seamThrough(torus(30, 12), { a, b });
+                           seamThrough(both(sphere(1), moved(sphere(1), 5, 0, 0)), { a, b });
                          }),
-    "genus 1"));
+    "2 components"));
   EXPECT_THROW(
     cutGeodesicSeam(closed, { { a, b }, 128 }, [](double, const char*) { return false; }), Cancelled);
+}
+
+// A third of the inner equator of a torus, of radius 1.5.
+TEST(GeodesicSeam, LeavesHandlesAsTheyAre)
+{
+  const TriangleMesh ring = torus(90, 30);
+  const double third = 2.0 * Pi / 3.0;
+  const SeamOpenedSurface opened =
+    seamThrough(ring, { { 1.5, 0, 0 }, { 1.5 * std::cos(third), 1.5 * std::sin(third), 0 } });
+  EXPECT_NEAR(opened.Length, 1.5 * third, 0.01);
+  const TriangleMesh& mesh = opened.Cut.Surface.Mesh;
+  const MeshTopology topology = analyseTopology(mesh.Faces, mesh.vertexCount());
+  EXPECT_EQ(topology.Genus, 1);
+  ASSERT_EQ(topology.BoundaryLoops.size(), 1u);
+  EXPECT_GE(topology.BoundaryLoops[0].size(), 128u);
+  EXPECT_NEAR(totalArea(mesh), totalArea(ring), 1e-12 * totalArea(ring));
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "SurfaceToDisk.h"
 
 #include <algorithm>
+#include <set>
 
 namespace
 {
@@ -197,6 +198,81 @@ TEST(SurfaceToDisk, CutsAHandleOpenAndLosesNothing)
   ASSERT_EQ(disk.Seam.size(), std::size_t(disk.Surface.Mesh.vertexCount()));
   EXPECT_EQ(std::count(disk.Seam.begin(), disk.Seam.end(), 1), disk.Report.BoundaryVertices);
   EXPECT_GE(disk.Report.BoundaryVertices, 128);
+}
+
+// Radii 2 and 0.5: the hole is cut on the outer equator, the seam is a third of the inner one.
+TEST(SurfaceToDisk, CutsHandlesAndTheHoleOrSeamAskedFor)
+{
+  const TriangleMesh whole = torus(90, 30);
+  const double area = totalArea(whole);
+  SurfaceToDiskOptions options;
+  options.Handles = HandleMode::Cut;
+  const double cutAlone = surfaceToDisk(whole, options).Report.SeamLength;
+
+  options.Hole.Centre = Eigen::Vector3d(0, 2.5, 0);
+  options.Hole.AreaFraction = 0.01;
+  const DiskSurface hole = surfaceToDisk(whole, options); // requireDisk is part of it
+  EXPECT_LT((hole.Report.HoleCentre - Eigen::Vector3d(0, 2.5, 0)).norm(), 0.05);
+  EXPECT_NEAR(hole.Report.RemovedArea, 0.01 * area, 1e-5 * area);
+  EXPECT_NEAR(hole.Report.SurfaceArea, 0.99 * area, 2e-5 * area);
+  const double round = 2.0 * std::sqrt(Pi * 0.01 * area);
+  EXPECT_NEAR(hole.Report.BoundaryLength, 2.0 * hole.Report.SeamLength + round, 0.05 * round);
+  EXPECT_GT(hole.Report.SeamLength, Pi * 0.98);
+
+  options.Hole = {};
+  options.Cut = CutMode::Seam;
+  EXPECT_EQ(surfaceToDisk(whole, options).Report.SeamLength, cutAlone); // no points, no further seam
+  const double third = 2.0 * Pi / 3.0;
+  options.SeamPoints = { { 1.5, 0, 0 }, { 1.5 * std::cos(third), 1.5 * std::sin(third), 0 } };
+  const DiskSurface seam = surfaceToDisk(whole, options);
+  EXPECT_NEAR(seam.Report.SurfaceArea, area, 1e-12 * area);
+  EXPECT_NEAR(seam.Report.SeamLength, 0.5 * seam.Report.BoundaryLength, 1e-12 * area);
+  EXPECT_EQ(seam.Report.RemovedArea, 0.0);
+  // Every boundary vertex is flagged, and so are the ends of the seam, and nothing else.
+  const std::vector<int> boundary = requireDisk(seam.Surface.Mesh);
+  std::vector<char> onBoundary(seam.Seam.size(), 0);
+  for (const int v : boundary)
+  {
+    onBoundary[v] = 1;
+  }
+  EXPECT_EQ(seam.Seam, onBoundary);
+  // The seam's third of the inner equator is part of it.
+  int onThird = 0;
+  for (const int v : boundary)
+  {
+    const Eigen::Vector3d x = seam.Surface.Mesh.Vertices.row(v);
+    const double angle = std::atan2(x.y(), x.x());
+    onThird += std::abs(x.head<2>().norm() - 1.5) < 0.01 && std::abs(x.z()) < 0.1 && angle > 0.01 &&
+                   angle < third - 0.01
+                 ? 1
+                 : 0;
+  }
+  EXPECT_GE(onThird, 120);
+}
+
+TEST(SurfaceToDisk, CountsTheRegionThatTheCutOfHandlesRunsThrough)
+{
+  const TriangleMesh whole = torus(60, 24);
+  SurfaceToDiskOptions options;
+  options.Handles = HandleMode::Cut;
+  const DiskSurface plain = surfaceToDisk(whole, options);
+  EXPECT_EQ(plain.Report.SeamRegionPoints, 0);
+  std::set<int> onCut; // vertices of the input
+  for (int v = 0; v < plain.Surface.Mesh.vertexCount(); ++v)
+  {
+    if (plain.Seam[v] && plain.Surface.Vertices.innerVector(v).nonZeros() == 1)
+    {
+      onCut.insert(static_cast<int>(VertexOrigins::InnerIterator(plain.Surface.Vertices, v).col()));
+    }
+  }
+  ASSERT_GT(onCut.size(), 40u);
+  options.RegionOfInterest.assign(whole.vertexCount(), 1);
+  EXPECT_EQ(surfaceToDisk(whole, options).Report.SeamRegionPoints, static_cast<int>(onCut.size()));
+  for (const int v : onCut)
+  {
+    options.RegionOfInterest[v] = 0;
+  }
+  EXPECT_EQ(surfaceToDisk(whole, options).Report.SeamRegionPoints, 0);
 }
 
 TEST(SurfaceToDisk, CutsAlongASeamOrAPlane)

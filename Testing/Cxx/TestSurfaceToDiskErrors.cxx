@@ -221,10 +221,20 @@ TEST(SurfaceToDiskErrors, RegionsOfInterest)
   expectError(filter, input, "covers all of the surface");
   filter->SetCutModeToSeam();
   expectError(filter, input, "leaves no room for a seam");
+  filter->SetCutModeToHole();
+  region->SetValue(7, 0); // no room for a hole but around one point
+  region->Modified();
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::WarningEvent, observer);
+  filter->SetHoleAreaFraction(0.1);
+  expectDisk(run(filter, input));
+  ASSERT_TRUE(observer->GetWarning());
+  EXPECT_NE(observer->GetWarningMessage().find("points of the region of interest"), std::string::npos);
+  observer->Clear();
   region->Fill(0);
   region->Modified();
   expectDiskWithoutError(filter, input);
-  filter->SetCutModeToHole();
+  EXPECT_FALSE(observer->GetWarning());
   expectDiskWithoutError(filter, input);
 }
 

@@ -4,16 +4,22 @@
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkDataObject.h>
 #include <vtkFieldData.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkTestErrorObserver.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
+#include <string>
 
 namespace
 {
@@ -89,6 +95,81 @@ TEST_P(SurfaceToDiskHandles, AreCutWithoutAnyLoss)
   {
     EXPECT_EQ(output->GetCellData()->GetArray("Filled")->GetTuple1(c), 0);
   }
+}
+
+// A hole at a corner of either surface, a seam in a straight line; both besides the cut of the handles.
+TEST_P(SurfaceToDiskHandles, AreCutBesidesTheHoleOrSeamAskedFor)
+{
+  this->Filter->SetHandleModeToCut();
+  const double cutAlone = figure(run(this->Filter, this->Surface), "SeamLength");
+  double corner[3];
+  this->Surface->GetPoint(0, corner); // of the torus: (3 0 0)
+  this->Filter->SetHolePoint(corner);
+  EXPECT_EQ(figure(run(this->Filter, this->Surface), "HoleRadius"), 0.0); // the switch is off
+  this->Filter->UseHolePointOn();
+  const auto holed = run(this->Filter, this->Surface);
+  expectDisk(holed);
+  EXPECT_EQ(figure(holed, "Genus"), this->GetParam());
+  EXPECT_NEAR(figure(holed, "RemovedArea"), 1e-3 * this->Area, 1e-6 * this->Area);
+  const double* centre = holed->GetFieldData()->GetArray("HoleCentre")->GetTuple3(0);
+  for (int k = 0; k < 3; ++k)
+  {
+    EXPECT_NEAR(centre[k], corner[k], 1e-9);
+  }
+
+  this->Filter->SetCutModeToSeam();
+  EXPECT_EQ(figure(run(this->Filter, this->Surface), "SeamLength"), cutAlone); // no points yet
+  this->Filter->AddSeamPoint(corner[0], corner[1], corner[2]);
+  // A quarter of the way around the tube; along an edge of the slab.
+  if (this->GetParam() == 1)
+  {
+    this->Filter->AddSeamPoint(2.0, 0.0, 1.0);
+  }
+  else
+  {
+    this->Filter->AddSeamPoint(corner[0] + 1.5, corner[1], corner[2]);
+  }
+  const auto seamed = run(this->Filter, this->Surface);
+  expectDisk(seamed);
+  EXPECT_EQ(figure(seamed, "RemovedArea"), 0.0);
+  EXPECT_NEAR(areaOf(seamed), this->Area, 1e-12 * this->Area);
+  EXPECT_EQ(seamPoints(seamed), boundaryPoints(seamed));
+  double nearest = HUGE_VAL; // the seam's first point is on it
+  for (const vtkIdType i : seamPoints(seamed))
+  {
+    double x[3];
+    seamed->GetPoint(i, x);
+    nearest = std::min(nearest, std::hypot(x[0] - corner[0], x[1] - corner[1], x[2] - corner[2]));
+  }
+  EXPECT_LT(nearest, 1e-9);
+}
+
+// The whole surface is of interest, so that there is no way around.
+TEST_P(SurfaceToDiskHandles, CutThroughARegionOfInterestIsSaid)
+{
+  vtkNew<vtkIntArray> region;
+  region->SetName("Region");
+  region->SetNumberOfTuples(this->Surface->GetNumberOfPoints());
+  region->Fill(1);
+  this->Surface->GetPointData()->AddArray(region);
+  this->Filter->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, region->GetName());
+  this->Filter->SetHandleModeToCut();
+  vtkNew<vtkTest::ErrorObserver> observer;
+  this->Filter->AddObserver(vtkCommand::WarningEvent, observer);
+  EXPECT_EQ(figure(run(this->Filter, this->Surface), "SeamRegionPoints"), 0);
+  EXPECT_FALSE(observer->GetWarning());
+  this->Filter->UseRegionOfInterestOn();
+  const auto output = run(this->Filter, this->Surface);
+  expectDisk(output);
+  const double crossed = figure(output, "SeamRegionPoints");
+  EXPECT_GT(crossed, 10.0);
+  ASSERT_TRUE(observer->GetWarning());
+  const std::string text = observer->GetWarningMessage();
+  EXPECT_NE(text.find("runs through " + std::to_string(static_cast<int>(crossed)) + " points"),
+    std::string::npos)
+    << text;
+  EXPECT_NE(text.find("set Handles to Remove"), std::string::npos) << text;
 }
 
 INSTANTIATE_TEST_SUITE_P(Genus, SurfaceToDiskHandles, ::testing::Values(1, 3));

@@ -18,6 +18,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <string>
 #include <vector>
@@ -346,6 +348,7 @@ TEST(SurfaceToDiskModes, SpikesAreFlattened)
     filter->SetFlattenFolds(cutHandles);
     filter->SetHandleMode(
       cutHandles ? vtkSurfaceToDiskFilter::CUT_HANDLES : vtkSurfaceToDiskFilter::REMOVE_HANDLES);
+    filter->SetSmallestAngle(0.0); // the spike has needles
     const auto output = run(filter, input);
     expectDisk(output);
     EXPECT_EQ(figure(output, "RemovedSpikes"), 0);
@@ -398,6 +401,7 @@ TEST(SurfaceToDiskModes, ReportsEveryFigure)
     "SeamLength",
     "RemovedArea",
     "RemovedRegionPoints",
+    "SeamRegionPoints",
     "BoundaryVertices",
     "BoundaryLength",
     "SurfaceArea",
@@ -418,6 +422,16 @@ TEST(SurfaceToDiskModes, ReportsEveryFigure)
   }
   EXPECT_EQ(figure(output, "Patient"), 42); // field data of the input are kept
   EXPECT_EQ(output->GetFieldData()->GetNumberOfArrays(), static_cast<int>(names.size()) + 1);
+
+  for (const char* file : { "Filters/vtkSurfaceToDiskFilter.h", "README.md", "docs/surface_to_disk.md" })
+  {
+    std::ifstream stream(std::string(DATA_DIRECTORY "/../") + file);
+    const std::string text{ std::istreambuf_iterator<char>(stream), {} };
+    for (const std::string& name : names)
+    {
+      EXPECT_NE(text.find('`' + name + '`'), std::string::npos) << name << " is not in " << file;
+    }
+  }
 }
 
 } // namespace
