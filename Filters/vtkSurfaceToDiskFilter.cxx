@@ -202,9 +202,16 @@ flattening::SurfaceToDiskOptions vtkSurfaceToDiskFilter::GetOptions(vtkPolyData*
   }
   options.Hole.AreaFraction = this->HoleAreaFraction;
   options.Hole.BoundaryVertices = this->MinimumBoundaryVertices;
-  for (const std::array<double, 3>& point : this->SeamPoints)
+  if (this->UseSeamPoints && this->CutMode == SEAM)
   {
-    options.SeamPoints.emplace_back(point.data());
+    if (this->SeamPoints.empty())
+    {
+      throw InvalidInput("no point of the seam is given: add two or more, or turn Use Seam Points off");
+    }
+    for (const std::array<double, 3>& point : this->SeamPoints)
+    {
+      options.SeamPoints.emplace_back(point.data());
+    }
   }
   options.Plane.Origin = Eigen::Vector3d(this->PlaneOrigin);
   options.Plane.Normal = Eigen::Vector3d(this->PlaneNormal);
@@ -309,6 +316,7 @@ void vtkSurfaceToDiskFilter::PrintSelf(ostream& os, vtkIndent indent)
   print(os, indent, "HolePoint", this->HolePoint);
   os << indent << "HoleAreaFraction: " << this->HoleAreaFraction << "\n";
   os << indent << "UseRegionOfInterest: " << (this->UseRegionOfInterest ? "on" : "off") << "\n";
+  os << indent << "UseSeamPoints: " << (this->UseSeamPoints ? "on" : "off") << "\n";
   for (const std::array<double, 3>& point : this->SeamPoints)
   {
     print(os, indent, "SeamPoint", point.data());

@@ -201,8 +201,9 @@ public:
    *   the two openings are capped. For topological noise, whose loops are short.
    * - CUT_HANDLES: the surface is cut open along a short graph of its edges and stays as it is; all of
    *   its area is kept. A closed surface is open then, and is not opened at a hole or seam besides,
-   *   unless it is given a point for it: the hole of HolePoint (UseHolePoint) or the seam of SeamPoints
-   *   is cut first. The graph does not keep off a region of interest: a warning if it meets it.
+   *   unless points are chosen for it: the hole of HolePoint (UseHolePoint) or the seam of SeamPoints
+   *   (UseSeamPoints) is cut first. The graph does not keep off a region of interest: a warning if it
+   * meets it.
    * - HANDLES_ARE_ERRORS: an error that names their number.
    * Default: REMOVE_HANDLES.
    */
@@ -225,8 +226,8 @@ public:
    * How the surface is cut.
    * - HOLE: a surface without boundary loses a geodesic disk around a point (HolePoint,
    *   HoleAreaFraction).
-   * - SEAM: the surface is cut along a geodesic path through SeamPoints and loses nothing. If it has a
-   *   boundary the path must start there.
+   * - SEAM: the surface is cut along a geodesic path (UseSeamPoints, SeamPoints) and loses nothing. If
+   *   it has a boundary the path must start there.
    * - PLANE: what lies on the side of PlaneOrigin to which PlaneNormal points is kept, of several parts
    *   one as ComponentMode says (BY_INDEX: the largest).
    * Default: HOLE.
@@ -282,10 +283,20 @@ public:
 
   ///@{
   /**
-   * The points that the seam goes through, in order: the points of the surface closest to these. In
-   * units of the input. Default: none, which lets the seam of a closed surface run between two ends of
-   * it that are far from each other, which flattens best, and leaves an open one as it is. Error if
-   * there is a single one, or if one is off the surface as for HolePoint.
+   * Whether SeamPoints say where the seam runs, if CutMode is SEAM. If off, the seam of a closed surface
+   * runs between two ends of it that are far from each other, which flattens best, and an open surface
+   * stays as it is. Default: off.
+   */
+  vtkSetMacro(UseSeamPoints, bool);
+  vtkGetMacro(UseSeamPoints, bool);
+  vtkBooleanMacro(UseSeamPoints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The points that the seam goes through, in order: the points of the surface closest to these, if
+   * UseSeamPoints is on. In units of the input. Default: none. Error if there are fewer than two, or if
+   * one is off the surface as for HolePoint.
    */
   void SetNumberOfSeamPoints(int number);
   int GetNumberOfSeamPoints();
@@ -392,6 +403,7 @@ protected:
   double HolePoint[3] = { 0.0, 0.0, 0.0 };
   double HoleAreaFraction = 1e-3;
   bool UseRegionOfInterest = false;
+  bool UseSeamPoints = false;
   std::vector<std::array<double, 3>> SeamPoints;
   double PlaneOrigin[3] = { 0.0, 0.0, 0.0 };
   double PlaneNormal[3] = { 1.0, 0.0, 0.0 };

@@ -149,6 +149,8 @@ TEST(SurfaceToDiskErrors, Seams)
 {
   vtkNew<vtkSurfaceToDiskFilter> filter;
   filter->SetCutModeToSeam();
+  filter->UseSeamPointsOn();
+  expectError(filter, sphere(20), "no point of the seam is given");
   filter->AddSeamPoint(0.5, 0.0, 0.0);
   expectError(filter, sphere(20), "a seam through 1 point");
   filter->AddSeamPoint(0.5, 0.0, 0.0);
@@ -163,8 +165,9 @@ TEST(SurfaceToDiskErrors, Seams)
   filter->SetSeamPoint(0, 0.3, 0.5, 0.0);
   filter->SetSeamPoint(1, 0.7, 0.5, 0.0);
   expectError(filter, square(20), "neither starts nor ends on it");
-  filter->RemoveAllSeamPoints();
+  filter->UseSeamPointsOff();
   expectDiskWithoutError(filter, square(20));
+  filter->RemoveAllSeamPoints();
 
   const ErrorLog errors(filter);
   filter->SetSeamPoint(0, 1.0, 2.0, 3.0);

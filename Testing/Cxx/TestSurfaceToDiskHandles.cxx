@@ -118,7 +118,8 @@ TEST_P(SurfaceToDiskHandles, AreCutBesidesTheHoleOrSeamAskedFor)
   }
 
   this->Filter->SetCutModeToSeam();
-  EXPECT_EQ(figure(run(this->Filter, this->Surface), "SeamLength"), cutAlone); // no points yet
+  EXPECT_EQ(figure(run(this->Filter, this->Surface), "SeamLength"), cutAlone); // the switch is off
+  this->Filter->UseSeamPointsOn();
   this->Filter->AddSeamPoint(corner[0], corner[1], corner[2]);
   // A quarter of the way around the tube; along an edge of the slab.
   if (this->GetParam() == 1)

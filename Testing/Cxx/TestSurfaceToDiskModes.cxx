@@ -75,6 +75,7 @@ TEST(SurfaceToDiskModes, SeamRunsThroughItsPointsAndLosesNothing)
   const double area = areaOf(input);
   vtkNew<vtkSurfaceToDiskFilter> filter;
   filter->SetCutModeToSeam();
+  filter->UseSeamPointsOn();
   filter->AddSeamPoint(0.5, 0.0, 0.0);
   filter->AddSeamPoint(0.0, 0.5, 0.0);
   filter->AddSeamPoint(0.0, 0.0, 0.5);
@@ -101,6 +102,7 @@ TEST(SurfaceToDiskModes, SeamWithoutPointsRunsFromEndToEndOfAClosedSurface)
   const auto input = sphere(40);
   vtkNew<vtkSurfaceToDiskFilter> filter;
   filter->SetCutModeToSeam();
+  filter->AddSeamPoint(9.0, 9.0, 9.0); // not used, as the switch is off
   const auto output = run(filter, input);
   expectDisk(output);
   EXPECT_NEAR(figure(output, "SeamLength"), 0.5 * Pi, 0.08);
@@ -116,6 +118,7 @@ TEST(SurfaceToDiskModes, SeamLengthensTheBoundaryOfAnOpenSurface)
 {
   vtkNew<vtkSurfaceToDiskFilter> filter;
   filter->SetCutModeToSeam();
+  filter->UseSeamPointsOn();
   filter->AddSeamPoint(0.0, 0.5, 0.0);
   filter->AddSeamPoint(0.4, 0.5, 0.0);
   const auto output = run(filter, square(40));

@@ -49,21 +49,21 @@ assert picked.GetFieldData().GetArray("HoleCentre").GetTuple3(0)[2] > 9.9
 assert abs(plain.GetFieldData().GetArray("HoleCentre").GetTuple3(0)[2]) < 9.9
 assert figure(disk(ball, MinimumBoundaryVertices=300), "BoundaryVertices") >= 300
 
-seam = disk(ball, Cut="Seam", SeamPoints=[10, 0, 0, 0, 10, 0, 0, 0, 10])
+seam = disk(ball, Cut="Seam", UseSeamPoints=1, SeamPoints=[10, 0, 0, 0, 10, 0, 0, 0, 10])
 close(figure(seam, "SeamLength"), 10 * math.pi, 0.01)
 close(figure(seam, "SurfaceArea"), area, 1e-6)
 assert seam.GetPointData().GetArray("Seam").GetRange() == (0, 1)
-half = disk(ball, Cut="Seam", SeamPoints=[10, 0, 0, 0, 10, 0])
+half = disk(ball, Cut="Seam", UseSeamPoints=1, SeamPoints=[10, 0, 0, 0, 10, 0])
 close(figure(half, "SeamLength"), 5 * math.pi, 0.01)
 close(figure(half, "SurfaceArea"), figure(seam, "SurfaceArea"), 1e-12)  # nothing is lost
 close(figure(disk(ball, Cut="Seam"), "SeamLength"), 10 * math.pi, 0.05)
 
-proxy = SurfaceToDisk(Input=ball, Cut="Seam", SeamPoints=[10, 0, 0, 0, 10, 0, 0, 0, 10])
+proxy = SurfaceToDisk(Input=ball, Cut="Seam", UseSeamPoints=1, SeamPoints=[10, 0, 0, 0, 10, 0, 0, 0, 10])
 proxy.UpdatePipeline()
 proxy.SeamPoints = [10, 0, 0, 0, 10, 0]  # fewer than before
 proxy.UpdatePipeline()
 close(figure(servermanager.Fetch(proxy), "SeamLength"), 5 * math.pi, 0.01)
-proxy.SeamPoints = []
+proxy.UseSeamPoints = 0
 proxy.UpdatePipeline()
 close(figure(servermanager.Fetch(proxy), "SeamLength"), 10 * math.pi, 0.05)
 
