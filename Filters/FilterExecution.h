@@ -51,7 +51,8 @@ inline void emptyOutputs(vtkInformationVector* outputs)
 
 /// Runs the body of RequestData. A failure is reported once as an error of the filter, with word for
 /// word the exception's message, and leaves empty outputs; so does an abort, without an error.
-/// Returns what RequestData returns.
+/// Returns what RequestData returns: 1, after a failure too. With 0 the pipeline would not go on to what
+/// is downstream, and a view would keep showing the result from before.
 template <typename Body>
 int runFilter(vtkAlgorithm* filter, vtkInformationVector* outputs, Body&& body)
 {
@@ -78,7 +79,7 @@ int runFilter(vtkAlgorithm* filter, vtkInformationVector* outputs, Body&& body)
     vtkErrorWithObjectMacro(filter, "failed for an unknown reason");
   }
   emptyOutputs(outputs);
-  return 0;
+  return 1;
 }
 
 } // namespace flattening

@@ -274,6 +274,31 @@ TEST(SurfaceToDiskErrors, LengthsOutOfRange)
   expectDiskWithoutError(filter, square(8));
 }
 
+// A view would show the result from before otherwise.
+TEST(SurfaceToDiskErrors, EmptyWhatIsDownstream)
+{
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  vtkNew<vtkTriangleFilter> downstream;
+  downstream->SetInputConnection(filter->GetOutputPort());
+  filter->SetInputData(sphere(20));
+  downstream->Update();
+  EXPECT_GT(downstream->GetOutput()->GetNumberOfPoints(), 100);
+  vtkNew<vtkTest::ErrorObserver> errors;
+  filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
+  const ErrorLog log(filter);
+  filter->UseHolePointOn();
+  for (int update = 0; update < 2; ++update)
+  {
+    downstream->Update();
+    EXPECT_EQ(log.messages().size(), 1u); // and is not said again
+    EXPECT_EQ(downstream->GetOutput()->GetNumberOfPoints(), 0);
+  }
+  EXPECT_FALSE(errors->GetError()); // nor in the pipeline's words
+  filter->UseHolePointOff();
+  downstream->Update();
+  EXPECT_GT(downstream->GetOutput()->GetNumberOfPoints(), 100);
+}
+
 TEST(SurfaceToDiskErrors, StopsWhenAborted)
 {
   vtkNew<vtkTest::ErrorObserver> errors;
