@@ -141,6 +141,7 @@ ResampledSurface::Vertex ResampledSurface::split(Edge edge, const Guard& guard)
   const bool border = this->Surface.is_border(h) || this->Surface.is_border(opposite);
   const Eigen::Vector3d middle =
     0.5 * (this->Surface.point(source) + this->Surface.point(this->Surface.target(h)));
+  const double length = this->length(h);
   const SurfacePoint place = this->Walk.closest(middle, this->Place[source].Face);
 
   const Halfedge first = CGAL::Euler::split_edge(h, this->Surface); // source -> new vertex
@@ -155,7 +156,9 @@ ResampledSurface::Vertex ResampledSurface::split(Edge edge, const Guard& guard)
   }
   this->Boundary[added] = static_cast<char>(border);
   this->set(added, middle, place);
-  if (!border)
+  // From farther away some edge would be as long as this one was, and splitting need not end.
+  constexpr double Near = 0.1;
+  if (!border && (place.Position - middle).norm() <= Near * length)
   {
     this->move(added, place, place.Position, guard);
   }
