@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace flattening
@@ -110,7 +111,9 @@ struct FaceIntersections::Tree
   }
 
   // Pairs among the triangles, and pairs of one of them and a face of the surface that is not left out.
-  int count(const std::vector<Triangle>& triangles, const std::vector<int>& leftOut) const
+  int count(const std::vector<Triangle>& triangles,
+    const std::vector<int>& leftOut,
+    int enough = std::numeric_limits<int>::max()) const
   {
     int pairs = 0;
     using SweptBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, const Triangle*>;
@@ -136,6 +139,10 @@ struct FaceIntersections::Tree
           pairs += doIntersect(t, this->triangle(value.second));
         }
       }
+      if (pairs > enough)
+      {
+        return pairs;
+      }
     }
     CGAL::box_self_intersection_d(boxes.begin(),
       boxes.end(),
@@ -155,7 +162,7 @@ FaceIntersections::FaceIntersections(const HalfedgeSurface& surface)
 
 FaceIntersections::~FaceIntersections() = default;
 
-int FaceIntersections::countNew(const FaceReplacement& replacement) const
+int FaceIntersections::countNew(const FaceReplacement& replacement, int enough) const
 {
   std::vector<Triangle> triangles;
   triangles.reserve(replacement.Faces.size());
@@ -172,7 +179,7 @@ int FaceIntersections::countNew(const FaceReplacement& replacement) const
     }
     triangles.push_back(t);
   }
-  return this->Boxes->count(triangles, replacement.Replaced);
+  return this->Boxes->count(triangles, replacement.Replaced, enough);
 }
 
 int FaceIntersections::count(const std::vector<int>& faces) const

@@ -34,8 +34,8 @@ public:
   FaceIntersections(const FaceIntersections&) = delete;
   FaceIntersections& operator=(const FaceIntersections&) = delete;
 
-  /// Pairs of intersecting faces of which at least one is new.
-  int countNew(const FaceReplacement& replacement) const;
+  /// Pairs of intersecting faces of which at least one is new. Stops soon after more than @p enough.
+  int countNew(const FaceReplacement& replacement, int enough) const;
 
   /// Pairs of intersecting faces of which at least one is listed (ascending).
   int count(const std::vector<int>& faces) const;

@@ -5,7 +5,10 @@
 #include "HomologyLabels.h"
 
 #include <algorithm>
+#include <limits>
+#include <map>
 #include <queue>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -17,8 +20,10 @@ namespace
 // Lengths of loops: first in mean edge lengths, then from one search to the next.
 constexpr double FirstLength = 12.0;
 constexpr double LengthGrowth = 1.6;
-// A loop is offered for the last time once loops of up to this many times its length were.
+// Of the loops that were refused the best is taken once those of up to this many times the length of the
+// shortest were tried, or that many of its class.
 constexpr double Patience = 1.5;
+constexpr int TriesPerClass = 12;
 // Labels become fewer only when they are computed anew: once this share of the handles is left.
 constexpr double FewHandles = 0.3;
 
@@ -49,36 +54,35 @@ public:
   std::vector<double> run()
   {
     double length = FirstLength * meanLength(this->Surface.halfedges());
-    bool last = false;
     while (this->Labels.genus() > 0)
     {
       const std::size_t before = this->Lengths.size();
-      const bool found = this->cutLoopsUpTo(length, last);
-      last = false;
-      if (this->Lengths.size() == before && !this->Loops.wasBounded())
+      this->cutLoopsUpTo(length);
+      const bool allSeen = this->Lengths.size() == before && !this->Loops.wasBounded();
+      this->cutRefused(allSeen ? std::numeric_limits<double>::infinity() : length);
+      if (allSeen && this->Lengths.size() == before && !this->splitChords())
       {
-        // All loops were seen.
-        last = found;
-        if (!found && !this->splitChords())
-        {
-          throw TopologyError(
-            "a handle of the surface near vertex " + std::to_string(this->Loops.seeds().front()) +
-            " cannot be cut: subdivide the surface first, e.g. with Linear Subdivision");
-        }
+        throw TopologyError("a handle of the surface near vertex " +
+                            std::to_string(this->Loops.seeds().front()) +
+                            " cannot be cut: subdivide the surface first, e.g. with Linear Subdivision");
       }
-      this->FirstSearch = false;
       length *= LengthGrowth;
     }
     return this->Lengths;
   }
 
 private:
+  struct RefusedLoop
+  {
+    SurfaceLoop Loop;
+    int Intersections;
+  };
+
   const HalfedgeSurface& halfedges() const { return this->Surface.halfedges(); }
 
   double fraction() const { return static_cast<double>(this->Lengths.size()) / this->HandlesAtStart; }
 
-  // Whether there were any.
-  bool cutLoopsUpTo(double length, bool last)
+  void cutLoopsUpTo(double length)
   {
     if (this->Labels.genus() < FewHandles * this->HandlesLabelled)
     {
@@ -86,41 +90,106 @@ private:
       this->HandlesLabelled = this->Labels.genus();
     }
     this->Loops.Ignored.clear();
+    this->Exhausted.clear();
+    this->RefusedFrom.clear();
+    this->Tries.clear();
     const auto longer = [](const SurfaceLoop& a, const SurfaceLoop& b)
     { return a.Length != b.Length ? a.Length > b.Length : a.Seed > b.Seed; };
-    const std::vector<int> seeds = this->Loops.seeds();
     const double here = this->fraction();
     std::priority_queue<SurfaceLoop, std::vector<SurfaceLoop>, decltype(longer)> queue(longer,
-      this->Loops.find(seeds,
+      this->Loops.find(this->Loops.seeds(),
         length,
         [this, here](double, const char* stage)
         { return !this->Progress || this->Progress(here, stage); }));
-    const bool any = !queue.empty();
-    while (!queue.empty())
+    while (!queue.empty() && this->Labels.genus() > 0)
     {
-      SurfaceLoop loop = queue.top();
+      const SurfaceLoop loop = queue.top();
       queue.pop();
-      const int seed = loop.Seed;
-      if (this->isUpToDate(loop))
-      {
-        this->Loops.tighten(loop);
-        // Loops so short were offered in the search before, unless this is the first.
-        this->cut(loop, last || (!this->FirstSearch && Patience * loop.Length < length));
-      }
+      this->tryCut(loop);
       if (this->Labels.genus() == 0)
       {
         break;
       }
-      SurfaceLoop next = this->Loops.findAgain(seed);
+      this->Loops.Ignored = this->RefusedFrom[loop.Seed];
+      this->Loops.Ignored.insert(this->Exhausted.begin(), this->Exhausted.end());
+      SurfaceLoop next = this->Loops.findAgain(loop.Seed);
       if (!next.Halfedges.empty())
       {
         queue.push(std::move(next));
       }
     }
-    return any;
   }
 
-  // Whether it is still a loop to be cut, after the cuts and refusals since it was found.
+  void tryCut(SurfaceLoop loop)
+  {
+    if (!this->isUpToDate(loop))
+    {
+      return;
+    }
+    const std::uint64_t hash = this->Loops.classHash(loop);
+    if (this->Exhausted.count(hash))
+    {
+      return;
+    }
+    int& tries = this->Tries[hash];
+    if (tries == 0) // tightened, the others would become this one
+    {
+      this->Loops.tighten(loop);
+    }
+    if (std::any_of(this->Refused.begin(),
+          this->Refused.end(),
+          [&loop](const RefusedLoop& refused) { return refused.Loop.Halfedges == loop.Halfedges; }))
+    {
+      this->RefusedFrom[loop.Seed].insert(hash);
+      return;
+    }
+    const int intersections = this->cut(loop, 0);
+    if (intersections > 0)
+    {
+      this->RefusedFrom[loop.Seed].insert(hash);
+      if (++tries == TriesPerClass)
+      {
+        this->Exhausted.insert(hash);
+      }
+      this->Refused.push_back({ std::move(loop), intersections });
+    }
+  }
+
+  // Of refused loops that are short enough for no better one to be waited for.
+  void cutRefused(double length)
+  {
+    const auto shorter = [](const RefusedLoop& a, const RefusedLoop& b)
+    { return a.Loop.Length < b.Loop.Length; };
+    const auto better = [](const RefusedLoop& a, const RefusedLoop& b)
+    {
+      return a.Intersections != b.Intersections ? a.Intersections < b.Intersections
+                                                : a.Loop.Length < b.Loop.Length;
+    };
+    while (true)
+    {
+      this->Refused.erase(
+        std::remove_if(this->Refused.begin(),
+          this->Refused.end(),
+          [this](const RefusedLoop& refused) { return !this->isUpToDate(refused.Loop); }),
+        this->Refused.end());
+      const auto shortest = std::min_element(this->Refused.begin(), this->Refused.end(), shorter);
+      if (shortest == this->Refused.end() || Patience * shortest->Loop.Length > length)
+      {
+        return;
+      }
+      const double longest = Patience * shortest->Loop.Length;
+      const auto best = std::min_element(this->Refused.begin(),
+        this->Refused.end(),
+        [&](const RefusedLoop& a, const RefusedLoop& b)
+        {
+          const bool tooLong = a.Loop.Length > longest;
+          return tooLong != (b.Loop.Length > longest) ? !tooLong : better(a, b);
+        });
+      this->cut(best->Loop, std::numeric_limits<int>::max());
+    }
+  }
+
+  // Whether it still is a loop that could be cut, after the cuts since it was found.
   bool isUpToDate(const SurfaceLoop& loop) const
   {
     const HalfedgeSurface& surface = this->halfedges();
@@ -132,11 +201,10 @@ private:
         return false;
       }
     }
-    const std::uint64_t hash = this->Loops.classHash(loop);
-    return hash != 0 && !this->Loops.Ignored.count(hash);
+    return this->Loops.classHash(loop) != 0;
   }
 
-  void cut(const SurfaceLoop& loop, bool last)
+  int cut(const SurfaceLoop& loop, int tolerated)
   {
     report(this->Progress, this->fraction(), "cutting handles");
     std::vector<int> vertices;
@@ -144,14 +212,13 @@ private:
     {
       vertices.push_back(this->halfedges().origin(h));
     }
-    const int firstCopy = this->TryCut(loop, last);
-    if (firstCopy < 0)
+    const CutOutcome outcome = this->TryCut(loop, tolerated);
+    if (outcome.FirstCopy >= 0)
     {
-      this->Loops.Ignored.insert(this->Loops.classHash(loop));
-      return;
+      this->Labels.followCut(this->halfedges(), loop.Halfedges, vertices, outcome.FirstCopy);
+      this->Lengths.push_back(loop.Length);
     }
-    this->Labels.followCut(this->halfedges(), loop.Halfedges, vertices, firstCopy);
-    this->Lengths.push_back(loop.Length);
+    return outcome.Intersections;
   }
 
   // No edge may join boundary vertices across the surface. Its inner vertices then meet every handle.
@@ -179,8 +246,12 @@ private:
   ShortLoops Loops;
   int HandlesAtStart;
   int HandlesLabelled;
-  bool FirstSearch = true;
   std::vector<double> Lengths;
+  std::vector<RefusedLoop> Refused;
+  // Classes, since the last search:
+  std::map<std::uint64_t, int> Tries;
+  std::set<std::uint64_t> Exhausted;
+  std::map<int, std::set<std::uint64_t>> RefusedFrom; // a seed
 };
 
 } // namespace

@@ -12,14 +12,20 @@
 namespace flattening
 {
 
-/// Cuts the surface along the loop, closes both sides or leaves them open, and returns the number that
-/// HalfedgeSurface::cut gave. Returns -1, with the surface unchanged, if another loop would be better;
-/// not allowed if @p last.
-using CutAlong = std::function<int(const SurfaceLoop& loop, bool last)>;
+struct CutOutcome
+{
+  int FirstCopy = -1;    ///< the number that HalfedgeSurface::cut gave; -1 if the surface is as it was
+  int Intersections = 0; ///< pairs of faces that intersect because of the cut, or would
+};
+
+/// Cuts the surface along the loop and closes both sides or leaves them open. Does nothing if that would
+/// make more pairs of faces intersect than are tolerated.
+using CutAlong = std::function<CutOutcome(const SurfaceLoop& loop, int tolerated)>;
 
 /// Cuts until the genus is 0, shortest loops first: among all loops up to some length, then up to a
-/// longer one. No cut disconnects. Where a loop is refused, the next longer ones of other classes are
-/// offered, up to twice its length, until it is offered for the last time.
+/// longer one. No cut disconnects. Where the cut along a loop would make faces intersect, other loops of
+/// its class and of other classes are tried, up to twice its length; if it would for all of them, the
+/// loop is taken for which the fewest faces do.
 ///
 /// Loops avoid the boundary and what was left open. Where this is not possible, edges that join boundary
 /// vertices across the surface are split in the middle, which leaves the surface as it is.

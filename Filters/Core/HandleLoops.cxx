@@ -25,7 +25,7 @@ public:
     HandleLoops result;
     result.Lengths = cutHandles(
       this->Surface,
-      [&](const SurfaceLoop& loop, bool)
+      [&](const SurfaceLoop& loop, int) -> CutOutcome
       {
         this->followSplits();
         std::vector<int> vertices;
@@ -35,7 +35,7 @@ public:
         }
         this->Uncut.insert(this->Uncut.end(), vertices.begin(), vertices.end());
         result.Loops.push_back(std::move(vertices));
-        return this->Surface.cut(loop.Halfedges);
+        return { this->Surface.cut(loop.Halfedges), 0 };
       },
       progress);
     this->followSplits();

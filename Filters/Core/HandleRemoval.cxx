@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -23,6 +24,8 @@ namespace
 
 // How far the copies of a loop move apart; less where that makes faces intersect.
 constexpr double Steps[] = { 0.5, 0.25, 0.1, 0.03 };
+// More pairs than these are not counted: the cap passes through a fold, whatever the step.
+constexpr int Many = 64;
 
 double areaOf(const HalfedgeSurface& surface,
   const FaceReplacement& faces,
@@ -71,7 +74,8 @@ public:
   {
     this->Report.LoopLengths = cutHandles(
       this->Surface,
-      [this](const SurfaceLoop& loop, bool last) { return this->cutAndCap(loop.Halfedges, last); },
+      [this](const SurfaceLoop& loop, int tolerated)
+      { return this->cutAndCap(loop.Halfedges, tolerated); },
       subrange(progress, 0.0, 0.95));
     this->Report.Handles = static_cast<int>(this->Report.LoopLengths.size());
     this->Report.GreatestDisplacement = this->greatestDisplacement();
@@ -85,7 +89,7 @@ public:
 private:
   const HalfedgeSurface& halfedges() const { return this->Surface.halfedges(); }
 
-  int cutAndCap(const std::vector<int>& loop, bool last)
+  CutOutcome cutAndCap(const std::vector<int>& loop, int tolerated)
   {
     if (!this->Intersections || this->KnownFaces != this->halfedges().faceCount()) // edges were split
     {
@@ -112,7 +116,8 @@ private:
       for (const double step : Steps)
       {
         CappedCut cut = capBothSides(this->halfedges(), loop, cap, step);
-        int pairs = this->Intersections->countNew(cut.Faces);
+        int pairs = this->Intersections->countNew(cut.Faces, Many);
+        const bool many = pairs > Many;
         if (pairs > 0)
         {
           pairs -= this->Intersections->count(cut.Faces.Replaced); // those the surface had before
@@ -124,17 +129,23 @@ private:
         }
         if (fewest <= 0)
         {
-          return this->apply(loop, *best);
+          return { this->apply(loop, *best), 0 };
+        }
+        if (many)
+        {
+          break;
         }
       }
     }
-    if (!last)
+    if (fewest > tolerated)
     {
-      return -1;
+      return { -1, fewest };
     }
     ++this->Report.PiercingCaps;
-    this->Report.NewIntersections += fewest;
-    return this->apply(loop, *best);
+    this->Report.NewIntersections +=
+      this->Intersections->countNew(best->Faces, std::numeric_limits<int>::max()) -
+      this->Intersections->count(best->Faces.Replaced);
+    return { this->apply(loop, *best), fewest };
   }
 
   int apply(const std::vector<int>& loop, const CappedCut& cut)

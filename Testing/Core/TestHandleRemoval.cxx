@@ -5,6 +5,7 @@
 #include "HandleLoops.h"
 #include "HandleRemoval.h"
 #include "HomologyLabels.h"
+#include "MarchingTetrahedra.h"
 #include "MeshTopology.h"
 #include "SampleSurfaces.h"
 
@@ -309,6 +310,46 @@ TEST(HandleRemoval, CutsATorusAroundItsTube)
   EXPECT_EQ(selfIntersections(result.Surface.Mesh), 0u);
   EXPECT_EQ(result.Report.PiercingCaps, 0);
   EXPECT_LT(result.Report.GreatestDisplacement, 0.5 * 2 * Pi * 2.5 / 48);
+}
+
+/// A solid torus whose tube is thinnest where a channel, closed at one end, runs inside along it.
+TriangleMesh torusWithChannel(double large, double small)
+{
+  const int half = static_cast<int>(large + small) + 3;
+  const int halfHeight = static_cast<int>(small) + 3;
+  Volume volume({ 2 * half + 1, 2 * half + 1, 2 * halfHeight + 1 });
+  for (int z = -halfHeight; z <= halfHeight; ++z)
+  {
+    for (int y = -half; y <= half; ++y)
+    {
+      for (int x = -half; x <= half; ++x)
+      {
+        const double angle = std::atan2(y, x);
+        const double fromCentre = std::hypot(std::hypot(x, y) - large, z);
+        const double tube = small * (1.0 - 0.2 * std::exp(-9.0 * angle * angle)) - fromCentre;
+        const double end = std::clamp(angle, -0.5, 0.9);
+        const double mouth = std::hypot(x - large * std::cos(0.9), y - large * std::sin(0.9));
+        const double channel = 0.3 * small - (z > 0 ? mouth : half);
+        const double along = 0.3 * small - std::hypot(fromCentre, large * (angle - end));
+        volume.at(x + half, y + half, z + halfHeight) = std::min(tube, -std::max(channel, along)) + 1e-3;
+      }
+    }
+  }
+  return marchingTetrahedra(volume);
+}
+
+TEST(HandleRemoval, TakesALongerLoopWhereTheCapOfTheShortestWouldPierceTheSurface)
+{
+  const double small = 7.0;
+  const TriangleMesh mesh = torusWithChannel(22.0, small);
+  const SurfaceWithoutHandles result = removeHandles(mesh);
+  expectWithoutHandles(mesh, result, 1);
+  EXPECT_EQ(result.Report.PiercingCaps, 0);
+  EXPECT_EQ(result.Report.NewIntersections, 0);
+  EXPECT_EQ(selfIntersections(result.Surface.Mesh), 0u);
+  // Around the tube, where it is thicker. Loops of edges are longer than circles.
+  EXPECT_GT(result.Report.LoopLengths[0], 2 * Pi * 0.9 * small);
+  EXPECT_LT(result.Report.LoopLengths[0], 1.3 * 2 * Pi * small);
 }
 
 TEST(HandleRemoval, ReportsTheHandlesOfSolids)
