@@ -3,6 +3,8 @@
 
 #include "SelfIntersections.h"
 #include "SmallAngles.h"
+#include "TangleSmoothing.h"
+#include "TangledFaces.h"
 
 #include <algorithm>
 #include <utility>
@@ -16,23 +18,11 @@ namespace
 using Vertex = ResampledSurface::Vertex;
 using Halfedge = ResampledSurface::Halfedge;
 using Face = ResampledSurface::Face;
-using FacePairs = std::vector<std::pair<Face, Face>>;
 
 constexpr int Rounds = 5;
 constexpr double LeastSine = 0.17; // of 10 degrees
 // Of the mean length of the edges around a vertex.
 constexpr double Steps[] = { 0.02, 0.05, 0.1, 0.2, 0.4 };
-
-PlacedTriangle placed(const CornerTriangle& triangle)
-{
-  PlacedTriangle result;
-  for (int k = 0; k < 3; ++k)
-  {
-    result.Vertices[k] = triangle[k].Vertex;
-    result.Points[k] = *triangle[k].Position;
-  }
-  return result;
-}
 
 bool boxesOverlap(const PlacedTriangle& a, const PlacedTriangle& b)
 {
@@ -46,29 +36,6 @@ bool boxesOverlap(const PlacedTriangle& a, const PlacedTriangle& b)
     }
   }
   return true;
-}
-
-std::pair<std::vector<Face>, std::vector<PlacedTriangle>> placedFaces(const ResampledSurface& surface)
-{
-  std::pair<std::vector<Face>, std::vector<PlacedTriangle>> result;
-  result.first.reserve(surface.mesh().number_of_faces());
-  result.second.reserve(surface.mesh().number_of_faces());
-  for (const Face f : surface.mesh().faces())
-  {
-    result.first.push_back(f);
-    result.second.push_back(placed(surface.triangle(f)));
-  }
-  return result;
-}
-
-FacePairs intersectingFaces(const std::vector<Face>& faces, const std::vector<PlacedTriangle>& triangles)
-{
-  FacePairs pairs;
-  for (const auto& [i, j] : intersectingPairs(triangles))
-  {
-    pairs.emplace_back(faces[i], faces[j]);
-  }
-  return pairs;
 }
 
 // The faces near a pair of intersecting ones, against which changes there are tested.
@@ -193,42 +160,20 @@ bool Neighbourhood::changeAround(Face face)
   return false;
 }
 
-// A box around each pair and all that may move there, as a triangle with its corners at two of the
-// box's.
-std::vector<PlacedTriangle> surroundings(const ResampledSurface& surface, const FacePairs& pairs)
+// All that may move where a pair intersects.
+std::vector<Vertex> verticesAround(const ResampledSurface& surface, const std::pair<Face, Face>& pair)
 {
-  std::vector<PlacedTriangle> boxes;
-  for (const auto& [one, other] : pairs)
+  const ResampledSurface::Mesh& mesh = surface.mesh();
+  std::vector<Vertex> around;
+  for (const Face f : { pair.first, pair.second })
   {
-    Eigen::Vector3d low = *surface.triangle(one)[0].Position;
-    Eigen::Vector3d high = low;
-    for (const Face f : { one, other })
+    for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
     {
-      for (const Vertex v : surface.mesh().vertices_around_face(surface.mesh().halfedge(f)))
-      {
-        for (const Halfedge h : surface.mesh().halfedges_around_target(surface.mesh().halfedge(v)))
-        {
-          low = low.cwiseMin(surface.mesh().point(surface.mesh().source(h)));
-          high = high.cwiseMax(surface.mesh().point(surface.mesh().source(h)));
-        }
-      }
+      const auto neighbours = mesh.vertices_around_target(mesh.halfedge(v));
+      around.insert(around.end(), neighbours.begin(), neighbours.end());
     }
-    const Eigen::Vector3d margin = 0.25 * (high - low);
-    boxes.push_back({ { -1, -1, -1 }, { low - margin, high + margin, high + margin } });
   }
-  return boxes;
-}
-
-// All faces, and those that are near one of the pairs, pair by pair.
-std::vector<std::vector<Face>> facesNear(const ResampledSurface& surface, const FacePairs& pairs)
-{
-  const auto [faces, triangles] = placedFaces(surface);
-  std::vector<std::vector<Face>> near(pairs.size());
-  for (const auto& [pair, face] : overlappingBoxes(surroundings(surface, pairs), triangles))
-  {
-    near[pair].push_back(faces[face]);
-  }
-  return near;
+  return around;
 }
 
 } // namespace
@@ -236,17 +181,18 @@ std::vector<std::vector<Face>> facesNear(const ResampledSurface& surface, const 
 int removeSelfIntersections(ResampledSurface& surface, const ProgressCallback& progress)
 {
   report(progress, 0.0, "removing self-intersections");
-  FacePairs pairs;
-  {
-    const auto [faces, triangles] = placedFaces(surface);
-    pairs = intersectingFaces(faces, triangles);
-  }
+  FacePairs pairs = intersectingFaces(surface);
   for (int round = 0; !pairs.empty() && round < Rounds; ++round)
   {
     report(progress, 0.5 + 0.5 * round / Rounds, "removing self-intersections");
     bool changed = false;
     FacePairs left;
-    std::vector<std::vector<Face>> near = facesNear(surface, pairs);
+    std::vector<std::vector<Vertex>> around;
+    for (const auto& pair : pairs)
+    {
+      around.push_back(verticesAround(surface, pair));
+    }
+    const std::vector<std::vector<Face>> near = facesNear(surface, around);
     for (std::size_t i = 0; i < pairs.size(); ++i)
     {
       changed |= Neighbourhood(surface, near[i]).untangle(pairs[i].first, pairs[i].second);
@@ -254,12 +200,7 @@ int removeSelfIntersections(ResampledSurface& surface, const ProgressCallback& p
     // What moved is still among the faces that were near.
     for (const std::vector<Face>& faces : near)
     {
-      std::vector<PlacedTriangle> triangles;
-      for (const Face f : faces)
-      {
-        triangles.push_back(placed(surface.triangle(f)));
-      }
-      const FacePairs here = intersectingFaces(faces, triangles);
+      const FacePairs here = intersectingFaces(surface, faces);
       left.insert(left.end(), here.begin(), here.end());
     }
     std::sort(left.begin(), left.end());
@@ -270,7 +211,7 @@ int removeSelfIntersections(ResampledSurface& surface, const ProgressCallback& p
       break;
     }
   }
-  return static_cast<int>(pairs.size());
+  return static_cast<int>(smoothTangles(surface, std::move(pairs)).size());
 }
 
 } // namespace flattening

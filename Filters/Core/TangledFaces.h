@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Which faces of a resampled surface pass through each other, and what is near them.
+#pragma once
+
+#include "ResampledSurface.h"
+#include "SelfIntersections.h"
+
+#include <utility>
+#include <vector>
+
+namespace flattening
+{
+
+using FacePairs = std::vector<std::pair<ResampledSurface::Face, ResampledSurface::Face>>;
+
+PlacedTriangle placed(const CornerTriangle& triangle);
+
+/// All pairs, or those among some of the faces.
+FacePairs intersectingFaces(const ResampledSurface& surface);
+FacePairs intersectingFaces(const ResampledSurface& surface,
+  const std::vector<ResampledSurface::Face>& faces);
+
+/// Per group of vertices the faces that meet the box around it, which is widened by a quarter.
+std::vector<std::vector<ResampledSurface::Face>> facesNear(const ResampledSurface& surface,
+  const std::vector<std::vector<ResampledSurface::Vertex>>& groups);
+
+} // namespace flattening
