@@ -2,13 +2,16 @@
 #include "Transport.h"
 
 #include "ConvexPotential.h"
+#include "DenseClusters.h"
 #include "Errors.h"
 #include "SparseCholesky.h"
+#include "StarvedCells.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <vector>
 
 namespace flattening
 {
@@ -20,6 +23,8 @@ namespace
 // it.
 constexpr double LongestWay = 2.3;
 constexpr double ShortestWay = 0.7;
+// How much of its area, or of its aim if that is smaller, a cell must keep in a step.
+constexpr double KeptShare = 0.1;
 
 double relativeError(const Eigen::VectorXd& areas, const Eigen::VectorXd& targets)
 {
@@ -56,36 +61,65 @@ SparseMatrix areaJacobian(const PowerDiagram& diagram)
   return matrix;
 }
 
-// Of the start without weights (the paper's) and the radially symmetric potential the one whose cells
-// are nearer to their targets; both leave no cell empty in the plane. The diagram is the start's
-// afterwards.
-PowerDiagram::Weights startWeights(PowerDiagram& diagram, const Eigen::VectorXd& targets)
+// Starts: without weights (the paper's) and from the radially symmetric potential, which are gradients
+// of convex functions; where sites lie too densely, also from the sums of each with the potential that
+// opens the clusters, scaled back into the disk. None leaves a cell empty in the plane.
+std::vector<PowerDiagram::Weights> starts(PowerDiagram& diagram, const Eigen::VectorXd& targets)
 {
   const PowerDiagram::Weights zero = PowerDiagram::Weights::Zero(diagram.siteCount());
-  const PowerDiagram::Weights radial =
-    radialPotentialWeights(diagram.sites(), targets).cast<long double>();
-  double zeroRatio = std::numeric_limits<double>::infinity();
-  double radialRatio = zeroRatio;
-  if (diagram.update(zero))
+  const PowerDiagram::Weights squares = diagram.sites().rowwise().squaredNorm().cast<long double>();
+  std::vector<PowerDiagram::Weights> all{ zero,
+    radialPotentialWeights(diagram.sites(), targets).cast<long double>() };
+  const std::vector<DenseCluster> clusters =
+    diagram.update(zero) ? denseClusters(diagram, targets) : std::vector<DenseCluster>();
+  if (clusters.empty())
   {
-    zeroRatio = largestLogRatio(diagram.areas(), targets);
+    return all;
   }
-  if (diagram.update(radial))
+  Eigen::VectorXd rest = targets;
+  long double slope = 0.0L;
+  for (const DenseCluster& cluster : clusters)
   {
-    radialRatio = largestLogRatio(diagram.areas(), targets);
+    slope += std::sqrt(cluster.Mass / targets.sum());
+    for (const int i : cluster.Sites)
+    {
+      rest[i] = 0.0;
+    }
   }
-  if (std::isinf(zeroRatio) && std::isinf(radialRatio))
+  const PowerDiagram::Weights opening = openingPotential(diagram, clusters, targets, targets.sum());
+  for (const PowerDiagram::Weights& weights :
+    { zero, PowerDiagram::Weights(radialPotentialWeights(diagram.sites(), rest).cast<long double>()) })
+  {
+    // w = r^2 - 2 h, of the sum of potentials over the largest slope that it can have.
+    const PowerDiagram::Weights potential = 0.5L * (squares - weights) + opening;
+    all.push_back(squares - 2.0L / (1.0L + slope) * potential);
+  }
+  return all;
+}
+
+// Of all starts the one whose cells are nearest to their targets; the diagram is its afterwards.
+PowerDiagram::Weights startWeights(PowerDiagram& diagram, const Eigen::VectorXd& targets)
+{
+  double least = std::numeric_limits<double>::infinity();
+  PowerDiagram::Weights best;
+  for (const PowerDiagram::Weights& weights : starts(diagram, targets))
+  {
+    const double ratio = diagram.update(weights) ? largestLogRatio(diagram.areas(), targets)
+                                                 : std::numeric_limits<double>::infinity();
+    if (ratio < least)
+    {
+      least = ratio;
+      best = weights;
+    }
+  }
+  if (std::isinf(least))
   {
     throw ConvergenceError(
       "the transport has no start without empty power cells: sites of the conformal map lie "
       "too close together for double precision; remesh the surface (Surface To Disk, Remesh)");
   }
-  if (zeroRatio <= radialRatio)
-  {
-    diagram.update(zero);
-    return zero;
-  }
-  return radial;
+  diagram.update(best);
+  return best;
 }
 
 } // namespace
@@ -135,14 +169,18 @@ TransportResult transportNewton(PowerDiagram& diagram,
     step.head(gap.size() - 1) = cholesky.solve(gap.head(gap.size() - 1));
 
     const double smallest = 0.5 * std::min(areas.minCoeff(), aims.minCoeff());
+    const Eigen::VectorXd least = (KeptShare * areas.array().min(aims.array())).max(smallest);
+    const Eigen::VectorXd slopes = ownSlopes(diagram);
     bool accepted = false;
     double length = 1.0;
     for (int trial = 0; trial < 30 && !accepted; ++trial, length *= 0.5)
     {
       report(progress, fraction, "Optimal mass transport");
-      const PowerDiagram::Weights weights = result.Weights + (length * step).cast<long double>();
-      accepted = diagram.update(weights) && diagram.areas().minCoeff() >= smallest &&
-                 (diagram.areas() - aims).norm() <= (1.0 - 0.5 * length) * gap.norm();
+      PowerDiagram::Weights weights = result.Weights + (length * step).cast<long double>();
+      const auto approaches = [&]
+      { return (diagram.areas() - aims).norm() <= (1.0 - 0.5 * length) * gap.norm(); };
+      accepted = diagram.update(weights) && approaches() &&
+                 feedStarvedCells(diagram, weights, least, slopes) && approaches();
       if (accepted)
       {
         result.Weights = weights;

@@ -71,6 +71,63 @@ TEST(Transport, CellsHaveTheirTargetAreas)
   }
 }
 
+// Where a surface has horns, the conformal map puts hundreds of sites as close together as doubles tell
+// apart. The potential that opens them leaves the iteration no more to do than without.
+TEST(Transport, HornsAreOpenedBeforehand)
+{
+  const int spread = 3000;
+  const int horns = 12;
+  const int perHorn = 150;
+  for (const double tip : { 1e-7, 1e-11 })
+  {
+    Points2 sites(spread + horns * perHorn, 2);
+    sites.topRows(spread) = sunflower(spread);
+    for (int h = 0; h < horns; ++h)
+    {
+      const double radius = 0.15 + 0.7 * h / horns;
+      for (int k = 0; k < perHorn; ++k)
+      {
+        const double r = 1e-3 * std::pow(tip / 1e-3, k / (perHorn - 1.0));
+        const double angle = Pi * (3.0 - std::sqrt(5.0)) * k;
+        sites.row(spread + h * perHorn + k) << radius * std::cos(2.0 * h) + r * std::cos(angle),
+          radius * std::sin(2.0 * h) + r * std::sin(angle);
+      }
+    }
+    PowerDiagram diagram(sites);
+    const Eigen::VectorXd targets = Eigen::VectorXd::Constant(sites.rows(), Pi / sites.rows());
+    const TransportResult result = transportNewton(diagram, targets);
+    EXPECT_LE(result.MaxCellError, 1e-6);
+    EXPECT_LE(result.NewtonIterations, 10) << tip;
+  }
+}
+
+// Small masses on the circle have cells so thin that a step fit for all others would empty them.
+TEST(Transport, ThinCellsOnTheCircleHoldNothingBack)
+{
+  const int inner = 3000;
+  const int outer = 200;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  Points2 sites(inner + outer, 2);
+  sites.topRows(inner) = 0.97 * sunflower(inner);
+  Eigen::VectorXd targets(inner + outer);
+  for (int i = 0; i < inner; ++i)
+  {
+    targets[i] = std::exp(6.0 * sites(i, 0));
+  }
+  for (int i = inner; i < inner + outer; ++i)
+  {
+    const double angle = 2.0 * Pi * uniform(random);
+    sites.row(i) << std::cos(angle), std::sin(angle);
+    targets[i] = 0.3 * std::exp(2.0 * uniform(random) - 1.0);
+  }
+  targets *= Pi / targets.sum();
+  PowerDiagram diagram(sites);
+  const TransportResult result = transportNewton(diagram, targets);
+  EXPECT_LE(result.MaxCellError, 1e-6);
+  EXPECT_LE(result.NewtonIterations, 50);
+}
+
 TEST(Transport, NothingToDoTakesNoStep)
 {
   PowerDiagram diagram(sunflower(500));

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "DenseClusters.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace flattening
+{
+namespace
+{
+
+constexpr double DenseRatio = 1e-3; // of area over target
+
+double distance(const PowerDiagram& diagram, int site, int otherSite)
+{
+  return (diagram.sites().row(site) - diagram.sites().row(otherSite)).norm();
+}
+
+// The sites marked in @p dense by connected component of the diagram, components in the order of their
+// lowest site.
+std::vector<std::vector<int>> connectedSites(const PowerDiagram& diagram, const std::vector<char>& dense)
+{
+  std::vector<int> root(dense.size());
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&root](int site)
+  {
+    while (root[site] != site)
+    {
+      site = root[site] = root[root[site]];
+    }
+    return site;
+  };
+  for (const PowerDiagram::CommonSide& side : diagram.commonSides())
+  {
+    if (dense[side.First] && dense[side.Second])
+    {
+      const int first = find(side.First);
+      const int second = find(side.Second);
+      root[std::max(first, second)] = std::min(first, second);
+    }
+  }
+  std::vector<std::vector<int>> components;
+  std::vector<int> number(dense.size(), -1);
+  for (int i = 0; i < diagram.siteCount(); ++i)
+  {
+    if (dense[i])
+    {
+      int& entry = number[find(i)];
+      if (entry < 0)
+      {
+        entry = static_cast<int>(components.size());
+        components.emplace_back();
+      }
+      components[entry].push_back(i);
+    }
+  }
+  return components;
+}
+
+// The potential of one cluster. Between two members h' runs linearly, which keeps h strictly convex and
+// its integral exact.
+class RadialPotential
+{
+public:
+  RadialPotential(const PowerDiagram& diagram,
+    const DenseCluster& cluster,
+    const Eigen::VectorXd& targets,
+    double totalMass)
+  {
+    long double mass = 0.0L;
+    for (const int i : cluster.Sites)
+    {
+      const double radius = distance(diagram, i, cluster.Sites.front());
+      mass += targets[i];
+      const long double slope = std::sqrt(mass / totalMass);
+      const Knot before = this->Knots.empty() ? Knot{ 0.0, slope, 0.0L } : this->Knots.back();
+      this->Knots.push_back(
+        { radius, slope, before.Height + 0.5L * (before.Slope + slope) * (radius - before.Radius) });
+    }
+  }
+
+  long double operator()(double radius) const
+  {
+    const auto above = std::upper_bound(this->Knots.begin(),
+      this->Knots.end(),
+      radius,
+      [](double r, const Knot& knot) { return r < knot.Radius; });
+    const Knot& below = *(above - 1);
+    const long double step = static_cast<long double>(radius) - below.Radius;
+    const long double bend = above == this->Knots.end()
+                               ? 0.0L
+                               : 0.5L * (above->Slope - below.Slope) / (above->Radius - below.Radius);
+    return below.Height + step * (below.Slope + step * bend);
+  }
+
+private:
+  struct Knot
+  {
+    double Radius;
+    long double Slope;
+    long double Height;
+  };
+  std::vector<Knot> Knots; // the first at radius 0
+};
+
+} // namespace
+
+std::vector<DenseCluster> denseClusters(const PowerDiagram& diagram, const Eigen::VectorXd& targets)
+{
+  const Eigen::VectorXd ratio = diagram.areas().array() / targets.array();
+  std::vector<char> dense(ratio.size());
+  std::transform(
+    ratio.begin(), ratio.end(), dense.begin(), [](double value) { return value < DenseRatio; });
+  std::vector<DenseCluster> clusters;
+  for (std::vector<int>& sites : connectedSites(diagram, dense))
+  {
+    DenseCluster cluster;
+    const int tip = *std::min_element(
+      sites.begin(), sites.end(), [&ratio](int a, int b) { return ratio[a] < ratio[b]; });
+    std::stable_sort(sites.begin(),
+      sites.end(),
+      [&](int a, int b) { return distance(diagram, a, tip) < distance(diagram, b, tip); });
+    for (const int i : sites)
+    {
+      cluster.Mass += targets[i];
+    }
+    cluster.Sites = std::move(sites);
+    clusters.push_back(std::move(cluster));
+  }
+  return clusters;
+}
+
+PowerDiagram::Weights openingPotential(const PowerDiagram& diagram,
+  const std::vector<DenseCluster>& clusters,
+  const Eigen::VectorXd& targets,
+  double totalMass)
+{
+  std::vector<RadialPotential> potentials;
+  for (const DenseCluster& cluster : clusters)
+  {
+    potentials.emplace_back(diagram, cluster, targets, totalMass);
+  }
+  PowerDiagram::Weights sum = PowerDiagram::Weights::Zero(diagram.siteCount());
+  tbb::parallel_for(0,
+    diagram.siteCount(),
+    [&](int i)
+    {
+      for (std::size_t c = 0; c < clusters.size(); ++c)
+      {
+        sum[i] += potentials[c](distance(diagram, i, clusters[c].Sites.front()));
+      }
+    });
+  return sum;
+}
+
+} // namespace flattening

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "StarvedCells.h"
+
+namespace flattening
+{
+namespace
+{
+
+constexpr int LargestRounds = 8;
+constexpr double FirstGain = 10.0; // of area, in units of the least, were there no other change
+constexpr double Growth = 4.0;
+// Where more of the cells are starved, the step was too long.
+constexpr double LargestShare = 0.02;
+
+} // namespace
+
+bool feedStarvedCells(PowerDiagram& diagram,
+  PowerDiagram::Weights& weights,
+  const Eigen::VectorXd& least,
+  const Eigen::VectorXd& slopes)
+{
+  Eigen::VectorXd raises = FirstGain * least.array() / slopes.array();
+  for (int round = 0;; ++round)
+  {
+    int starved = 0;
+    for (int i = 0; i < diagram.siteCount(); ++i)
+    {
+      if (!(diagram.areas()[i] >= least[i]))
+      {
+        ++starved;
+        weights[i] += raises[i];
+        raises[i] *= Growth;
+      }
+    }
+    if (starved == 0)
+    {
+      return true;
+    }
+    if (starved > LargestShare * diagram.siteCount() || round == LargestRounds ||
+        !diagram.update(weights))
+    {
+      return false;
+    }
+  }
+}
+
+Eigen::VectorXd ownSlopes(const PowerDiagram& diagram)
+{
+  Eigen::VectorXd slopes = Eigen::VectorXd::Zero(diagram.siteCount());
+  for (const PowerDiagram::CommonSide& side : diagram.commonSides())
+  {
+    const double slope = side.Length / (2.0 * side.Distance);
+    slopes[side.First] += slope;
+    slopes[side.Second] += slope;
+  }
+  return slopes;
+}
+
+} // namespace flattening
