@@ -220,12 +220,24 @@ private:
         }
         this->addFaces(path.Points, faces);
       }
-      bisectLongEdges(
-        this->Surface, faces, refinement * length / static_cast<double>(this->edgesWanted()));
-      refinement *= Refinement;
+      // Halved round by round, so that big faces are refined near the seam only.
+      const double wanted = refinement * length / static_cast<double>(this->edgesWanted());
+      const double halved = 0.5 * this->longestEdge(faces);
+      bisectLongEdges(this->Surface, faces, std::max(wanted, halved));
+      refinement *= halved > wanted ? 1.0 : Refinement;
     }
     throw TopologyError("the seam crosses too few edges of the surface, however it is refined: remesh "
                         "the surface");
+  }
+
+  double longestEdge(const std::vector<Face>& faces) const
+  {
+    double longest = 0.0;
+    for (const Face face : faces)
+    {
+      longest = std::max(longest, this->Surface.longestEdge(face));
+    }
+    return longest;
   }
 
   void addFaces(const std::vector<PathPoint>& path, std::vector<Face>& faces) const

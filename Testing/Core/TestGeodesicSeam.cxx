@@ -6,6 +6,8 @@
 #include "SampleSurfaces.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 
 namespace
 {
@@ -285,6 +287,40 @@ TEST(GeodesicSeam, RefusesWhatIsNoSeam)
     "2 components"));
   EXPECT_THROW(
     cutGeodesicSeam(closed, { { a, b }, 128 }, [](double, const char*) { return false; }), Cancelled);
+}
+
+// A face that the seam crosses is in small pieces at the seam and in larger ones away from it.
+TEST(GeodesicSeam, RefinesBigFacesNearTheSeamOnly)
+{
+  const TriangleMesh coarse = sphere(0);
+  const SeamOpenedSurface opened =
+    seamThrough(coarse, { coarse.Vertices.row(0), coarse.Vertices.row(3) });
+  const DerivedMesh& surface = opened.Cut.Surface;
+  const double spacing = opened.Length / 64.0;
+  std::map<int, std::array<double, 2>> pieces; // per face of the sphere: shortest and longest edge
+  for (int f = 0; f < surface.Mesh.faceCount(); ++f)
+  {
+    auto& [shortest, longest] =
+      pieces.try_emplace(surface.Faces[f], std::array{ 9.0, 0.0 }).first->second;
+    for (int k = 0; k < 3; ++k)
+    {
+      const double length = (surface.Mesh.Vertices.row(surface.Mesh.Faces(f, k)) -
+                             surface.Mesh.Vertices.row(surface.Mesh.Faces(f, (k + 1) % 3)))
+                              .norm();
+      shortest = std::min(shortest, length);
+      longest = std::max(longest, length);
+    }
+  }
+  int crossed = 0;
+  for (const auto& [face, lengths] : pieces)
+  {
+    if (lengths[0] < spacing)
+    {
+      ++crossed;
+      EXPECT_GT(lengths[1], 3.0 * spacing) << face;
+    }
+  }
+  EXPECT_GE(crossed, 2);
 }
 
 // A third of the inner equator of a torus, of radius 1.5.

@@ -2,8 +2,8 @@
 /// Every random surface becomes a disk, or an error that is known and says what to do. To repeat one
 /// alone:
 ///   RANDOM_SURFACE=<seed> TestRandomSurfaces
-/// Temporary/RandomSurfaces.log names each seed before it runs, so that its last line is what crashed or
-/// hung.
+/// Temporary/RandomSurfaces.log names each seed before and after it runs, so that one that is named once
+/// is what crashed or hung.
 #include "DiskDefect.h"
 #include "Errors.h"
 #include "MarchingTetrahedra.h"
@@ -14,11 +14,17 @@
 #include "SampleSurfaces.h"
 #include "SurfaceToDisk.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <mutex>
 #include <numeric>
 
 namespace
@@ -277,6 +283,73 @@ TEST(RandomSurfaces, AreTheSameForTheSameSeed)
   EXPECT_NE(one.Mesh.faceCount(), randomSurface(6).Mesh.faceCount());
 }
 
+// What became of a seed.
+struct SeedRecord
+{
+  std::string Recipe;
+  int Faces = 0;
+  double Seconds = 0.0;
+  Outcome Result;
+};
+
+// Names the seeds in work, so that what crashes or hangs is among those that have no result.
+class SeedLog
+{
+public:
+  void begin(int seed, const SeedRecord& record)
+  {
+    this->write(seed, record.Recipe + ", " + std::to_string(record.Faces) + " faces");
+  }
+  void end(int seed, const SeedRecord& record)
+  {
+    this->write(
+      seed, std::to_string(record.Seconds) + " s: " + record.Result.Name + ' ' + record.Result.Error);
+  }
+
+private:
+  void write(int seed, const std::string& text)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->File << seed << ": " << text << std::endl;
+  }
+
+  std::mutex Mutex;
+  std::ofstream File{ TEMPORARY_DIRECTORY "/RandomSurfaces.log" };
+};
+
+SeedRecord recordOf(int seed, SeedLog& log)
+{
+  SeedRecord record;
+  const RandomSurface surface = randomSurface(seed);
+  record.Recipe = surface.Recipe;
+  record.Faces = surface.Mesh.faceCount();
+  log.begin(seed, record);
+  const auto began = std::chrono::steady_clock::now();
+  record.Result = outcomeOf(surface.Mesh, randomOptions(seed, surface.Mesh));
+  record.Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  log.end(seed, record);
+  return record;
+}
+
+// The seeds are shared out to all threads; each has its record, so that the order does not matter. A
+// thread that waits inside a surface must not take up another one: its time would count twice.
+std::vector<SeedRecord> recordsOf(int first, int end)
+{
+  std::vector<SeedRecord> records(end - first);
+  SeedLog log;
+  tbb::parallel_for(
+    tbb::blocked_range<int>(first, end, 1),
+    [&](const tbb::blocked_range<int>& seeds)
+    {
+      for (int seed = seeds.begin(); seed < seeds.end(); ++seed)
+      {
+        tbb::this_task_arena::isolate([&] { records[seed - first] = recordOf(seed, log); });
+      }
+    },
+    tbb::simple_partitioner());
+  return records;
+}
+
 TEST(RandomSurfaces, BecomeDisksOrNamedErrors)
 {
   int first = 0;
@@ -286,33 +359,23 @@ TEST(RandomSurfaces, BecomeDisksOrNamedErrors)
     first = std::atoi(seed);
     end = first + 1;
   }
-  std::ofstream log(TEMPORARY_DIRECTORY "/RandomSurfaces.log");
+  const std::vector<SeedRecord> records = recordsOf(first, end);
   std::map<std::string, int> counts;
   std::vector<int> sizes;
-  double slowest = 0.0;
-  int slowestSeed = 0;
+  int slowest = first;
   for (int seed = first; seed < end; ++seed)
   {
-    const RandomSurface surface = randomSurface(seed);
-    sizes.push_back(surface.Mesh.faceCount());
-    log << seed << ": " << surface.Recipe << ", " << sizes.back() << " faces" << std::flush;
-    const auto began = std::chrono::steady_clock::now();
-    const Outcome outcome = outcomeOf(surface.Mesh, randomOptions(seed, surface.Mesh));
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - began;
-    if (seconds.count() > slowest)
-    {
-      slowest = seconds.count();
-      slowestSeed = seed;
-    }
-    ++counts[outcome.Name];
-    log << ": " << outcome.Name << ' ' << outcome.Error << std::endl;
-    EXPECT_TRUE(outcome.Error.empty())
-      << "seed " << seed << ", " << surface.Recipe << ": " << outcome.Name << ": " << outcome.Error;
+    const SeedRecord& record = records[seed - first];
+    sizes.push_back(record.Faces);
+    ++counts[record.Result.Name];
+    slowest = record.Seconds > records[slowest - first].Seconds ? seed : slowest;
+    EXPECT_TRUE(record.Result.Error.empty()) << "seed " << seed << ", " << record.Recipe << ": "
+                                             << record.Result.Name << ": " << record.Result.Error;
   }
   std::sort(sizes.begin(), sizes.end());
   std::cout << sizes.size() << " surfaces of " << sizes.front() << " to " << sizes.back()
-            << " faces, median " << sizes[sizes.size() / 2] << "; slowest " << slowest << " s, seed "
-            << slowestSeed << '\n';
+            << " faces, median " << sizes[sizes.size() / 2] << "; slowest "
+            << records[slowest - first].Seconds << " s, seed " << slowest << '\n';
   for (const auto& [name, count] : counts)
   {
     std::cout << count << " x " << name << '\n';
