@@ -10,6 +10,7 @@
 #include <queue>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace flattening
@@ -20,9 +21,11 @@ namespace
 // Lengths of loops: first in mean edge lengths, then from one search to the next.
 constexpr double FirstLength = 12.0;
 constexpr double LengthGrowth = 1.6;
-// Of the loops that were refused the best is taken once those of up to this many times the length of the
-// shortest were tried, or that many of its class.
-constexpr double Patience = 1.5;
+// A refused loop is given up for one that is up to so many times as long; the latter if more pairs of
+// faces would intersect than a few, as where a whole fold lies in the way.
+constexpr double Patience = 1.25;
+constexpr double PatienceWithMany = 1.5;
+constexpr int Few = 32;
 constexpr int TriesPerClass = 12;
 // Labels become fewer only when they are computed anew: once this share of the handles is left.
 constexpr double FewHandles = 0.3;
@@ -76,6 +79,11 @@ private:
   {
     SurfaceLoop Loop;
     int Intersections;
+    /// What it would be given up for.
+    double longestInstead() const
+    {
+      return (this->Intersections > Few ? PatienceWithMany : Patience) * this->Loop.Length;
+    }
   };
 
   const HalfedgeSurface& halfedges() const { return this->Surface.halfedges(); }
@@ -89,10 +97,14 @@ private:
       this->Labels = HomologyLabels(this->halfedges());
       this->HandlesLabelled = this->Labels.genus();
     }
-    this->Loops.Ignored.clear();
-    this->Exhausted.clear();
+    if (this->Lengths.size() != this->CutsAtTries) // classes are others
+    {
+      this->CutsAtTries = this->Lengths.size();
+      this->Tries.clear();
+      this->Exhausted.clear();
+    }
+    this->Loops.Ignored = this->Exhausted;
     this->RefusedFrom.clear();
-    this->Tries.clear();
     const auto longer = [](const SurfaceLoop& a, const SurfaceLoop& b)
     { return a.Length != b.Length ? a.Length > b.Length : a.Seed > b.Seed; };
     const double here = this->fraction();
@@ -105,6 +117,7 @@ private:
     {
       const SurfaceLoop loop = queue.top();
       queue.pop();
+      this->cutRefused(std::min(length, loop.Length));
       this->tryCut(loop);
       if (this->Labels.genus() == 0)
       {
@@ -155,16 +168,9 @@ private:
     }
   }
 
-  // Of refused loops that are short enough for no better one to be waited for.
+  // Takes the best of the refused loops, now that all others up to a length were tried.
   void cutRefused(double length)
   {
-    const auto shorter = [](const RefusedLoop& a, const RefusedLoop& b)
-    { return a.Loop.Length < b.Loop.Length; };
-    const auto better = [](const RefusedLoop& a, const RefusedLoop& b)
-    {
-      return a.Intersections != b.Intersections ? a.Intersections < b.Intersections
-                                                : a.Loop.Length < b.Loop.Length;
-    };
     while (true)
     {
       this->Refused.erase(
@@ -172,18 +178,20 @@ private:
           this->Refused.end(),
           [this](const RefusedLoop& refused) { return !this->isUpToDate(refused.Loop); }),
         this->Refused.end());
-      const auto shortest = std::min_element(this->Refused.begin(), this->Refused.end(), shorter);
-      if (shortest == this->Refused.end() || Patience * shortest->Loop.Length > length)
+      const auto overdue = std::min_element(this->Refused.begin(),
+        this->Refused.end(),
+        [](const RefusedLoop& a, const RefusedLoop& b)
+        { return a.longestInstead() < b.longestInstead(); });
+      if (overdue == this->Refused.end() || overdue->longestInstead() > length)
       {
         return;
       }
-      const double longest = Patience * shortest->Loop.Length;
       const auto best = std::min_element(this->Refused.begin(),
         this->Refused.end(),
-        [&](const RefusedLoop& a, const RefusedLoop& b)
+        [longest = overdue->longestInstead()](const RefusedLoop& a, const RefusedLoop& b)
         {
-          const bool tooLong = a.Loop.Length > longest;
-          return tooLong != (b.Loop.Length > longest) ? !tooLong : better(a, b);
+          return std::make_tuple(a.Loop.Length > longest, a.Intersections, a.Loop.Length) <
+                 std::make_tuple(b.Loop.Length > longest, b.Intersections, b.Loop.Length);
         });
       this->cut(best->Loop, std::numeric_limits<int>::max());
     }
@@ -248,10 +256,10 @@ private:
   int HandlesLabelled;
   std::vector<double> Lengths;
   std::vector<RefusedLoop> Refused;
-  // Classes, since the last search:
-  std::map<std::uint64_t, int> Tries;
-  std::set<std::uint64_t> Exhausted;
-  std::map<int, std::set<std::uint64_t>> RefusedFrom; // a seed
+  std::map<std::uint64_t, int> Tries; // per class
+  std::set<std::uint64_t> Exhausted;  // classes
+  std::size_t CutsAtTries = 0;
+  std::map<int, std::set<std::uint64_t>> RefusedFrom; // a seed in this search: classes
 };
 
 } // namespace
