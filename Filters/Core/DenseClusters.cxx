@@ -13,7 +13,8 @@ namespace flattening
 namespace
 {
 
-constexpr double DenseRatio = 1e-3; // of area over target
+// Of area over target: clusters within clusters are opened about places of their own.
+constexpr double DenseRatios[] = { 1e-3, 1e-7, 1e-11, 1e-15, 1e-19 };
 
 double distance(const PowerDiagram& diagram, int site, int otherSite)
 {
@@ -112,24 +113,48 @@ private:
 std::vector<DenseCluster> denseClusters(const PowerDiagram& diagram, const Eigen::VectorXd& targets)
 {
   const Eigen::VectorXd ratio = diagram.areas().array() / targets.array();
-  std::vector<char> dense(ratio.size());
-  std::transform(
-    ratio.begin(), ratio.end(), dense.begin(), [](double value) { return value < DenseRatio; });
-  std::vector<DenseCluster> clusters;
-  for (std::vector<int>& sites : connectedSites(diagram, dense))
+  std::vector<std::vector<int>> components;
+  std::vector<int> innermost(ratio.size(), -1);
+  for (const double denseRatio : DenseRatios)
   {
-    DenseCluster cluster;
+    std::vector<char> dense(ratio.size());
+    std::transform(ratio.begin(),
+      ratio.end(),
+      dense.begin(),
+      [denseRatio](double value) { return value < denseRatio; });
+    for (std::vector<int>& sites : connectedSites(diagram, dense))
+    {
+      if (sites.size() > 1)
+      {
+        for (const int i : sites)
+        {
+          innermost[i] = static_cast<int>(components.size());
+        }
+        components.push_back(std::move(sites));
+      }
+    }
+  }
+  std::vector<DenseCluster> clusters(components.size());
+  for (int i = 0; i < diagram.siteCount(); ++i)
+  {
+    if (innermost[i] >= 0)
+    {
+      clusters[innermost[i]].Sites.push_back(i);
+      clusters[innermost[i]].Mass += targets[i];
+    }
+  }
+  clusters.erase(std::remove_if(clusters.begin(),
+                   clusters.end(),
+                   [](const DenseCluster& cluster) { return cluster.Sites.empty(); }),
+    clusters.end());
+  for (DenseCluster& cluster : clusters)
+  {
+    std::vector<int>& sites = cluster.Sites;
     const int tip = *std::min_element(
       sites.begin(), sites.end(), [&ratio](int a, int b) { return ratio[a] < ratio[b]; });
     std::stable_sort(sites.begin(),
       sites.end(),
       [&](int a, int b) { return distance(diagram, a, tip) < distance(diagram, b, tip); });
-    for (const int i : sites)
-    {
-      cluster.Mass += targets[i];
-    }
-    cluster.Sites = std::move(sites);
-    clusters.push_back(std::move(cluster));
   }
   return clusters;
 }

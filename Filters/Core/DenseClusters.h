@@ -9,7 +9,7 @@
 namespace flattening
 {
 
-/// Sites next to each other in a diagram that all have too little area.
+/// Sites that lie together in a place with far too little area.
 struct DenseCluster
 {
   std::vector<int> Sites; ///< by distance from the first, which has the least area for its mass
@@ -17,7 +17,9 @@ struct DenseCluster
 };
 
 /// The clusters of sites of @p diagram whose cells have less than a thousandth of their target area in
-/// @p targets (n). Horns of the surface make them: there the conformal map shrinks exponentially.
+/// @p targets (n), next to each other. Those with less than 1e-7, 1e-11 and so on within a cluster make
+/// clusters of their own, without which it is counted. Horns of the surface, and horns upon these, make
+/// them: there the conformal map shrinks exponentially.
 std::vector<DenseCluster> denseClusters(const PowerDiagram& diagram, const Eigen::VectorXd& targets);
 
 /// A sum of convex potentials, one per cluster, radially symmetric about its first site: h'(r) is the

@@ -58,10 +58,11 @@ PowerDiagram::PowerDiagram(const Points2& sites)
   CGAL::spatial_sort(this->Order.begin(), this->Order.end(), Traits(CGAL::make_property_map(points)));
 }
 
-bool PowerDiagram::update(const Weights& weights)
+bool PowerDiagram::update(const Weights& weights, const Weights& corrections)
 {
   ++this->Updates;
   this->SiteWeights = weights;
+  this->Corrections = corrections;
   if (!this->triangulate())
   {
     return false;
@@ -74,7 +75,10 @@ bool PowerDiagram::update(const Weights& weights)
 
 double PowerDiagram::weightDifference(int from, int to) const
 {
-  return static_cast<double>(this->SiteWeights[to] - this->SiteWeights[from]);
+  const long double difference = this->SiteWeights[to] - this->SiteWeights[from];
+  return static_cast<double>(this->Corrections.size() > 0
+                               ? difference + (this->Corrections[to] - this->Corrections[from])
+                               : difference);
 }
 
 // The triangulation is exact for the weights rounded to double; what that gets wrong is sides too short

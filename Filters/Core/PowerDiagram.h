@@ -27,8 +27,10 @@ public:
   explicit PowerDiagram(const Points2& sites);
 
   /// Computes the cells for @p weights (n, same unit as squared lengths). Returns false, and leaves the
-  /// cells undefined, if a site has no cell in the plane.
-  bool update(const Weights& weights);
+  /// cells undefined, if a site has no cell in the plane. @p corrections (n or empty), much smaller, are
+  /// added to the weights' differences without rounding their sum: on sites closer than 1e-10 the last
+  /// digit of a weight of order 1 is 1e-6 of a cell.
+  bool update(const Weights& weights, const Weights& corrections = {});
 
   int siteCount() const { return static_cast<int>(this->Sites.rows()); }
   const Points2& sites() const { return this->Sites; }
@@ -87,6 +89,7 @@ private:
   Points2 Sites;
   std::vector<std::size_t> Order; ///< space-filling order for insertion
   Weights SiteWeights;
+  Weights Corrections; ///< of the weights; may be empty
   int Updates = 0;
 
   std::vector<int> Origins;

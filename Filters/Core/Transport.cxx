@@ -25,6 +25,8 @@ constexpr double LongestWay = 2.3;
 constexpr double ShortestWay = 0.7;
 // How much of its area, or of its aim if that is smaller, a cell must keep in a step.
 constexpr double KeptShare = 0.1;
+// A cell error below which rounding is what may have stopped the iteration.
+constexpr double NearlyThere = 1e-2;
 
 double relativeError(const Eigen::VectorXd& areas, const Eigen::VectorXd& targets)
 {
@@ -122,6 +124,54 @@ PowerDiagram::Weights startWeights(PowerDiagram& diagram, const Eigen::VectorXd&
   return best;
 }
 
+// The Newton step that brings the areas of @p diagram nearer to @p aims. Empty if there is none.
+Eigen::VectorXd newtonStep(SparseCholesky& cholesky,
+  const PowerDiagram& diagram,
+  const Eigen::VectorXd& aims)
+{
+  cholesky.compute(areaJacobian(diagram));
+  if (cholesky.info() != Eigen::Success)
+  {
+    return {};
+  }
+  const Eigen::Index last = aims.size() - 1;
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(aims.size());
+  step.head(last) = cholesky.solve((aims - diagram.areas()).head(last));
+  return step;
+}
+
+// Where the weights' own rounding stopped the iteration close to its end: full steps that are kept apart
+// from the weights, as long as they help. Returns how many; @p error is the least one.
+int correctRounding(PowerDiagram& diagram,
+  const PowerDiagram::Weights& weights,
+  const Eigen::VectorXd& targets,
+  double tolerance,
+  double& error)
+{
+  SparseCholesky cholesky;
+  PowerDiagram::Weights corrections = PowerDiagram::Weights::Zero(weights.size());
+  int steps = 0;
+  for (; error > tolerance; ++steps)
+  {
+    const Eigen::VectorXd step = newtonStep(cholesky, diagram, targets);
+    if (step.size() == 0)
+    {
+      return steps;
+    }
+    const PowerDiagram::Weights next = corrections + step.cast<long double>();
+    const double nextError =
+      diagram.update(weights, next) ? relativeError(diagram.areas(), targets) : error;
+    if (!(nextError < 0.9 * error))
+    {
+      diagram.update(weights, corrections);
+      return steps;
+    }
+    corrections = next;
+    error = nextError;
+  }
+  return steps;
+}
+
 } // namespace
 
 TransportResult transportNewton(PowerDiagram& diagram,
@@ -160,13 +210,11 @@ TransportResult transportNewton(PowerDiagram& diagram,
     }
 
     const Eigen::VectorXd gap = aims - areas;
-    cholesky.compute(areaJacobian(diagram));
-    if (cholesky.info() != Eigen::Success)
+    const Eigen::VectorXd step = newtonStep(cholesky, diagram, aims);
+    if (step.size() == 0)
     {
       break;
     }
-    Eigen::VectorXd step = Eigen::VectorXd::Zero(gap.size());
-    step.head(gap.size() - 1) = cholesky.solve(gap.head(gap.size() - 1));
 
     const double smallest = 0.5 * std::min(areas.minCoeff(), aims.minCoeff());
     const Eigen::VectorXd least = (KeptShare * areas.array().min(aims.array())).max(smallest);
@@ -192,6 +240,11 @@ TransportResult transportNewton(PowerDiagram& diagram,
     if (!accepted)
     {
       diagram.update(result.Weights);
+      if (error < NearlyThere)
+      {
+        result.NewtonIterations +=
+          correctRounding(diagram, result.Weights, targets, options.Tolerance, error);
+      }
       break; // at the rounding floor, or stuck: the error decides below
     }
     areas = diagram.areas();
@@ -201,12 +254,11 @@ TransportResult transportNewton(PowerDiagram& diagram,
   if (!(error <= options.Tolerance))
   {
     std::ostringstream message;
-    message << "the optimal transport stopped after " << result.NewtonIterations
-            << " Newton steps at a cell error of " << error << ", above the tolerance "
-            << options.Tolerance
-            << ": slivers or nearly coincident points set a floor; remesh the surface (Surface To Disk, "
-               "Remesh) or "
-               "raise Tolerance";
+    message
+      << "the optimal transport stopped after " << result.NewtonIterations
+      << " Newton steps at a cell error of " << error << ", above the tolerance " << options.Tolerance
+      << ": slivers, horns or nearly coincident points set a floor in double precision; remesh the "
+         "surface (Surface To Disk, Remesh) or raise Tolerance";
     throw ConvergenceError(message.str());
   }
   report(progress, 1.0, "Optimal mass transport");
