@@ -28,7 +28,9 @@
  * the position of another; `FlippedFaces`, triangles not positively oriented.
  *
  * Newton's method on the convex energy is damped by the rule of Kitagawa, Merigot and Thibert, which
- * converges from any start without empty cells.
+ * converges from any start without empty cells. Where the conformal map puts the points of a long
+ * protrusion all but into one place, it starts from a convex potential that opens that place; the result
+ * is the optimal transport of the conformal map all the same.
  *
  * An empty input gives empty outputs. Errors, each with empty outputs: no array `SurfacePoints`, a
  * boundary that is not a circle around the origin, weights that are not positive and finite, a weight

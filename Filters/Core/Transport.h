@@ -25,9 +25,12 @@ struct TransportResult
 /// Finds the weights for which every cell of @p diagram has its target area, by damped Newton iteration
 /// on the convex energy (paper, equations 8 to 10, with the sides' lengths divided by twice the sites'
 /// distance). A step is accepted by the rule of Kitagawa, Merigot and Thibert (2016), which converges
-/// from any start without empty cells. The targets are approached geometrically, from the areas at the
-/// start to
-/// @p targets, so that most first trial steps are accepted.
+/// from any start without empty cells; the few cells that a step would leave nearly empty get weight of
+/// their own first (see feedStarvedCells). The start is the best of some convex potentials, one of which
+/// opens places with far too many sites (see openingPotential). The targets are approached
+/// geometrically, from the areas at the start to @p targets, so that most first trial steps are
+/// accepted. Where the weights' rounding ends the iteration, the last steps are kept apart from them:
+/// the cells of @p diagram then are nearer to @p targets than those of TransportResult::Weights.
 ///
 /// @param diagram  its cells are those of the result afterwards
 /// @param targets  nu, > 0, sum = area of the unit disk (n)
