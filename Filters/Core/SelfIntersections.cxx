@@ -7,6 +7,8 @@
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cstddef>
 
@@ -46,6 +48,67 @@ BoxPointers pointersTo(const std::vector<Box>& boxes)
   }
   return pointers;
 }
+
+// Slices of space across its longest axis, to be searched side by side.
+class Slabs
+{
+public:
+  explicit Slabs(const std::vector<Box>& boxes)
+    : Boxes(boxes)
+  {
+    CGAL::Bbox_3 all;
+    for (const Box& box : boxes)
+    {
+      all += box.bbox();
+    }
+    for (int axis = 1; axis < 3 && !boxes.empty(); ++axis)
+    {
+      if (all.max(axis) - all.min(axis) > all.max(this->Axis) - all.min(this->Axis))
+      {
+        this->Axis = axis;
+      }
+    }
+    this->Low = boxes.empty() ? 0.0 : all.min(this->Axis);
+    this->Width = boxes.empty() ? 0.0 : (all.max(this->Axis) - this->Low) / Count;
+  }
+
+  int count() const { return static_cast<int>(this->Boxes.size()) < Cutoff ? 1 : Count; }
+
+  /// Those that reach into the slab.
+  BoxPointers boxes(int slab) const
+  {
+    BoxPointers result;
+    for (const Box& box : this->Boxes)
+    {
+      if (this->at(box.min_coord(this->Axis)) <= slab && slab <= this->at(box.max_coord(this->Axis)))
+      {
+        result.push_back(&box);
+      }
+    }
+    return result;
+  }
+
+  /// Of all slabs that a pair of overlapping boxes is found in, it belongs to the first.
+  bool isPairOf(int slab, const Box& a, const Box& b) const
+  {
+    return this->at(std::max(a.min_coord(this->Axis), b.min_coord(this->Axis))) == slab;
+  }
+
+private:
+  static constexpr int Count = 16;
+
+  int at(double coordinate) const
+  {
+    return this->count() == 1 || !(this->Width > 0.0)
+             ? 0
+             : std::min(Count - 1, static_cast<int>((coordinate - this->Low) / this->Width));
+  }
+
+  const std::vector<Box>& Boxes;
+  int Axis = 0;
+  double Low;
+  double Width;
+};
 
 Kernel::Point_3 point(const PlacedTriangle& t, int k)
 {
@@ -132,19 +195,30 @@ Pairs overlappingBoxes(const std::vector<PlacedTriangle>& some, const std::vecto
 Pairs intersectingPairs(const std::vector<PlacedTriangle>& triangles)
 {
   const std::vector<Box> boxes = boxesOf(triangles);
-  BoxPointers pointers = pointersTo(boxes);
-  Pairs pairs;
-  CGAL::box_self_intersection_d(
-    pointers.begin(),
-    pointers.end(),
-    [&triangles, &pairs](const Box* a, const Box* b)
+  const Slabs slabs(boxes);
+  std::vector<Pairs> found(slabs.count());
+  tbb::parallel_for(0,
+    slabs.count(),
+    [&](int slab)
     {
-      if (intersect(triangles[a->info()], triangles[b->info()]))
-      {
-        pairs.push_back(std::minmax(a->info(), b->info()));
-      }
-    },
-    Cutoff);
+      BoxPointers pointers = slabs.boxes(slab);
+      CGAL::box_self_intersection_d(
+        pointers.begin(),
+        pointers.end(),
+        [&, slab](const Box* a, const Box* b)
+        {
+          if (slabs.isPairOf(slab, *a, *b) && intersect(triangles[a->info()], triangles[b->info()]))
+          {
+            found[slab].push_back(std::minmax(a->info(), b->info()));
+          }
+        },
+        Cutoff);
+    });
+  Pairs pairs;
+  for (const Pairs& some : found)
+  {
+    pairs.insert(pairs.end(), some.begin(), some.end());
+  }
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
