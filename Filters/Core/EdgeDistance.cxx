@@ -1,39 +1,71 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "EdgeDistance.h"
 
-#include <CGAL/boost/graph/properties_Surface_mesh.h>
-
+#include <boost/graph/compressed_sparse_row_graph.hpp>
 #include <boost/graph/dijkstra_shortest_paths.hpp>
-#include <boost/property_map/function_property_map.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace flattening
 {
 
 using Vertex = SurfaceMesh::Vertex_index;
-using Edge = SurfaceMesh::Edge_index;
+using Halfedge = SurfaceMesh::Halfedge_index;
 
-Eigen::VectorXd distancesAlongEdges(const SurfaceMesh& mesh,
-  const std::vector<Vertex>& sources,
-  const std::vector<char>& blocked)
+struct EdgeDistances::Graph
 {
-  const auto isBlocked = [&blocked](Vertex v) { return !blocked.empty() && blocked[v]; };
-  const auto length = [&](Edge edge)
+  struct Edge
   {
-    return isBlocked(mesh.vertex(edge, 0)) || isBlocked(mesh.vertex(edge, 1))
-             ? HUGE_VAL
-             : get(get(boost::edge_weight, mesh), edge);
+    double Length;
   };
-  Eigen::VectorXd result(mesh.number_of_vertices());
-  const auto index = get(boost::vertex_index, mesh);
-  boost::dijkstra_shortest_paths(mesh,
-    sources.begin(),
-    sources.end(),
+  using Directed = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, Edge>;
+
+  template <typename Ends, typename Lengths>
+  Graph(const Ends& ends, const Lengths& lengths, std::size_t vertices)
+    : Edges(boost::edges_are_unsorted_multi_pass, ends.begin(), ends.end(), lengths.begin(), vertices)
+  {
+  }
+
+  Directed Edges; // every edge of the surface in both directions
+};
+
+EdgeDistances::EdgeDistances(const SurfaceMesh& mesh, const std::vector<char>& blocked)
+{
+  std::vector<std::pair<std::size_t, std::size_t>> ends;
+  std::vector<Graph::Edge> lengths;
+  ends.reserve(mesh.number_of_halfedges());
+  lengths.reserve(mesh.number_of_halfedges());
+  for (const Halfedge h : mesh.halfedges())
+  {
+    const Vertex from = mesh.source(h);
+    const Vertex to = mesh.target(h);
+    if (blocked.empty() || !(blocked[from] || blocked[to]))
+    {
+      ends.emplace_back(from, to);
+      lengths.push_back({ std::sqrt(CGAL::squared_distance(mesh.point(from), mesh.point(to))) });
+    }
+  }
+  this->Edges = std::make_unique<Graph>(ends, lengths, mesh.number_of_vertices());
+}
+
+EdgeDistances::~EdgeDistances() = default;
+
+Eigen::VectorXd EdgeDistances::from(const std::vector<Vertex>& sources) const
+{
+  const Graph::Directed& graph = this->Edges->Edges;
+  const std::vector<std::size_t> starts(sources.begin(), sources.end());
+  Eigen::VectorXd result(static_cast<Eigen::Index>(num_vertices(graph)));
+  const auto index = get(boost::vertex_index, graph);
+  const auto distance = boost::make_iterator_property_map(result.data(), index);
+  boost::dijkstra_shortest_paths(graph,
+    starts.begin(),
+    starts.end(),
     boost::dummy_property_map(),
-    boost::make_iterator_property_map(result.data(), index),
-    boost::make_function_property_map<Edge>(length),
+    distance,
+    get(&Graph::Edge::Length, graph),
     index,
     std::less<double>(),
     std::plus<double>(),
@@ -54,7 +86,7 @@ Eigen::VectorXd distancesFromFlagged(const SurfaceMesh& mesh, const std::vector<
     }
   }
   return sources.empty() ? Eigen::VectorXd::Constant(mesh.number_of_vertices(), HUGE_VAL).eval()
-                         : distancesAlongEdges(mesh, sources);
+                         : EdgeDistances(mesh).from(sources);
 }
 
 int indexOfLargest(const Eigen::VectorXd& values)

@@ -7,16 +7,26 @@
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <vector>
 
 namespace flattening
 {
 
-/// Of every vertex from the nearest source (input units); infinite where there is no way.
-/// @param blocked one flag per vertex: not 0 where no path may run; none: anywhere.
-Eigen::VectorXd distancesAlongEdges(const SurfaceMesh& mesh,
-  const std::vector<SurfaceMesh::Vertex_index>& sources,
-  const std::vector<char>& blocked = {});
+class EdgeDistances
+{
+public:
+  /// @param blocked one flag per vertex: not 0 where no path may run; none: anywhere.
+  explicit EdgeDistances(const SurfaceMesh& mesh, const std::vector<char>& blocked = {});
+  ~EdgeDistances();
+
+  /// Of every vertex from the nearest source (input units); infinite where there is no way.
+  Eigen::VectorXd from(const std::vector<SurfaceMesh::Vertex_index>& sources) const;
+
+private:
+  struct Graph;
+  std::unique_ptr<Graph> Edges;
+};
 
 /// Of every vertex from the nearest flagged one (input units); infinite if none is flagged.
 Eigen::VectorXd distancesFromFlagged(const SurfaceMesh& mesh, const std::vector<char>& flags);

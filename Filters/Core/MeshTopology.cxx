@@ -24,8 +24,8 @@ struct Side
 
 std::vector<Side> sortedSides(const FaceMatrix& faces, int vertexCount)
 {
-  std::vector<Side> sides;
-  sides.reserve(3 * faces.rows());
+  // Sides are put with the smaller of their vertices first; few are left to be sorted there.
+  std::vector<std::size_t> begin(static_cast<std::size_t>(vertexCount) + 1, 0);
   for (int f = 0; f < faces.rows(); ++f)
   {
     for (int k = 0; k < 3; ++k)
@@ -42,14 +42,32 @@ std::vector<Side> sortedSides(const FaceMatrix& faces, int vertexCount)
         throw InvalidInput("face " + std::to_string(f) + " uses vertex " + std::to_string(from) +
                            " twice: run Surface To Disk first");
       }
-      const auto key = (static_cast<std::uint64_t>(std::min(from, to)) << 32) |
-                       static_cast<std::uint64_t>(std::max(from, to));
-      sides.push_back({ key, from, to, f });
+      if (to >= 0 && to < vertexCount)
+      {
+        ++begin[std::min(from, to) + 1];
+      }
     }
   }
-  std::sort(sides.begin(),
-    sides.end(),
-    [](const Side& a, const Side& b) { return a.Edge != b.Edge ? a.Edge < b.Edge : a.Face < b.Face; });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Side> sides(3 * static_cast<std::size_t>(faces.rows()));
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  for (int f = 0; f < faces.rows(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int from = faces(f, k);
+      const int to = faces(f, (k + 1) % 3);
+      const auto key = (static_cast<std::uint64_t>(std::min(from, to)) << 32) |
+                       static_cast<std::uint64_t>(std::max(from, to));
+      sides[next[std::min(from, to)]++] = { key, from, to, f };
+    }
+  }
+  for (int v = 0; v < vertexCount; ++v)
+  {
+    std::sort(sides.begin() + static_cast<std::ptrdiff_t>(begin[v]),
+      sides.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]),
+      [](const Side& a, const Side& b) { return a.Edge != b.Edge ? a.Edge < b.Edge : a.Face < b.Face; });
+  }
   return sides;
 }
 

@@ -7,6 +7,13 @@
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
 
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -176,18 +183,39 @@ bool intersect(const PlacedTriangle& a, const PlacedTriangle& b)
 
 Pairs overlappingBoxes(const std::vector<PlacedTriangle>& some, const std::vector<PlacedTriangle>& all)
 {
-  const std::vector<Box> boxesOfSome = boxesOf(some);
-  const std::vector<Box> boxesOfAll = boxesOf(all);
-  BoxPointers first = pointersTo(boxesOfSome);
-  BoxPointers second = pointersTo(boxesOfAll);
+  using Corner = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
+  using Value = std::pair<boost::geometry::model::box<Corner>, int>;
+  const auto boxOf = [](const PlacedTriangle& triangle)
+  {
+    const auto& [a, b, c] = triangle.Points;
+    const Eigen::Vector3d low = a.cwiseMin(b).cwiseMin(c);
+    const Eigen::Vector3d high = a.cwiseMax(b).cwiseMax(c);
+    return boost::geometry::model::box<Corner>(
+      { low.x(), low.y(), low.z() }, { high.x(), high.y(), high.z() });
+  };
+  std::vector<Value> values;
+  for (std::size_t i = 0; i < some.size(); ++i)
+  {
+    values.emplace_back(boxOf(some[i]), static_cast<int>(i));
+  }
+  const boost::geometry::index::rtree<Value, boost::geometry::index::linear<16>> tree(values);
+  tbb::enumerable_thread_specific<Pairs> found;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, all.size()),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      Pairs& pairs = found.local();
+      for (std::size_t j = range.begin(); j < range.end(); ++j)
+      {
+        tree.query(boost::geometry::index::intersects(boxOf(all[j])),
+          boost::make_function_output_iterator(
+            [&](const Value& value) { pairs.emplace_back(value.second, static_cast<int>(j)); }));
+      }
+    });
   Pairs pairs;
-  CGAL::box_intersection_d(
-    first.begin(),
-    first.end(),
-    second.begin(),
-    second.end(),
-    [&pairs](const Box* a, const Box* b) { pairs.emplace_back(a->info(), b->info()); },
-    Cutoff);
+  for (const Pairs& part : found)
+  {
+    pairs.insert(pairs.end(), part.begin(), part.end());
+  }
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }

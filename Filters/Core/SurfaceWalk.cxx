@@ -145,20 +145,28 @@ SurfacePoint SurfaceWalk::closest(const Eigen::Vector3d& point, int startFace) c
     {
       return best; // inside a face, where the distance can only grow
     }
-    for (int k = 0; k < 3; ++k)
+    // Only faces that the point on this one is on, too, can be nearer: all around a corner, or the one
+    // across a side.
+    const int k = weights[0] > 0.0 ? 0 : weights[1] > 0.0 ? 1 : 2;
+    const int other = weights[(k + 1) % 3] > 0.0   ? (k + 1) % 3
+                      : weights[(k + 2) % 3] > 0.0 ? (k + 2) % 3
+                                                   : k;
+    const int vertex = this->Mesh.Faces(centre, k);
+    const int second = this->Mesh.Faces(centre, other);
+    for (int i = this->FirstCorner[vertex]; i < this->FirstCorner[vertex + 1]; ++i)
     {
-      const int vertex = this->Mesh.Faces(centre, k);
-      for (int i = this->FirstCorner[vertex]; weights[k] > 0.0 && i < this->FirstCorner[vertex + 1]; ++i)
+      const int face = this->FaceOfCorner[i];
+      if (face == centre || (second != vertex && !(this->Mesh.Faces.row(face).array() == second).any()))
       {
-        const int face = this->FaceOfCorner[i];
-        const SurfacePoint at = closestOnTriangle(cornersOf(this->Mesh, face), point);
-        const double distance = (at.Position - point).squaredNorm();
-        if (distance < bestDistance)
-        {
-          bestDistance = distance;
-          best = at;
-          best.Face = face;
-        }
+        continue;
+      }
+      const SurfacePoint at = closestOnTriangle(cornersOf(this->Mesh, face), point);
+      const double distance = (at.Position - point).squaredNorm();
+      if (distance < bestDistance)
+      {
+        bestDistance = distance;
+        best = at;
+        best.Face = face;
       }
     }
   }
