@@ -6,7 +6,10 @@
 #include "TangleSmoothing.h"
 #include "TangledFaces.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -24,18 +27,12 @@ constexpr double LeastSine = 0.17; // of 10 degrees
 // Of the mean length of the edges around a vertex.
 constexpr double Steps[] = { 0.02, 0.05, 0.1, 0.2, 0.4 };
 
-bool boxesOverlap(const PlacedTriangle& a, const PlacedTriangle& b)
+using Box = Eigen::AlignedBox3d;
+
+Box boxOf(const PlacedTriangle& triangle)
 {
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const auto [lowA, highA] = std::minmax({ a.Points[0][axis], a.Points[1][axis], a.Points[2][axis] });
-    const auto [lowB, highB] = std::minmax({ b.Points[0][axis], b.Points[1][axis], b.Points[2][axis] });
-    if (highA < lowB || highB < lowA)
-    {
-      return false;
-    }
-  }
-  return true;
+  Box box(triangle.Points[0]);
+  return box.extend(triangle.Points[1]).extend(triangle.Points[2]);
 }
 
 // The faces near a pair of intersecting ones, against which changes there are tested.
@@ -62,36 +59,50 @@ private:
   bool changeAround(Face face);
   bool moveOff(Vertex v);
   bool improves(const LocalChange& change) const;
-  int intersections(const LocalChange::Triangles& triangles, const LocalChange& change) const;
+  int intersections(const LocalChange::Triangles& triangles,
+    const LocalChange& change,
+    int enough) const;
 
   ResampledSurface& Surface;
   std::vector<Face> Faces;
 };
 
-// Of the triangles with each other and with the faces that the change leaves alone.
+// Of the triangles with each other and with the faces that the change leaves alone. Stops at `enough`.
 int Neighbourhood::intersections(const LocalChange::Triangles& triangles,
-  const LocalChange& change) const
+  const LocalChange& change,
+  int enough) const
 {
-  std::vector<PlacedTriangle> all;
+  std::vector<PlacedTriangle> own;
+  std::vector<Box> boxes;
+  Box all;
   for (const CornerTriangle& triangle : triangles)
   {
-    all.push_back(placed(triangle));
-  }
-  const std::size_t own = all.size();
-  for (const Face f : this->Faces)
-  {
-    const int index = static_cast<int>(f.idx());
-    if (std::find(change.Removed.begin(), change.Removed.end(), index) == change.Removed.end())
-    {
-      all.push_back(placed(this->Surface.triangle(f)));
-    }
+    own.push_back(placed(triangle));
+    boxes.push_back(boxOf(own.back()));
+    all.extend(boxes.back());
   }
   int count = 0;
-  for (std::size_t i = 0; i < own; ++i)
+  for (std::size_t i = 0; i < own.size(); ++i)
   {
-    for (std::size_t j = i + 1; j < all.size(); ++j)
+    for (std::size_t j = i + 1; j < own.size() && count < enough; ++j)
     {
-      count += boxesOverlap(all[i], all[j]) && flattening::intersect(all[i], all[j]);
+      count += boxes[i].intersects(boxes[j]) && flattening::intersect(own[i], own[j]);
+    }
+  }
+  for (std::size_t n = 0; n < this->Faces.size() && count < enough; ++n)
+  {
+    const Face f = this->Faces[n];
+    const int index = static_cast<int>(f.idx());
+    const PlacedTriangle other = placed(this->Surface.triangle(f));
+    const Box box = boxOf(other);
+    if (!all.intersects(box) ||
+        std::find(change.Removed.begin(), change.Removed.end(), index) != change.Removed.end())
+    {
+      continue;
+    }
+    for (std::size_t i = 0; i < own.size(); ++i)
+    {
+      count += boxes[i].intersects(box) && flattening::intersect(own[i], other);
     }
   }
   return count;
@@ -100,8 +111,12 @@ int Neighbourhood::intersections(const LocalChange::Triangles& triangles,
 bool Neighbourhood::improves(const LocalChange& change) const
 {
   const double sine = smallestSine(change.After);
-  return (sine >= LeastSine || sine >= smallestSine(change.Before)) &&
-         this->intersections(change.After, change) < this->intersections(change.Before, change);
+  if (sine < LeastSine && sine < smallestSine(change.Before))
+  {
+    return false;
+  }
+  const int before = this->intersections(change.Before, change, std::numeric_limits<int>::max());
+  return this->intersections(change.After, change, before) < before;
 }
 
 bool Neighbourhood::moveOff(Vertex v)
