@@ -198,7 +198,8 @@ public:
   /**
    * What is done about handles and tunnels (genus > 0).
    * - REMOVE_HANDLES: each is cut along the shortest loop, around the handle or around the tunnel, and
-   *   the two openings are capped. For topological noise, whose loops are short.
+   *   the two openings are capped. For topological noise, whose loops are short. Where a cap would pass
+   *   through another part of the surface, a longer loop is taken, or the surface is smoothed there.
    * - CUT_HANDLES: the surface is cut open along a short graph of its edges and stays as it is; all of
    *   its area is kept. A closed surface is open then, and is not opened at a hole or seam besides,
    *   unless points are chosen for it: the hole of HolePoint (UseHolePoint) or the seam of SeamPoints

@@ -13,6 +13,7 @@
 namespace flattening
 {
 
+/// Searches from several places over the same surface (Dijkstra, Boost).
 class EdgeDistances
 {
 public:
