@@ -107,7 +107,29 @@ public:
   void flipToDelaunay(const ProgressCallback& progress);
 
 private:
-  using QueuedEdge = std::pair<double, Edge>;
+  // Edges of nearly the same length are taken in the order of memory, not all over the surface.
+  struct QueuedEdge
+  {
+    double Length;
+    int Band;
+    Edge Descriptor;
+
+    bool operator<(const QueuedEdge& other) const
+    {
+      return std::make_pair(this->Band, other.Descriptor) < std::make_pair(other.Band, this->Descriptor);
+    }
+    bool operator>(const QueuedEdge& other) const
+    {
+      return std::make_pair(this->Band, this->Descriptor) > std::make_pair(other.Band, other.Descriptor);
+    }
+  };
+
+  QueuedEdge queued(double length, Edge e) const
+  {
+    constexpr double BandsPerLength = 16.0;
+    constexpr double LastBand = 1e6;
+    return { length, static_cast<int>(std::min(BandsPerLength * length / this->Length, LastBand)), e };
+  }
 
   void splitLongEdges(const ProgressCallback& progress);
   void collapseShortEdges(const ProgressCallback& progress);
@@ -118,8 +140,8 @@ private:
   // The queue may hold edges that are gone, or are not as long any more.
   bool isCurrent(const QueuedEdge& queued) const
   {
-    return !this->Surface.mesh().is_removed(queued.second) &&
-           this->lengthOf(queued.second) == queued.first;
+    return !this->Surface.mesh().is_removed(queued.Descriptor) &&
+           this->lengthOf(queued.Descriptor) == queued.Length;
   }
 
   ResampledSurface& Surface;
@@ -135,7 +157,7 @@ void IsotropicRemesher::splitLongEdges(const ProgressCallback& progress)
   {
     if (const double length = this->lengthOf(e); length > bound)
     {
-      queue.emplace(length, e);
+      queue.push(this->queued(length, e));
     }
   }
   for (int done = 0; !queue.empty(); ++done)
@@ -150,12 +172,12 @@ void IsotropicRemesher::splitLongEdges(const ProgressCallback& progress)
     {
       continue;
     }
-    const Vertex middle = this->Surface.split(longest.second, staysSound);
+    const Vertex middle = this->Surface.split(longest.Descriptor, staysSound);
     for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(middle)))
     {
       if (const double length = this->Surface.length(h); length > bound)
       {
-        queue.emplace(length, mesh.edge(h));
+        queue.push(this->queued(length, mesh.edge(h)));
       }
     }
   }
@@ -170,7 +192,7 @@ void IsotropicRemesher::collapseShortEdges(const ProgressCallback& progress)
   {
     if (const double length = this->lengthOf(e); length < bound)
     {
-      queue.emplace(length, e);
+      queue.push(this->queued(length, e));
     }
   }
   const auto makesNoLongEdge = [limit = LongEdge * this->Length](const LocalChange& change)
@@ -190,9 +212,9 @@ void IsotropicRemesher::collapseShortEdges(const ProgressCallback& progress)
     {
       continue;
     }
-    const Vertex source = mesh.source(mesh.halfedge(shortest.second));
-    const Vertex target = mesh.target(mesh.halfedge(shortest.second));
-    if (!this->Surface.collapse(shortest.second, makesNoLongEdge))
+    const Vertex source = mesh.source(mesh.halfedge(shortest.Descriptor));
+    const Vertex target = mesh.target(mesh.halfedge(shortest.Descriptor));
+    if (!this->Surface.collapse(shortest.Descriptor, makesNoLongEdge))
     {
       continue;
     }
@@ -201,7 +223,7 @@ void IsotropicRemesher::collapseShortEdges(const ProgressCallback& progress)
     {
       if (const double length = this->Surface.length(h); length < bound)
       {
-        queue.emplace(length, mesh.edge(h));
+        queue.push(this->queued(length, mesh.edge(h)));
       }
     }
   }
