@@ -105,8 +105,13 @@ private:
     }
     std::optional<CappedCut> best;
     int fewest = 0;
+    bool many = false; // then a fold lies in the way, of a cone as well
     for (const auto& makeCap : { spanningCap, coneCap })
     {
+      if (many)
+      {
+        break;
+      }
       LoopCap cap = makeCap(points);
       if (cap.Faces.empty())
       {
@@ -117,7 +122,7 @@ private:
       {
         CappedCut cut = capBothSides(this->halfedges(), loop, cap, step);
         int pairs = this->Intersections->countNew(cut.Faces, Many);
-        const bool many = pairs > Many;
+        many = pairs > Many;
         if (pairs > 0)
         {
           pairs -= this->Intersections->count(cut.Faces.Replaced); // those the surface had before

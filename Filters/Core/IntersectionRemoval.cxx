@@ -201,7 +201,6 @@ int removeSelfIntersections(ResampledSurface& surface, const ProgressCallback& p
   {
     report(progress, 0.5 + 0.5 * round / Rounds, "removing self-intersections");
     bool changed = false;
-    FacePairs left;
     std::vector<std::vector<Vertex>> around;
     for (const auto& pair : pairs)
     {
@@ -212,15 +211,7 @@ int removeSelfIntersections(ResampledSurface& surface, const ProgressCallback& p
     {
       changed |= Neighbourhood(surface, near[i]).untangle(pairs[i].first, pairs[i].second);
     }
-    // What moved is still among the faces that were near.
-    for (const std::vector<Face>& faces : near)
-    {
-      const FacePairs here = intersectingFaces(surface, faces);
-      left.insert(left.end(), here.begin(), here.end());
-    }
-    std::sort(left.begin(), left.end());
-    left.erase(std::unique(left.begin(), left.end()), left.end());
-    pairs = std::move(left);
+    pairs = intersectingFaces(surface, unitedFaces(near)); // what moved is still among those
     if (!changed)
     {
       break;

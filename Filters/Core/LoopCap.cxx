@@ -5,6 +5,7 @@
 #include "SurfaceProjection.h"
 
 #include <CGAL/Polygon_mesh_processing/refine.h>
+#include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/utility.h>
 
@@ -69,16 +70,39 @@ TriangleMesh meshOf(const Polyline& points, const Faces& faces)
   return mesh;
 }
 
-// The disk with vertices added to the density of the loop's. It has points beside the loop's already if
-// `centre` is one.
-LoopCap refined(const Polyline& points, const Faces& faces, std::size_t loopSize)
+// Adds vertices to the density of the loop's.
+void refine(SurfaceMesh& mesh)
 {
-  const TriangleMesh coarse = meshOf(points, faces);
-  SurfaceMesh mesh = toSurfaceMesh(coarse);
   const std::vector<SurfaceMesh::Face_index> old(mesh.faces().begin(), mesh.faces().end());
   std::vector<SurfaceMesh::Face_index> newFaces;
   std::vector<SurfaceMesh::Vertex_index> newVertices;
   PMP::refine(mesh, old, std::back_inserter(newFaces), std::back_inserter(newVertices));
+}
+
+// Does so too where edges to an inner vertex let refine() take the disk for a sparse one.
+void remesh(SurfaceMesh& mesh, const Polyline& loop)
+{
+  double sum = 0.0;
+  double longest = 0.0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const double length = (loop[(i + 1) % loop.size()] - loop[i]).norm();
+    sum += length;
+    longest = std::max(longest, length);
+  }
+  const double mean = sum / static_cast<double>(loop.size());
+  constexpr double Resolvable = 1.5; // an edge of the loop that stays, in lengths of the others
+  constexpr int Iterations = 3;
+  PMP::isotropic_remeshing(mesh.faces(),
+    std::max(mean, longest / Resolvable),
+    mesh,
+    CGAL::parameters::number_of_iterations(Iterations).protect_constraints(true));
+  mesh.collect_garbage();
+}
+
+// A disk with vertices of its own; `coarse` may have one beside the loop's already, the centre.
+LoopCap capOf(const SurfaceMesh& mesh, const TriangleMesh& coarse, std::size_t loopSize)
+{
   const TriangleMesh fine = toTriangleMesh(mesh);
 
   LoopCap cap;
@@ -162,7 +186,10 @@ LoopCap spanningCap(const Polyline& loop)
     faces.push_back({ t.first, t.second, t.third });
   }
   orientAlongLoop(faces, static_cast<int>(loop.size()));
-  return refined(loop, faces, loop.size());
+  const TriangleMesh coarse = meshOf(loop, faces);
+  SurfaceMesh mesh = toSurfaceMesh(coarse);
+  refine(mesh);
+  return capOf(mesh, coarse, loop.size());
 }
 
 LoopCap coneCap(const Polyline& loop)
@@ -176,7 +203,10 @@ LoopCap coneCap(const Polyline& loop)
     points.back() += loop[i] / n;
     faces.push_back({ i, (i + 1) % n, n });
   }
-  return refined(points, faces, loop.size());
+  const TriangleMesh coarse = meshOf(points, faces);
+  SurfaceMesh mesh = toSurfaceMesh(coarse);
+  remesh(mesh, loop);
+  return capOf(mesh, coarse, loop.size());
 }
 
 void splitEdgesOf(const HalfedgeSurface& surface,

@@ -52,57 +52,69 @@ std::vector<Vertex> regionAround(const ResampledSurface& surface,
   return result;
 }
 
+// The faces around the vertices, ascending.
+std::vector<Face> facesOf(const ResampledSurface& surface, const std::vector<Vertex>& region)
+{
+  const ResampledSurface::Mesh& mesh = surface.mesh();
+  std::vector<Face> faces;
+  for (const Vertex v : region)
+  {
+    for (const Face f : mesh.faces_around_target(mesh.halfedge(v)))
+    {
+      if (f != ResampledSurface::Mesh::null_face())
+      {
+        faces.push_back(f);
+      }
+    }
+  }
+  return unitedFaces({ faces });
+}
+
 class TangleSmoother
 {
 public:
-  TangleSmoother(ResampledSurface& surface, const std::vector<Face>& near)
+  TangleSmoother(ResampledSurface& surface, std::vector<Vertex> region)
     : Surface(surface)
-    , Near(near)
+    , Region(std::move(region))
+    , Faces(facesOf(surface, this->Region))
   {
   }
 
   // Leaves all as it is unless fewer faces intersect then.
-  void smooth(const std::vector<Vertex>& region, int rounds, double leastSine)
+  void smooth(const std::vector<Face>& near, int rounds, double leastSine)
   {
-    const std::size_t before = intersectingFaces(this->Surface, this->Near).size();
-    const double sineBefore = std::min(leastSine, this->smallestSineAround(region));
+    const int before = countIntersections(this->Surface, this->Faces, near);
+    const double sineBefore = std::min(leastSine, this->smallestSine());
     std::vector<std::pair<SurfacePoint, Eigen::Vector3d>> old;
-    for (const Vertex v : region)
+    for (const Vertex v : this->Region)
     {
       old.emplace_back(this->Surface.place(v), this->Surface.mesh().point(v));
     }
     for (int i = 0; i < rounds; ++i)
     {
-      for (const Vertex v : region)
+      for (const Vertex v : this->Region)
       {
         this->moveToMean(v);
       }
     }
-    if (this->smallestSineAround(region) >= sineBefore &&
-        intersectingFaces(this->Surface, this->Near).size() < before)
+    if (this->smallestSine() >= sineBefore &&
+        countIntersections(this->Surface, this->Faces, near) < before)
     {
       return;
     }
-    for (std::size_t i = 0; i < region.size(); ++i)
+    for (std::size_t i = 0; i < this->Region.size(); ++i)
     {
-      this->place(region[i], old[i].first, old[i].second);
+      this->place(this->Region[i], old[i].first, old[i].second);
     }
   }
 
 private:
-  double smallestSineAround(const std::vector<Vertex>& region) const
+  double smallestSine() const
   {
-    const ResampledSurface::Mesh& mesh = this->Surface.mesh();
     double smallest = 1.0;
-    for (const Vertex v : region)
+    for (const Face f : this->Faces)
     {
-      for (const Face f : mesh.faces_around_target(mesh.halfedge(v)))
-      {
-        if (f != ResampledSurface::Mesh::null_face())
-        {
-          smallest = std::min(smallest, smallestSine(this->Surface.triangle(f)));
-        }
-      }
+      smallest = std::min(smallest, flattening::smallestSine(this->Surface.triangle(f)));
     }
     return smallest;
   }
@@ -127,7 +139,8 @@ private:
   }
 
   ResampledSurface& Surface;
-  const std::vector<Face>& Near;
+  std::vector<Vertex> Region;
+  std::vector<Face> Faces;
 };
 
 // Returns the pairs that are left.
@@ -141,20 +154,15 @@ FacePairs smoothRegions(ResampledSurface& surface, const FacePairs& pairs, int s
   const std::vector<std::vector<Face>> near = facesNear(surface, surroundings);
   const auto intersects = [&surface](const std::pair<Face, Face>& pair)
   { return intersect(placed(surface.triangle(pair.first)), placed(surface.triangle(pair.second))); };
-  std::set<std::pair<Face, Face>> left;
   for (std::size_t i = 0; i < pairs.size(); ++i)
   {
     if (intersects(pairs[i]))
     {
-      TangleSmoother(surface, near[i])
-        .smooth(regionAround(surface, pairs[i], size), RoundsPerEdge * size, leastSine);
+      TangleSmoother(surface, regionAround(surface, pairs[i], size))
+        .smooth(near[i], RoundsPerEdge * size, leastSine);
     }
-    const FacePairs here = intersectingFaces(surface, near[i]);
-    left.insert(here.begin(), here.end());
   }
-  FacePairs result;
-  std::copy_if(left.begin(), left.end(), std::back_inserter(result), intersects);
-  return result;
+  return intersectingFaces(surface, unitedFaces(near));
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TangledFaces.h"
 
+#include <algorithm>
+
 namespace flattening
 {
 namespace
@@ -51,6 +53,33 @@ FacePairs intersectingFaces(const ResampledSurface& surface, const std::vector<F
     pairs.emplace_back(faces[i], faces[j]);
   }
   return pairs;
+}
+
+int countIntersections(const ResampledSurface& surface,
+  const std::vector<Face>& some,
+  const std::vector<Face>& near)
+{
+  const std::vector<PlacedTriangle> first = placed(surface, some);
+  const std::vector<PlacedTriangle> second = placed(surface, near);
+  int count = 0;
+  for (const auto& [i, j] : overlappingBoxes(first, second))
+  {
+    const bool again = near[j] <= some[i] && std::binary_search(some.begin(), some.end(), near[j]);
+    count += !again && intersect(first[i], second[j]);
+  }
+  return count;
+}
+
+std::vector<Face> unitedFaces(const std::vector<std::vector<Face>>& lists)
+{
+  std::vector<Face> all;
+  for (const std::vector<Face>& faces : lists)
+  {
+    all.insert(all.end(), faces.begin(), faces.end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
 }
 
 std::vector<std::vector<Face>> facesNear(const ResampledSurface& surface,

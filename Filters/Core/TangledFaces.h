@@ -20,6 +20,15 @@ FacePairs intersectingFaces(const ResampledSurface& surface);
 FacePairs intersectingFaces(const ResampledSurface& surface,
   const std::vector<ResampledSurface::Face>& faces);
 
+/// How many pairs of `some`, ascending, with each other or with others of `near` intersect.
+int countIntersections(const ResampledSurface& surface,
+  const std::vector<ResampledSurface::Face>& some,
+  const std::vector<ResampledSurface::Face>& near);
+
+/// The faces of all lists, ascending, each once.
+std::vector<ResampledSurface::Face> unitedFaces(
+  const std::vector<std::vector<ResampledSurface::Face>>& lists);
+
 /// Per group of vertices the faces that meet the box around it, which is widened by a quarter.
 std::vector<std::vector<ResampledSurface::Face>> facesNear(const ResampledSurface& surface,
   const std::vector<std::vector<ResampledSurface::Vertex>>& groups);
