@@ -3,6 +3,7 @@
 
 #include "Errors.h"
 #include "HomologyLabels.h"
+#include "RefusedLoops.h"
 
 #include <algorithm>
 #include <limits>
@@ -10,7 +11,6 @@
 #include <queue>
 #include <set>
 #include <string>
-#include <tuple>
 #include <utility>
 
 namespace flattening
@@ -21,11 +21,6 @@ namespace
 // Lengths of loops: first in mean edge lengths, then from one search to the next.
 constexpr double FirstLength = 12.0;
 constexpr double LengthGrowth = 1.6;
-// A refused loop is given up for one that is up to so many times as long; the latter if more pairs of
-// faces would intersect than a few, as where a whole fold lies in the way.
-constexpr double Patience = 1.25;
-constexpr double PatienceWithMany = 1.5;
-constexpr int Few = 32;
 constexpr int TriesPerClass = 12;
 // Labels become fewer only when they are computed anew: once this share of the handles is left.
 constexpr double FewHandles = 0.3;
@@ -75,17 +70,6 @@ public:
   }
 
 private:
-  struct RefusedLoop
-  {
-    SurfaceLoop Loop;
-    int Intersections;
-    /// What it would be given up for.
-    double longestInstead() const
-    {
-      return (this->Intersections > Few ? PatienceWithMany : Patience) * this->Loop.Length;
-    }
-  };
-
   const HalfedgeSurface& halfedges() const { return this->Surface.halfedges(); }
 
   double fraction() const { return static_cast<double>(this->Lengths.size()) / this->HandlesAtStart; }
@@ -149,9 +133,7 @@ private:
     {
       this->Loops.tighten(loop);
     }
-    if (std::any_of(this->Refused.begin(),
-          this->Refused.end(),
-          [&loop](const RefusedLoop& refused) { return refused.Loop.Halfedges == loop.Halfedges; }))
+    if (this->Refused.contains(loop))
     {
       this->RefusedFrom[loop.Seed].insert(hash);
       return;
@@ -164,7 +146,7 @@ private:
       {
         this->Exhausted.insert(hash);
       }
-      this->Refused.push_back({ std::move(loop), intersections });
+      this->Refused.add(std::move(loop), intersections);
     }
   }
 
@@ -173,27 +155,13 @@ private:
   {
     while (true)
     {
-      this->Refused.erase(
-        std::remove_if(this->Refused.begin(),
-          this->Refused.end(),
-          [this](const RefusedLoop& refused) { return !this->isUpToDate(refused.Loop); }),
-        this->Refused.end());
-      const auto overdue = std::min_element(this->Refused.begin(),
-        this->Refused.end(),
-        [](const RefusedLoop& a, const RefusedLoop& b)
-        { return a.longestInstead() < b.longestInstead(); });
-      if (overdue == this->Refused.end() || overdue->longestInstead() > length)
+      this->Refused.keepIf([this](const SurfaceLoop& loop) { return this->isUpToDate(loop); });
+      const SurfaceLoop* loop = this->Refused.due(length);
+      if (!loop)
       {
         return;
       }
-      const auto best = std::min_element(this->Refused.begin(),
-        this->Refused.end(),
-        [longest = overdue->longestInstead()](const RefusedLoop& a, const RefusedLoop& b)
-        {
-          return std::make_tuple(a.Loop.Length > longest, a.Intersections, a.Loop.Length) <
-                 std::make_tuple(b.Loop.Length > longest, b.Intersections, b.Loop.Length);
-        });
-      this->cut(best->Loop, std::numeric_limits<int>::max());
+      this->cut(*loop, std::numeric_limits<int>::max());
     }
   }
 
@@ -255,7 +223,7 @@ private:
   int HandlesAtStart;
   int HandlesLabelled;
   std::vector<double> Lengths;
-  std::vector<RefusedLoop> Refused;
+  RefusedLoops Refused;
   std::map<std::uint64_t, int> Tries; // per class
   std::set<std::uint64_t> Exhausted;  // classes
   std::size_t CutsAtTries = 0;
