@@ -5,10 +5,31 @@
 #include <Eigen/CholmodSupport>
 #include <Eigen/SparseCore>
 
+#include <vector>
+
 namespace flattening
 {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
-using SparseCholesky = Eigen::CholmodDecomposition<SparseMatrix, Eigen::Lower>;
+
+/// CHOLMOD's. A matrix of the same size as the one before is taken for the next of a sequence whose
+/// patterns change little, as Newton's method makes them: the order of elimination, which takes about as
+/// long to find as the factors do, is kept as long as it serves.
+class SparseCholesky : public Eigen::CholmodDecomposition<SparseMatrix, Eigen::Lower>
+{
+public:
+  SparseCholesky() = default;
+  explicit SparseCholesky(const SparseMatrix& matrix) { this->compute(matrix); }
+  ~SparseCholesky() = default;
+
+  SparseCholesky& compute(const SparseMatrix& matrix);
+
+private:
+  using Base = Eigen::CholmodDecomposition<SparseMatrix, Eigen::Lower>;
+  bool reuseOrder(const SparseMatrix& matrix);
+
+  std::vector<int> Order;
+  double FirstFill = 0.0; // entries of the factor when the order was found
+};
 
 } // namespace flattening

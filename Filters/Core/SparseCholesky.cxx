@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SparseCholesky.h"
+
+namespace flattening
+{
+namespace
+{
+
+// An order that makes the factor so many times as large as it was is given up.
+constexpr double GreatestGrowth = 1.15;
+
+} // namespace
+
+// Analyses the pattern in the order that is known. False if that order does not serve.
+bool SparseCholesky::reuseOrder(const SparseMatrix& matrix)
+{
+  if (static_cast<Eigen::Index>(this->Order.size()) != matrix.rows())
+  {
+    return false;
+  }
+  cholmod_common& common = this->cholmod();
+  cholmod_sparse view = Eigen::viewAsCholmod(matrix.selfadjointView<Eigen::Lower>());
+  const int methods = common.nmethods;
+  common.nmethods = 1; // of which the first is the given order
+  cholmod_factor* factor = cholmod_analyze_p(&view, this->Order.data(), nullptr, 0, &common);
+  common.nmethods = methods;
+  if (!factor || common.lnz > GreatestGrowth * this->FirstFill)
+  {
+    cholmod_free_factor(&factor, &common);
+    return false;
+  }
+  cholmod_free_factor(&this->m_cholmodFactor, &common);
+  this->m_cholmodFactor = factor;
+  this->m_isInitialized = true;
+  this->m_info = Eigen::Success;
+  this->m_analysisIsOk = true;
+  this->m_factorizationIsOk = false;
+  return true;
+}
+
+SparseCholesky& SparseCholesky::compute(const SparseMatrix& matrix)
+{
+  if (!this->reuseOrder(matrix))
+  {
+    this->analyzePattern(matrix);
+    const auto* order = static_cast<const int*>(this->m_cholmodFactor->Perm);
+    this->Order.assign(order, order + matrix.rows());
+    this->FirstFill = this->cholmod().lnz;
+  }
+  this->factorize(matrix);
+  return *this;
+}
+
+} // namespace flattening

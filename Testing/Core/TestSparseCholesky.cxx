@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SparseCholesky.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace
+{
+
+using namespace flattening;
+
+/// The graph Laplacian of a grid plus 1, with some edges more between random vertices.
+SparseMatrix laplacian(int side, int extraEdges)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto couple = [&entries](int i, int j)
+  {
+    entries.emplace_back(i, i, 1.0);
+    entries.emplace_back(j, j, 1.0);
+    entries.emplace_back(std::max(i, j), std::min(i, j), -1.0);
+  };
+  for (int v = 0; v < side * side; ++v)
+  {
+    entries.emplace_back(v, v, 1.0);
+    if (v % side > 0)
+    {
+      couple(v, v - 1);
+    }
+    if (v >= side)
+    {
+      couple(v, v - side);
+    }
+  }
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> vertex(0, side * side - 2);
+  for (int e = 0; e < extraEdges; ++e)
+  {
+    couple(vertex(random), side * side - 1);
+    couple(vertex(random), vertex(random) + 1);
+  }
+  SparseMatrix matrix(side * side, side * side);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+double residual(SparseCholesky& cholesky, const SparseMatrix& matrix)
+{
+  const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(matrix.rows(), -1.0, 1.0);
+  cholesky.compute(matrix);
+  EXPECT_EQ(cholesky.info(), Eigen::Success);
+  const Eigen::VectorXd x = cholesky.solve(right);
+  return (matrix.selfadjointView<Eigen::Lower>() * x - right).lpNorm<Eigen::Infinity>();
+}
+
+// Few more edges keep the order, very many do not, nor does another size.
+TEST(SparseCholesky, SolvesEverySystemOfASequence)
+{
+  SparseCholesky cholesky;
+  for (const auto& [side, extra] :
+    { std::pair{ 60, 0 }, { 60, 20 }, { 60, 3000 }, { 40, 0 }, { 60, 0 } })
+  {
+    EXPECT_LT(residual(cholesky, laplacian(side, extra)), 1e-11) << side << " " << extra;
+  }
+}
+
+TEST(SparseCholesky, SaysWhatIsNotPositiveDefiniteAndGoesOn)
+{
+  SparseMatrix indefinite = laplacian(30, 0);
+  indefinite.coeffRef(5, 5) = -1.0;
+  SparseCholesky cholesky;
+  EXPECT_LT(residual(cholesky, laplacian(30, 0)), 1e-11);
+  cholesky.compute(indefinite);
+  EXPECT_NE(cholesky.info(), Eigen::Success);
+  EXPECT_LT(residual(cholesky, laplacian(30, 10)), 1e-11);
+}
+
+} // namespace
