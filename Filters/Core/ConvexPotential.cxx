@@ -9,31 +9,43 @@
 namespace flattening
 {
 
-Eigen::VectorXd radialPotentialWeights(const Points2& sites, const Eigen::VectorXd& masses)
+PowerDiagram::Weights squaredRadii(const Points2& sites)
+{
+  PowerDiagram::Weights squares(sites.rows());
+  for (Eigen::Index i = 0; i < sites.rows(); ++i)
+  {
+    squares[i] =
+      DoubleDouble::product(sites(i, 0), sites(i, 0)) + DoubleDouble::product(sites(i, 1), sites(i, 1));
+  }
+  return squares;
+}
+
+PowerDiagram::Weights radialPotentialWeights(const Points2& sites, const Eigen::VectorXd& masses)
 {
   const int n = static_cast<int>(sites.rows());
-  const Eigen::VectorXd radii = sites.rowwise().norm();
+  const PowerDiagram::Weights squares = squaredRadii(sites);
   std::vector<int> order(n);
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(),
     order.end(),
-    [&radii](int a, int b) { return radii[a] != radii[b] ? radii[a] < radii[b] : a < b; });
+    [&squares](int a, int b) { return squares[a] != squares[b] ? squares[a] < squares[b] : a < b; });
 
   // Between two radii sqrt(m) runs linearly, which keeps h strictly convex and its integral exact.
   const double total = masses.sum();
-  Eigen::VectorXd weights(n);
+  PowerDiagram::Weights weights(n);
   double mass = 0.0;
   double slope = 0.0;
-  double height = 0.0;
-  double radius = 0.0;
+  DoubleDouble height = 0.0;
+  DoubleDouble radius = 0.0;
   for (const int i : order)
   {
     mass += masses[i];
     const double nextSlope = std::sqrt(mass / total);
-    height += 0.5 * (slope + nextSlope) * (radii[i] - radius);
+    const DoubleDouble nextRadius = sqrt(squares[i]);
+    height += DoubleDouble(0.5 * (slope + nextSlope)) * (nextRadius - radius);
     slope = nextSlope;
-    radius = radii[i];
-    weights[i] = radius * radius - 2.0 * height;
+    radius = nextRadius;
+    weights[i] = squares[i] - 2.0 * height;
   }
   return weights;
 }

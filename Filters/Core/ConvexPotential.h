@@ -2,7 +2,7 @@
 /// Where the transport may start: power weights that leave no cell empty.
 #pragma once
 
-#include "TriangleMesh.h"
+#include "PowerDiagram.h"
 
 namespace flattening
 {
@@ -11,6 +11,9 @@ namespace flattening
 /// the share of @p masses (n) at radius <= r: its gradient spreads the radii of @p sites (n x 2, unit
 /// disk) evenly by area. Every site keeps a cell, since h is convex; only the transport's Newton
 /// iteration starts from it, its result stays the Brenier map (mathematics.md, "Peers").
-Eigen::VectorXd radialPotentialWeights(const Points2& sites, const Eigen::VectorXd& masses);
+PowerDiagram::Weights radialPotentialWeights(const Points2& sites, const Eigen::VectorXd& masses);
+
+/// |y|^2 of every site (n).
+PowerDiagram::Weights squaredRadii(const Points2& sites);
 
 } // namespace flattening

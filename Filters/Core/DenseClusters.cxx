@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -16,9 +17,33 @@ namespace
 // Of area over target: clusters within clusters are opened about places of their own.
 constexpr double DenseRatios[] = { 1e-3, 1e-7, 1e-11, 1e-15, 1e-19 };
 
-double distance(const PowerDiagram& diagram, int site, int otherSite)
+// Sites with all others further off do not need more than double precision: 1e-16 of a weight is at most
+// 1e-10 of the disk for the sides of their cells.
+constexpr double CloseDistance = 1e-6;
+
+double distance(const Points2& sites, int site, int otherSite)
 {
-  return (diagram.sites().row(site) - diagram.sites().row(otherSite)).norm();
+  return (sites.row(site) - sites.row(otherSite)).norm();
+}
+
+DoubleDouble preciseDistance(const Points2& sites, int site, int otherSite)
+{
+  const DoubleDouble x = DoubleDouble::sum(sites(site, 0), -sites(otherSite, 0));
+  const DoubleDouble y = DoubleDouble::sum(sites(site, 1), -sites(otherSite, 1));
+  return sqrt(x * x + y * y);
+}
+
+// Of every site from the nearest one whose cell has a side in common with its own.
+Eigen::VectorXd nearestDistances(const PowerDiagram& diagram)
+{
+  Eigen::VectorXd nearest =
+    Eigen::VectorXd::Constant(diagram.siteCount(), std::numeric_limits<double>::infinity());
+  for (const PowerDiagram::CommonSide& side : diagram.commonSides())
+  {
+    nearest[side.First] = std::min(nearest[side.First], side.Distance);
+    nearest[side.Second] = std::min(nearest[side.Second], side.Distance);
+  }
+  return nearest;
 }
 
 // The sites marked in @p dense by connected component of the diagram, components in the order of their
@@ -72,38 +97,46 @@ public:
     const Eigen::VectorXd& targets,
     double totalMass)
   {
-    long double mass = 0.0L;
+    double mass = 0.0;
     for (const int i : cluster.Sites)
     {
-      const double radius = distance(diagram, i, cluster.Sites.front());
+      const DoubleDouble radius = preciseDistance(diagram.sites(), i, cluster.Sites.front());
       mass += targets[i];
-      const long double slope = std::sqrt(mass / totalMass);
-      const Knot before = this->Knots.empty() ? Knot{ 0.0, slope, 0.0L } : this->Knots.back();
-      this->Knots.push_back(
-        { radius, slope, before.Height + 0.5L * (before.Slope + slope) * (radius - before.Radius) });
+      const double slope = std::sqrt(mass / totalMass);
+      const Knot before = this->Knots.empty() ? Knot{ 0.0, slope, 0.0 } : this->Knots.back();
+      this->Knots.push_back({ radius,
+        slope,
+        before.Height + DoubleDouble(0.5 * (before.Slope + slope)) * (radius - before.Radius) });
     }
   }
 
-  long double operator()(double radius) const
+  /// In the precision of @p radius.
+  template <typename Real>
+  Real operator()(const Real& radius) const
   {
+    const Knot& outermost = this->Knots.back();
+    if (!(radius < static_cast<Real>(outermost.Radius)))
+    {
+      return static_cast<Real>(outermost.Height) +
+             (radius - static_cast<Real>(outermost.Radius)) * outermost.Slope;
+    }
     const auto above = std::upper_bound(this->Knots.begin(),
       this->Knots.end(),
       radius,
-      [](double r, const Knot& knot) { return r < knot.Radius; });
+      [](const Real& r, const Knot& knot) { return r < static_cast<Real>(knot.Radius); });
     const Knot& below = *(above - 1);
-    const long double step = static_cast<long double>(radius) - below.Radius;
-    const long double bend = above == this->Knots.end()
-                               ? 0.0L
-                               : 0.5L * (above->Slope - below.Slope) / (above->Radius - below.Radius);
-    return below.Height + step * (below.Slope + step * bend);
+    const Real step = radius - static_cast<Real>(below.Radius);
+    const double bend =
+      0.5 * (above->Slope - below.Slope) / static_cast<double>(above->Radius - below.Radius);
+    return static_cast<Real>(below.Height) + step * (below.Slope + step * bend);
   }
 
 private:
   struct Knot
   {
-    double Radius;
-    long double Slope;
-    long double Height;
+    DoubleDouble Radius;
+    double Slope;
+    DoubleDouble Height;
   };
   std::vector<Knot> Knots; // the first at radius 0
 };
@@ -154,7 +187,8 @@ std::vector<DenseCluster> denseClusters(const PowerDiagram& diagram, const Eigen
       sites.begin(), sites.end(), [&ratio](int a, int b) { return ratio[a] < ratio[b]; });
     std::stable_sort(sites.begin(),
       sites.end(),
-      [&](int a, int b) { return distance(diagram, a, tip) < distance(diagram, b, tip); });
+      [&](int a, int b)
+      { return distance(diagram.sites(), a, tip) < distance(diagram.sites(), b, tip); });
   }
   return clusters;
 }
@@ -169,15 +203,27 @@ PowerDiagram::Weights openingPotential(const PowerDiagram& diagram,
   {
     potentials.emplace_back(diagram, cluster, targets, totalMass);
   }
+  const Eigen::VectorXd nearest = nearestDistances(diagram);
   PowerDiagram::Weights sum = PowerDiagram::Weights::Zero(diagram.siteCount());
   tbb::parallel_for(0,
     diagram.siteCount(),
     [&](int i)
     {
+      const bool close = nearest[i] < CloseDistance;
+      double roundedSum = 0.0;
       for (std::size_t c = 0; c < clusters.size(); ++c)
       {
-        sum[i] += potentials[c](distance(diagram, i, clusters[c].Sites.front()));
+        const int tip = clusters[c].Sites.front();
+        if (close)
+        {
+          sum[i] += potentials[c](preciseDistance(diagram.sites(), i, tip));
+        }
+        else
+        {
+          roundedSum += potentials[c](distance(diagram.sites(), i, tip));
+        }
       }
+      sum[i] += roundedSum;
     });
   return sum;
 }

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PowerDiagram.h"
 
+#include "PowerTriangulation.h"
 #include "RegionMeasure.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Regular_triangulation_2.h>
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
 
@@ -22,14 +19,6 @@ namespace flattening
 {
 namespace
 {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::
-  Triangulation_vertex_base_with_info_2<int, Kernel, CGAL::Regular_triangulation_vertex_base_2<Kernel>>;
-using FaceBase = CGAL::
-  Triangulation_face_base_with_info_2<int, Kernel, CGAL::Regular_triangulation_face_base_2<Kernel>>;
-using RegularTriangulation =
-  CGAL::Regular_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
 
 int next(int h)
 {
@@ -46,28 +35,28 @@ PowerDiagram::PowerDiagram(const Points2& sites)
   : Sites(sites)
   , Order(sites.rows())
 {
-  std::vector<Kernel::Point_2> points;
+  std::vector<SiteKernel::Point_2> points;
   points.reserve(sites.rows());
   for (Eigen::Index i = 0; i < sites.rows(); ++i)
   {
     points.emplace_back(sites(i, 0), sites(i, 1));
   }
   std::iota(this->Order.begin(), this->Order.end(), std::size_t(0));
-  using Traits =
-    CGAL::Spatial_sort_traits_adapter_2<Kernel, CGAL::Pointer_property_map<Kernel::Point_2>::type>;
+  using Traits = CGAL::Spatial_sort_traits_adapter_2<SiteKernel,
+    CGAL::Pointer_property_map<SiteKernel::Point_2>::type>;
   CGAL::spatial_sort(this->Order.begin(), this->Order.end(), Traits(CGAL::make_property_map(points)));
 }
 
-bool PowerDiagram::update(const Weights& weights, const Weights& corrections)
+bool PowerDiagram::update(const Weights& weights, int largestHidden)
 {
   ++this->Updates;
   this->SiteWeights = weights;
-  this->Corrections = corrections;
-  if (!this->triangulate())
+  if (!this->triangulate(largestHidden))
   {
     return false;
   }
   this->placeCentres();
+  this->measureHidden();
   this->clipSides();
   this->measureCells();
   return true;
@@ -75,27 +64,20 @@ bool PowerDiagram::update(const Weights& weights, const Weights& corrections)
 
 double PowerDiagram::weightDifference(int from, int to) const
 {
-  const long double difference = this->SiteWeights[to] - this->SiteWeights[from];
-  return static_cast<double>(this->Corrections.size() > 0
-                               ? difference + (this->Corrections[to] - this->Corrections[from])
-                               : difference);
+  return static_cast<double>(this->SiteWeights[to] - this->SiteWeights[from]);
 }
 
-// The triangulation is exact for the weights rounded to double; what that gets wrong is sides too short
-// to count, whose areas enter with their sign.
-bool PowerDiagram::triangulate()
+bool PowerDiagram::triangulate(int largestHidden)
 {
-  RegularTriangulation triangulation;
-  RegularTriangulation::Face_handle hint;
+  PowerTriangulation triangulation;
+  PowerTriangulation::Face_handle hint;
   for (const std::size_t i : this->Order)
   {
     const auto vertex = triangulation.insert(
-      Kernel::Weighted_point_2(Kernel::Point_2(this->Sites(i, 0), this->Sites(i, 1)),
-        static_cast<double>(this->SiteWeights[i])),
-      hint);
+      WeightedSite(this->Sites(i, 0), this->Sites(i, 1), this->SiteWeights[i]), hint);
     vertex->info() = static_cast<int>(i);
     // A site once hidden stays so: further sites only take from its place.
-    if (triangulation.number_of_hidden_vertices() > 0)
+    if (static_cast<int>(triangulation.number_of_hidden_vertices()) > largestHidden)
     {
       return false;
     }
@@ -110,6 +92,15 @@ bool PowerDiagram::triangulate()
   for (auto face = triangulation.all_faces_begin(); face != triangulation.all_faces_end(); ++face)
   {
     face->info() = triangulation.is_infinite(face) ? -1 : faces++;
+  }
+  this->HiddenSites.clear();
+  this->HiddenIn.clear();
+  for (auto vertex = triangulation.hidden_vertices_begin();
+       vertex != triangulation.hidden_vertices_end();
+       ++vertex)
+  {
+    this->HiddenSites.push_back({ vertex->info(), 0.0 });
+    this->HiddenIn.push_back(vertex->face()->info());
   }
   this->Origins.resize(3 * faces);
   this->Twins.resize(3 * faces);
@@ -140,6 +131,12 @@ bool PowerDiagram::triangulate()
   return true;
 }
 
+double PowerDiagram::squaredLength(int halfedge) const
+{
+  return (this->Sites.row(this->Origins[halfedge]) - this->Sites.row(this->Origins[next(halfedge)]))
+    .squaredNorm();
+}
+
 void PowerDiagram::placeCentres()
 {
   const int faces = static_cast<int>(this->Origins.size() / 3);
@@ -148,9 +145,15 @@ void PowerDiagram::placeCentres()
     faces,
     [this](int f)
     {
-      const int i = this->Origins[3 * f];
-      const int j = this->Origins[3 * f + 1];
-      const int k = this->Origins[3 * f + 2];
+      // From an end of the shortest side, whose own vector has no rounding then.
+      int shortest = 3 * f;
+      for (const int h : { 3 * f + 1, 3 * f + 2 })
+      {
+        shortest = this->squaredLength(h) < this->squaredLength(shortest) ? h : shortest;
+      }
+      const int i = this->Origins[shortest];
+      const int j = this->Origins[next(shortest)];
+      const int k = this->Origins[previous(shortest)];
       const Eigen::Vector2d origin = this->Sites.row(i);
       const Eigen::Vector2d a = this->Sites.row(j).transpose() - origin;
       const Eigen::Vector2d b = this->Sites.row(k).transpose() - origin;
@@ -160,6 +163,22 @@ void PowerDiagram::placeCentres()
       this->Centres[f] =
         origin + Eigen::Vector2d(p * b.y() - q * a.y(), q * a.x() - p * b.x()) / determinant;
     });
+}
+
+// At the point of equal power of the face that covers it a hidden site comes nearest to a cell.
+void PowerDiagram::measureHidden()
+{
+  for (std::size_t k = 0; k < this->HiddenSites.size(); ++k)
+  {
+    HiddenSite& hidden = this->HiddenSites[k];
+    const int corner = this->Origins[3 * this->HiddenIn[k]];
+    const Eigen::Vector2d origin = this->Sites.row(corner);
+    const Eigen::Vector2d away = this->Sites.row(hidden.Site).transpose() - origin;
+    const double lacking = away.squaredNorm() -
+                           2.0 * away.dot(this->Centres[this->HiddenIn[k]] - origin) -
+                           this->weightDifference(corner, hidden.Site);
+    hidden.Lacking = std::max(0.0, lacking);
+  }
 }
 
 void PowerDiagram::clipSides()
@@ -279,7 +298,8 @@ void PowerDiagram::sidesOf(int site, std::vector<Segment>& sides) const
 bool PowerDiagram::coversDisk(int site) const
 {
   // No side crosses the disk, so one point of it decides.
-  const auto power = [this](int i) { return this->Sites.row(i).squaredNorm() - this->SiteWeights[i]; };
+  const auto power = [this](int i)
+  { return DoubleDouble(this->Sites.row(i).squaredNorm()) - this->SiteWeights[i]; };
   for (int i = 0; i < this->siteCount(); ++i)
   {
     if (power(i) < power(site))
@@ -303,7 +323,7 @@ void PowerDiagram::measureCells()
         this->sidesOf(i, sides);
         if (sides.empty())
         {
-          if (this->coversDisk(i))
+          if (this->Outgoing[i] >= 0 && this->coversDisk(i))
           {
             this->Areas[i] = EIGEN_PI;
             this->Centroids.row(i).setZero();

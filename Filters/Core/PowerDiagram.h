@@ -2,6 +2,7 @@
 /// The power diagram of weighted sites, clipped exactly to the unit disk.
 #pragma once
 
+#include "DoubleDouble.h"
 #include "TriangleMesh.h"
 
 #include <vector>
@@ -14,28 +15,36 @@ namespace flattening
 /// of a cell's boundary is arcs of the unit circle; areas, centroids and side lengths count both
 /// exactly.
 ///
-/// Weights are of extended precision because cells depend on their differences divided by the distance
-/// of the sites, which on slivers is 1e-8 and less.
+/// Weights have twice the precision of double because cells depend on their differences divided by the
+/// distance of the sites, which in the horns of a surface is 1e-15 and less. The triangulation behind
+/// the cells is exact for them.
 ///
 /// The sites stay, the weights change: what depends on the sites alone is done once.
 class PowerDiagram
 {
 public:
-  using Weights = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+  using Weights = Eigen::Matrix<DoubleDouble, Eigen::Dynamic, 1>;
 
   /// @p sites n x 2, n >= 3, pairwise distinct, not all on a line.
   explicit PowerDiagram(const Points2& sites);
 
   /// Computes the cells for @p weights (n, same unit as squared lengths). Returns false, and leaves the
-  /// cells undefined, if a site has no cell in the plane. @p corrections (n or empty), much smaller, are
-  /// added to the weights' differences without rounding their sum: on sites closer than 1e-10 the last
-  /// digit of a weight of order 1 is 1e-6 of a cell.
-  bool update(const Weights& weights, const Weights& corrections = {});
+  /// cells undefined, if more than @p largestHidden sites have no cell in the plane; theirs have area 0.
+  bool update(const Weights& weights, int largestHidden = 0);
 
   int siteCount() const { return static_cast<int>(this->Sites.rows()); }
   const Points2& sites() const { return this->Sites; }
   /// Diagrams computed so far, failed ones included.
   int updates() const { return this->Updates; }
+
+  /// The sites without a cell in the plane, and by how much their weight would have to be larger to have
+  /// one.
+  struct HiddenSite
+  {
+    int Site;
+    double Lacking; ///< weight, >= 0
+  };
+  const std::vector<HiddenSite>& hiddenSites() const { return this->HiddenSites; }
 
   /// Area of every cell in the disk (n). Zero for a cell outside.
   const Eigen::VectorXd& areas() const { return this->Areas; }
@@ -77,9 +86,11 @@ private:
     bool Inside; ///< false: no part in the disk
   };
 
-  bool triangulate();
+  bool triangulate(int largestHidden);
   double weightDifference(int from, int to) const;
+  double squaredLength(int halfedge) const;
   void placeCentres();
+  void measureHidden();
   void clipSides();
   void measureCells();
   Segment sideOf(int site, int halfedge) const;
@@ -89,13 +100,14 @@ private:
   Points2 Sites;
   std::vector<std::size_t> Order; ///< space-filling order for insertion
   Weights SiteWeights;
-  Weights Corrections; ///< of the weights; may be empty
   int Updates = 0;
 
   std::vector<int> Origins;
-  std::vector<int> Twins;               ///< -1 on the convex hull
-  std::vector<int> Outgoing;            ///< per site; the hull's half-edge where there is one
+  std::vector<int> Twins;    ///< -1 on the convex hull
+  std::vector<int> Outgoing; ///< per site; the hull's half-edge where there is one, -1 without a cell
   std::vector<Eigen::Vector2d> Centres; ///< per face: the point of equal power
+  std::vector<HiddenSite> HiddenSites;
+  std::vector<int> HiddenIn;     ///< per hidden site: the face that covers it
   std::vector<Segment> Segments; ///< per half-edge that stands for its edge (the lower of the two)
   std::vector<CommonSide> Sides;
   Eigen::VectorXd Areas;

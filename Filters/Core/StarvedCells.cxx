@@ -9,19 +9,32 @@ namespace
 constexpr int LargestRounds = 8;
 constexpr double FirstGain = 10.0; // of area, in units of the least, were there no other change
 constexpr double Growth = 4.0;
-// Where more of the cells are starved, the step was too long.
 constexpr double LargestShare = 0.02;
+// Rounds that may leave no fewer cells starved than the one before; of more, feeding does not end.
+constexpr int LargestSetbacks = 1;
 
 } // namespace
+
+int largestStarved(int sites)
+{
+  return static_cast<int>(LargestShare * sites);
+}
 
 bool feedStarvedCells(PowerDiagram& diagram,
   PowerDiagram::Weights& weights,
   const Eigen::VectorXd& least,
   const Eigen::VectorXd& slopes)
 {
+  const int largest = largestStarved(diagram.siteCount());
+  int before = diagram.siteCount();
+  int setbacks = 0;
   Eigen::VectorXd raises = FirstGain * least.array() / slopes.array();
   for (int round = 0;; ++round)
   {
+    for (const PowerDiagram::HiddenSite& hidden : diagram.hiddenSites())
+    {
+      weights[hidden.Site] += hidden.Lacking;
+    }
     int starved = 0;
     for (int i = 0; i < diagram.siteCount(); ++i)
     {
@@ -36,8 +49,10 @@ bool feedStarvedCells(PowerDiagram& diagram,
     {
       return true;
     }
-    if (starved > LargestShare * diagram.siteCount() || round == LargestRounds ||
-        !diagram.update(weights))
+    setbacks += starved >= before;
+    before = starved;
+    if (starved > largest || setbacks > LargestSetbacks || round == LargestRounds ||
+        !diagram.update(weights, largest))
     {
       return false;
     }

@@ -27,6 +27,10 @@ constexpr double ShortestWay = 0.7;
 constexpr double KeptShare = 0.1;
 // A cell error below which rounding is what may have stopped the iteration.
 constexpr double NearlyThere = 1e-2;
+// Error of a Newton step, relative to the areas and to what it is to change of them, and how often it is
+// refined to get there.
+constexpr double StepError = 1e-3;
+constexpr int LargestRefinements = 10;
 
 double relativeError(const Eigen::VectorXd& areas, const Eigen::VectorXd& targets)
 {
@@ -69,9 +73,8 @@ SparseMatrix areaJacobian(const PowerDiagram& diagram)
 std::vector<PowerDiagram::Weights> starts(PowerDiagram& diagram, const Eigen::VectorXd& targets)
 {
   const PowerDiagram::Weights zero = PowerDiagram::Weights::Zero(diagram.siteCount());
-  const PowerDiagram::Weights squares = diagram.sites().rowwise().squaredNorm().cast<long double>();
-  std::vector<PowerDiagram::Weights> all{ zero,
-    radialPotentialWeights(diagram.sites(), targets).cast<long double>() };
+  const PowerDiagram::Weights squares = squaredRadii(diagram.sites());
+  std::vector<PowerDiagram::Weights> all{ zero, radialPotentialWeights(diagram.sites(), targets) };
   const std::vector<DenseCluster> clusters =
     diagram.update(zero) ? denseClusters(diagram, targets) : std::vector<DenseCluster>();
   if (clusters.empty())
@@ -79,7 +82,7 @@ std::vector<PowerDiagram::Weights> starts(PowerDiagram& diagram, const Eigen::Ve
     return all;
   }
   Eigen::VectorXd rest = targets;
-  long double slope = 0.0L;
+  double slope = 0.0;
   for (const DenseCluster& cluster : clusters)
   {
     slope += std::sqrt(cluster.Mass / targets.sum());
@@ -88,13 +91,16 @@ std::vector<PowerDiagram::Weights> starts(PowerDiagram& diagram, const Eigen::Ve
       rest[i] = 0.0;
     }
   }
+  // Each slope adds to how far all others are pushed out; beyond their sum of 1 that costs more area
+  // than the clusters gain.
+  const double share = std::min(1.0, 1.0 / slope);
   const PowerDiagram::Weights opening = openingPotential(diagram, clusters, targets, targets.sum());
-  for (const PowerDiagram::Weights& weights :
-    { zero, PowerDiagram::Weights(radialPotentialWeights(diagram.sites(), rest).cast<long double>()) })
+  for (const PowerDiagram::Weights& weights : { zero, radialPotentialWeights(diagram.sites(), rest) })
   {
     // w = r^2 - 2 h, of the sum of potentials over the largest slope that it can have.
-    const PowerDiagram::Weights potential = 0.5L * (squares - weights) + opening;
-    all.push_back(squares - 2.0L / (1.0L + slope) * potential);
+    const PowerDiagram::Weights potential =
+      DoubleDouble(0.5) * (squares - weights) + DoubleDouble(share) * opening;
+    all.push_back(squares - DoubleDouble(2.0 / (1.0 + share * slope)) * potential);
   }
   return all;
 }
@@ -124,8 +130,26 @@ PowerDiagram::Weights startWeights(PowerDiagram& diagram, const Eigen::VectorXd&
   return best;
 }
 
-// The Newton step that brings the areas of @p diagram nearer to @p aims. Empty if there is none.
-Eigen::VectorXd newtonStep(SparseCholesky& cholesky,
+// What @p step leaves of @p gap, in the linear model of the areas.
+Eigen::VectorXd remainder(const PowerDiagram& diagram,
+  const Eigen::VectorXd& gap,
+  const PowerDiagram::Weights& step)
+{
+  Eigen::VectorXd rest = gap;
+  for (const PowerDiagram::CommonSide& side : diagram.commonSides())
+  {
+    const double flow =
+      side.Length / (2.0 * side.Distance) * static_cast<double>(step[side.First] - step[side.Second]);
+    rest[side.First] -= flow;
+    rest[side.Second] += flow;
+  }
+  return rest;
+}
+
+// The Newton step that brings the areas of @p diagram nearer to @p aims. Empty if there is none. Where
+// sites nearly coincide, areas depend on differences of the step far below the last digit of a double:
+// the solution is refined with the factor at hand.
+PowerDiagram::Weights newtonStep(SparseCholesky& cholesky,
   const PowerDiagram& diagram,
   const Eigen::VectorXd& aims)
 {
@@ -135,41 +159,60 @@ Eigen::VectorXd newtonStep(SparseCholesky& cholesky,
     return {};
   }
   const Eigen::Index last = aims.size() - 1;
-  Eigen::VectorXd step = Eigen::VectorXd::Zero(aims.size());
-  step.head(last) = cholesky.solve((aims - diagram.areas()).head(last));
+  const Eigen::VectorXd gap = aims - diagram.areas();
+  const Eigen::VectorXd scale = aims.cwiseMin(diagram.areas());
+  PowerDiagram::Weights step = PowerDiagram::Weights::Zero(aims.size());
+  Eigen::VectorXd rest = gap;
+  const double least = StepError * std::min(1.0, (gap.array() / scale.array()).abs().maxCoeff());
+  double error = std::numeric_limits<double>::infinity();
+  for (int round = 0; round <= LargestRefinements; ++round)
+  {
+    PowerDiagram::Weights refined = step;
+    refined.head(last) += Eigen::VectorXd(cholesky.solve(rest.head(last))).cast<DoubleDouble>();
+    const Eigen::VectorXd nextRest = remainder(diagram, gap, refined);
+    const double nextError = (nextRest.array() / scale.array()).abs().maxCoeff();
+    if (!(nextError < error))
+    {
+      break;
+    }
+    step = refined;
+    rest = nextRest;
+    error = nextError;
+    if (error < least)
+    {
+      break;
+    }
+  }
   return step;
 }
 
-// Where the weights' own rounding stopped the iteration close to its end: full steps that are kept apart
-// from the weights, as long as they help. Returns how many; @p error is the least one.
-int correctRounding(PowerDiagram& diagram,
-  const PowerDiagram::Weights& weights,
+// Close to the end the rounding of large cells' areas may hide the progress of small ones from the rule
+// of acceptance: full steps as long as they help. Returns how many; the diagram is that of @p weights.
+int finish(SparseCholesky& cholesky,
+  PowerDiagram& diagram,
+  PowerDiagram::Weights& weights,
   const Eigen::VectorXd& targets,
   double tolerance,
   double& error)
 {
-  SparseCholesky cholesky;
-  PowerDiagram::Weights corrections = PowerDiagram::Weights::Zero(weights.size());
-  int steps = 0;
-  for (; error > tolerance; ++steps)
+  for (int steps = 0;; ++steps)
   {
-    const Eigen::VectorXd step = newtonStep(cholesky, diagram, targets);
+    const PowerDiagram::Weights step =
+      error > tolerance ? newtonStep(cholesky, diagram, targets) : PowerDiagram::Weights();
     if (step.size() == 0)
     {
       return steps;
     }
-    const PowerDiagram::Weights next = corrections + step.cast<long double>();
-    const double nextError =
-      diagram.update(weights, next) ? relativeError(diagram.areas(), targets) : error;
+    const PowerDiagram::Weights next = weights + step;
+    const double nextError = diagram.update(next) ? relativeError(diagram.areas(), targets) : error;
     if (!(nextError < 0.9 * error))
     {
-      diagram.update(weights, corrections);
+      diagram.update(weights);
       return steps;
     }
-    corrections = next;
+    weights = next;
     error = nextError;
   }
-  return steps;
 }
 
 } // namespace
@@ -210,7 +253,7 @@ TransportResult transportNewton(PowerDiagram& diagram,
     }
 
     const Eigen::VectorXd gap = aims - areas;
-    const Eigen::VectorXd step = newtonStep(cholesky, diagram, aims);
+    const PowerDiagram::Weights step = newtonStep(cholesky, diagram, aims);
     if (step.size() == 0)
     {
       break;
@@ -224,10 +267,10 @@ TransportResult transportNewton(PowerDiagram& diagram,
     for (int trial = 0; trial < 30 && !accepted; ++trial, length *= 0.5)
     {
       report(progress, fraction, "Optimal mass transport");
-      PowerDiagram::Weights weights = result.Weights + (length * step).cast<long double>();
+      PowerDiagram::Weights weights = result.Weights + DoubleDouble(length) * step;
       const auto approaches = [&]
       { return (diagram.areas() - aims).norm() <= (1.0 - 0.5 * length) * gap.norm(); };
-      accepted = diagram.update(weights) && approaches() &&
+      accepted = diagram.update(weights, largestStarved(diagram.siteCount())) && approaches() &&
                  feedStarvedCells(diagram, weights, least, slopes) && approaches();
       if (accepted)
       {
@@ -243,7 +286,7 @@ TransportResult transportNewton(PowerDiagram& diagram,
       if (error < NearlyThere)
       {
         result.NewtonIterations +=
-          correctRounding(diagram, result.Weights, targets, options.Tolerance, error);
+          finish(cholesky, diagram, result.Weights, targets, options.Tolerance, error);
       }
       break; // at the rounding floor, or stuck: the error decides below
     }

@@ -29,8 +29,9 @@ struct TransportResult
 /// their own first (see feedStarvedCells). The start is the best of some convex potentials, one of which
 /// opens places with far too many sites (see openingPotential). The targets are approached
 /// geometrically, from the areas at the start to @p targets, so that most first trial steps are
-/// accepted. Where the weights' rounding ends the iteration, the last steps are kept apart from them:
-/// the cells of @p diagram then are nearer to @p targets than those of TransportResult::Weights.
+/// accepted. Weights and steps have twice the precision of double, and so has the solution of the linear
+/// system, by iterative refinement: the cells of sites that nearly coincide depend on them in digits
+/// that doubles do not have.
 ///
 /// @param diagram  its cells are those of the result afterwards
 /// @param targets  nu, > 0, sum = area of the unit disk (n)

@@ -236,7 +236,7 @@ TEST(PowerDiagram, ACommonConstantChangesNothing)
   PowerDiagram diagram(sites);
   ASSERT_TRUE(diagram.update(convexWeights(sites)));
   const Eigen::VectorXd areas = diagram.areas();
-  ASSERT_TRUE(diagram.update((convexWeights(sites).array() + 3.0L).matrix()));
+  ASSERT_TRUE(diagram.update((convexWeights(sites).array() + DoubleDouble(3.0)).matrix()));
   EXPECT_LT((diagram.areas() - areas).cwiseAbs().maxCoeff(), 1e-13);
 }
 
@@ -320,6 +320,53 @@ TEST(PowerDiagram, AHiddenSiteIsReported)
   EXPECT_FALSE(diagram.update(weights));
   EXPECT_TRUE(diagram.update(Weights::Zero(50))) << "usable afterwards";
   expectPartition(diagram);
+}
+
+TEST(PowerDiagram, HiddenSitesSayWhatTheyLack)
+{
+  Points2 sites = randomSites(50, 6);
+  sites.row(17) << 0.1, 0.2;
+  sites.row(31) << -0.3, 0.1;
+  PowerDiagram diagram(sites);
+  Weights weights = Weights::Zero(50);
+  weights[17] = -1.0;
+  weights[31] = -0.5;
+  EXPECT_FALSE(diagram.update(weights, 1));
+  ASSERT_TRUE(diagram.update(weights, 2));
+  expectPartition(diagram);
+  EXPECT_EQ(diagram.areas()[17], 0.0);
+  EXPECT_EQ(diagram.areas()[31], 0.0);
+  const std::vector<PowerDiagram::HiddenSite> hidden = diagram.hiddenSites();
+  ASSERT_EQ(hidden.size(), 2u);
+  for (const PowerDiagram::HiddenSite& site : hidden)
+  {
+    Weights raised = weights;
+    raised[site.Site] += (1.0 - 1e-9) * site.Lacking;
+    ASSERT_TRUE(diagram.update(raised, 2));
+    EXPECT_EQ(diagram.hiddenSites().size(), 2u) << site.Site;
+    raised[site.Site] += 2e-9 * site.Lacking;
+    ASSERT_TRUE(diagram.update(raised, 2));
+    EXPECT_EQ(diagram.hiddenSites().size(), 1u) << site.Site;
+  }
+}
+
+// Two sites a few last digits of a double apart share the disk along the line that their weights'
+// difference of less than 1e-15 places; a double of the weights' size has the last digit 1e-17.
+TEST(PowerDiagram, WeightsBeyondDoublePlaceTheSides)
+{
+  const double distance = std::ldexp(1.0, -50);
+  Points2 sites(3, 2);
+  sites << -0.5 * distance, 0.0, 0.5 * distance, 0.0, 0.0, -0.9;
+  for (const double place : { -0.3, 0.0, 0.1, 0.7 })
+  {
+    Weights weights(3);
+    weights << DoubleDouble(0.1) + 2.0 * distance * place, 0.1, -5.0;
+    PowerDiagram diagram(sites);
+    ASSERT_TRUE(diagram.update(weights));
+    const double beyond = std::acos(place) - place * std::sqrt(1.0 - place * place);
+    EXPECT_NEAR(diagram.areas()[1], beyond, 1e-12) << place;
+    EXPECT_NEAR(diagram.areas()[0], Pi - beyond, 1e-12) << place;
+  }
 }
 
 // Pairs of sites at a distance of 1e-9.

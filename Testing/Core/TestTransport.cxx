@@ -111,8 +111,8 @@ TEST(Transport, HornsAreOpenedBeforehand)
   const int spread = 3000;
   const int horns = 12;
   const int perHorn = 150;
-  // At 1e-13 the rounding of weights of order 1 alone is worth a cell error of 1e-5.
-  for (const double tip : { 1e-7, 1e-11, 1e-13 })
+  // At 1e-14 the last digit of a double of order 1 is a cell's width away.
+  for (const double tip : { 1e-7, 1e-11, 1e-13, 1e-14 })
   {
     SCOPED_TRACE(tip);
     Points2 sites(spread + horns * perHorn, 2);
@@ -123,6 +123,32 @@ TEST(Transport, HornsAreOpenedBeforehand)
     }
     expectFewSteps(sites);
   }
+}
+
+// Pairs of sites, in horns and elsewhere, whose distance is the last digit of a double of order 1.
+// Neither weights nor Newton steps of double precision tell their cells apart.
+TEST(Transport, NeighbouringDoublesHaveTheirCells)
+{
+  const int spread = 2000;
+  const int horns = 10;
+  const int perHorn = 60;
+  const int twins = 200;
+  constexpr double LastDigit = std::numeric_limits<double>::epsilon();
+  Points2 sites(spread + horns * perHorn + twins, 2);
+  sites.topRows(spread) = sunflower(spread);
+  for (int h = 0; h < horns; ++h)
+  {
+    addHorn(sites, spread + h * perHorn, perHorn, placeOfHorn(h, horns), 1e-3, 1e-12);
+  }
+  // Half of them in the spread part, half in the horns.
+  const int first = spread + horns * perHorn;
+  for (int k = 0; k < twins; ++k)
+  {
+    const int original = k % 2 == 0 ? 7 * k : spread + 3 * k;
+    sites.row(first + k) << sites(original, 0) + std::copysign(LastDigit, sites(original, 0)),
+      sites(original, 1);
+  }
+  expectFewSteps(sites);
 }
 
 TEST(Transport, HornsUponHornsAreOpenedToo)
@@ -226,7 +252,7 @@ TEST(Transport, RadialPotentialKeepsEveryCell)
   }
   const Eigen::VectorXd masses = Eigen::VectorXd::Constant(3000, 1.0 / 3000);
   PowerDiagram diagram(sites);
-  ASSERT_TRUE(diagram.update(radialPotentialWeights(sites, masses).cast<long double>()));
+  ASSERT_TRUE(diagram.update(radialPotentialWeights(sites, masses)));
   EXPECT_GT(diagram.areas().minCoeff(), 0.02 * Pi / 3000);
 }
 
