@@ -43,29 +43,60 @@ double largestLogRatio(const Eigen::VectorXd& areas, const Eigen::VectorXd& targ
                                 : std::numeric_limits<double>::infinity();
 }
 
-// Minus the derivative of the areas by the weights without the last row and column: weights count up to
-// a common constant, so the last one stays.
-SparseMatrix areaJacobian(const PowerDiagram& diagram)
+// The equations without that of one site: weights count up to a common constant, so its weight stays,
+// and its cell takes what rounding leaves of the total area. It had better be a large one.
+class ReducedSystem
 {
-  const int n = diagram.siteCount() - 1;
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(3 * diagram.commonSides().size());
-  for (const PowerDiagram::CommonSide& side : diagram.commonSides())
+public:
+  explicit ReducedSystem(const Eigen::VectorXd& targets) { targets.maxCoeff(&this->Fixed); }
+
+  // Minus the derivative of the areas by the weights.
+  SparseMatrix jacobian(const PowerDiagram& diagram) const
   {
-    const double value = side.Length / (2.0 * side.Distance);
-    const int i = std::max(side.First, side.Second);
-    const int j = std::min(side.First, side.Second);
-    entries.emplace_back(j, j, value);
-    if (i < n)
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(3 * diagram.commonSides().size());
+    for (const PowerDiagram::CommonSide& side : diagram.commonSides())
     {
-      entries.emplace_back(i, i, value);
-      entries.emplace_back(i, j, -value);
+      const double value = side.Length / (2.0 * side.Distance);
+      const int i = this->row(std::max(side.First, side.Second));
+      const int j = this->row(std::min(side.First, side.Second));
+      for (const int k : { i, j })
+      {
+        if (k >= 0)
+        {
+          entries.emplace_back(k, k, value);
+        }
+      }
+      if (i >= 0 && j >= 0)
+      {
+        entries.emplace_back(i, j, -value);
+      }
     }
+    const Eigen::Index n = diagram.siteCount() - 1;
+    SparseMatrix matrix(n, n);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
   }
-  SparseMatrix matrix(n, n);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
-}
+
+  Eigen::VectorXd reduced(const Eigen::VectorXd& values) const
+  {
+    Eigen::VectorXd result(values.size() - 1);
+    result << values.head(this->Fixed), values.tail(values.size() - 1 - this->Fixed);
+    return result;
+  }
+
+  Eigen::VectorXd expanded(const Eigen::VectorXd& values) const
+  {
+    Eigen::VectorXd result(values.size() + 1);
+    result << values.head(this->Fixed), 0.0, values.tail(values.size() - this->Fixed);
+    return result;
+  }
+
+private:
+  int row(int site) const { return site == this->Fixed ? -1 : site - (site > this->Fixed ? 1 : 0); }
+
+  Eigen::Index Fixed = 0;
+};
 
 // Starts: without weights (the paper's) and from the radially symmetric potential, which are gradients
 // of convex functions; where sites lie too densely, also from the sums of each with the potential that
@@ -153,12 +184,12 @@ PowerDiagram::Weights newtonStep(SparseCholesky& cholesky,
   const PowerDiagram& diagram,
   const Eigen::VectorXd& aims)
 {
-  cholesky.compute(areaJacobian(diagram));
+  const ReducedSystem system(aims);
+  cholesky.compute(system.jacobian(diagram));
   if (cholesky.info() != Eigen::Success)
   {
     return {};
   }
-  const Eigen::Index last = aims.size() - 1;
   const Eigen::VectorXd gap = aims - diagram.areas();
   const Eigen::VectorXd scale = aims.cwiseMin(diagram.areas());
   PowerDiagram::Weights step = PowerDiagram::Weights::Zero(aims.size());
@@ -167,8 +198,8 @@ PowerDiagram::Weights newtonStep(SparseCholesky& cholesky,
   double error = std::numeric_limits<double>::infinity();
   for (int round = 0; round <= LargestRefinements; ++round)
   {
-    PowerDiagram::Weights refined = step;
-    refined.head(last) += Eigen::VectorXd(cholesky.solve(rest.head(last))).cast<DoubleDouble>();
+    const Eigen::VectorXd correction = cholesky.solve(system.reduced(rest));
+    const PowerDiagram::Weights refined = step + system.expanded(correction).cast<DoubleDouble>();
     const Eigen::VectorXd nextRest = remainder(diagram, gap, refined);
     const double nextError = (nextRest.array() / scale.array()).abs().maxCoeff();
     if (!(nextError < error))
