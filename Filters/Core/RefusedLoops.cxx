@@ -10,15 +10,14 @@ namespace flattening
 namespace
 {
 
-constexpr double Patience = 1.25;
-constexpr double PatienceWithMany = 1.5;
-constexpr int Few = 32;
+constexpr double Patience = 1.5;
+constexpr int Few = 32; // pairs; smoothing takes them apart
 
 } // namespace
 
 double RefusedLoops::Refused::longestInstead() const
 {
-  return (this->Intersections > Few ? PatienceWithMany : Patience) * this->Loop.Length;
+  return (this->Intersections > Few ? Patience : 1.0) * this->Loop.Length;
 }
 
 void RefusedLoops::add(SurfaceLoop loop, int intersections)

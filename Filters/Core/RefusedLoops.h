@@ -21,9 +21,9 @@ public:
   void keepIf(const std::function<bool(const SurfaceLoop&)>& stillCuttable);
 
   /// The loop that must be cut all the same, now that all loops up to @p length were tried; null if
-  /// there is none. A refused loop is given up for one that is up to 1.25 times as long, or 1.5 times
-  /// where more than 32 pairs would intersect, as where a whole fold lies in the way. Of the loops
-  /// within that length the one is taken for which the fewest faces intersect.
+  /// there is none. Where more than 32 pairs would intersect, as where a whole fold lies in the way, a
+  /// loop is given up for one that is up to 1.5 times as long. Of the refused loops within the length
+  /// the one is taken for which the fewest faces intersect.
   const SurfaceLoop* due(double length) const;
 
 private:
