@@ -91,10 +91,12 @@ void remesh(SurfaceMesh& mesh, const Polyline& loop)
     longest = std::max(longest, length);
   }
   const double mean = sum / static_cast<double>(loop.size());
-  constexpr double Resolvable = 1.5; // an edge of the loop that stays, in lengths of the others
+  // CGAL splits edges above 4/3 of the target. Were an edge of the loop, which stays, longer than that,
+  // those beside it would be as well, and splitting would not end.
+  constexpr double LongestOfLoop = 1.2;
   constexpr int Iterations = 3;
   PMP::isotropic_remeshing(mesh.faces(),
-    std::max(mean, longest / Resolvable),
+    std::max(mean, longest / LongestOfLoop),
     mesh,
     CGAL::parameters::number_of_iterations(Iterations).protect_constraints(true));
   mesh.collect_garbage();
