@@ -15,8 +15,8 @@ std::vector<signed char> faceOrientations(const Points2& positions, const FaceMa
   std::vector<signed char> orientations(faces.rows());
   for (Eigen::Index f = 0; f < faces.rows(); ++f)
   {
-    orientations[f] =
-      static_cast<signed char>(CGAL::orientation(point(faces(f, 0)), point(faces(f, 1)), point(faces(f, 2))));
+    orientations[f] = static_cast<signed char>(
+      CGAL::orientation(point(faces(f, 0)), point(faces(f, 1)), point(faces(f, 2))));
   }
   return orientations;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GeodesicDistance.h"
 
+#include "Errors.h"
 #include "IntrinsicTriangulation.h"
 #include "SparseCholesky.h"
 
@@ -115,6 +116,31 @@ struct HeatFaces
   double MeanEdge = 0.0;
 };
 
+// Solves with a matrix that is positive definite unless rounding has the better of it.
+class HeatSolver
+{
+public:
+  Eigen::VectorXd solve(const SparseMatrix& matrix, const Eigen::VectorXd& rightSide)
+  {
+    this->Factor.compute(matrix);
+    Eigen::VectorXd solution;
+    if (this->Factor.info() == Eigen::Success)
+    {
+      solution = this->Factor.solve(rightSide);
+    }
+    if (this->Factor.info() != Eigen::Success || !solution.allFinite())
+    {
+      throw ConvergenceError(
+        "distances on the surface could not be computed: remesh it (Surface To Disk, "
+        "Remesh)");
+    }
+    return solution;
+  }
+
+private:
+  SparseCholesky Factor;
+};
+
 } // namespace
 
 Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh, int source)
@@ -132,16 +158,15 @@ Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh, int source)
   // Heat that spreads from the source for a short time.
   SparseMatrix heat = faces.Laplacian * (faces.MeanEdge * faces.MeanEdge);
   heat.diagonal() += faces.Mass;
-  SparseCholesky factor(heat);
+  HeatSolver solver;
   Eigen::VectorXd impulse = Eigen::VectorXd::Zero(mesh.vertexCount());
   impulse[source] = 1.0;
-  const Eigen::VectorXd spread = factor.solve(impulse);
+  const Eigen::VectorXd spread = solver.solve(heat, impulse);
 
   // The function whose gradient has length 1 against that of the heat.
   SparseMatrix poisson = faces.Laplacian;
   poisson.coeffRef(source, source) += 1.0; // fixes the constant: the right-hand side sums to 0
-  factor.compute(poisson);
-  Eigen::VectorXd distance = factor.solve(faces.divergenceOfDirection(spread));
+  const Eigen::VectorXd distance = solver.solve(poisson, faces.divergenceOfDirection(spread));
   return (distance.array() - distance.minCoeff()) * std::ldexp(1.0, exponent);
 }
 

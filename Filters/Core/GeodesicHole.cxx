@@ -151,6 +151,11 @@ private:
       const double longest = edgePerSpacing * this->Spacing;
       bisectLongEdges(this->Surface, this->facesAtCurve(RingSpacings * this->Spacing, longest), longest);
     }
+    this->refuse();
+  }
+
+  [[noreturn]] void refuse() const
+  {
     throw TopologyError("no round hole of share " + std::to_string(this->Options.AreaFraction) +
                         " of the area can be cut there: choose another hole point or area");
   }
@@ -196,6 +201,10 @@ private:
     this->Radius = levelEnclosingArea(part.Mesh, distances, this->HoleArea);
     this->Spacing =
       levelCurveLength(part.Mesh, distances, this->Radius) / this->Options.BoundaryVertices;
+    if (!(this->Spacing > 0.0))
+    {
+      this->refuse();
+    }
     this->Distance.assign(this->Mesh.num_vertices(), HUGE_VAL);
     for (int v = 0; v < part.Mesh.vertexCount(); ++v)
     {

@@ -11,6 +11,12 @@ constexpr double GreatestGrowth = 1.15;
 
 } // namespace
 
+std::mutex& SparseCholesky::blas()
+{
+  static std::mutex mutex;
+  return mutex;
+}
+
 // Analyses the pattern in the order that is known. False if that order does not serve.
 bool SparseCholesky::reuseOrder(const SparseMatrix& matrix)
 {
@@ -47,6 +53,7 @@ SparseCholesky& SparseCholesky::compute(const SparseMatrix& matrix)
     this->Order.assign(order, order + matrix.rows());
     this->FirstFill = this->cholmod().lnz;
   }
+  const std::lock_guard<std::mutex> lock(this->blas());
   this->factorize(matrix);
   return *this;
 }

@@ -5,6 +5,7 @@
 #include <Eigen/CholmodSupport>
 #include <Eigen/SparseCore>
 
+#include <mutex>
 #include <vector>
 
 namespace flattening
@@ -14,7 +15,8 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 
 /// CHOLMOD's. A matrix of the same size as the one before is taken for the next of a sequence whose
 /// patterns change little, as Newton's method makes them: the order of elimination, which takes about as
-/// long to find as the factors do, is kept as long as it serves.
+/// long to find as the factors do, is kept as long as it serves. May be used in several threads at once,
+/// which wait for each other: not every BLAS bears it (OpenBLAS's serial build then answers nonsense).
 class SparseCholesky : public Eigen::CholmodDecomposition<SparseMatrix, Eigen::Lower>
 {
 public:
@@ -24,8 +26,16 @@ public:
 
   SparseCholesky& compute(const SparseMatrix& matrix);
 
+  template <typename Derived>
+  typename Derived::PlainObject solve(const Eigen::MatrixBase<Derived>& rightSide) const
+  {
+    const std::lock_guard<std::mutex> lock(this->blas());
+    return Base::solve(rightSide);
+  }
+
 private:
   using Base = Eigen::CholmodDecomposition<SparseMatrix, Eigen::Lower>;
+  static std::mutex& blas();
   bool reuseOrder(const SparseMatrix& matrix);
 
   std::vector<int> Order;

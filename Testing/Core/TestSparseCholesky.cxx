@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tbb/parallel_for.h>
+
 #include <random>
 
 namespace
@@ -61,6 +63,22 @@ TEST(SparseCholesky, SolvesEverySystemOfASequence)
     { std::pair{ 60, 0 }, { 60, 20 }, { 60, 3000 }, { 40, 0 }, { 60, 0 } })
   {
     EXPECT_LT(residual(cholesky, laplacian(side, extra)), 1e-11) << side << " " << extra;
+  }
+}
+
+// With BLAS libraries that do not lock their buffers, some of these factorizations fail.
+TEST(SparseCholesky, MayBeUsedInSeveralThreadsAtOnce)
+{
+  const SparseMatrix matrix = laplacian(60, 300);
+  const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(matrix.rows(), -1.0, 1.0);
+  const Eigen::VectorXd alone = SparseCholesky(matrix).solve(right);
+  std::vector<Eigen::VectorXd> together(100);
+  tbb::parallel_for(0,
+    static_cast<int>(together.size()),
+    [&](int i) { together[i] = SparseCholesky(matrix).solve(right); });
+  for (const Eigen::VectorXd& x : together)
+  {
+    ASSERT_EQ(x, alone);
   }
 }
 
