@@ -1,186 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ConformalDisk.h"
 
+#include "DiskCentring.h"
 #include "Errors.h"
 #include "FaceOrientation.h"
-#include "HalfPlaneLayout.h"
-#include "HornSpreading.h"
 #include "MeshTopology.h"
 #include "MoebiusNormalisation.h"
-#include "PointAtInfinity.h"
+#include "RicciFlowDisk.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
-#include <utility>
+#include <vector>
 
 namespace flattening
 {
 namespace
 {
 
-using Complex = std::complex<double>;
-// How many vertices are tried at infinity before the map is given up.
-constexpr int LargestAttempts = 4;
-// How often a surface too coarse for any of them is subdivided.
-constexpr int LargestSubdivisions = 4;
-
-// The surface while it is being mapped.
-struct Workpiece
+void requireVertices(const TriangleMesh& mesh,
+  const std::vector<int>& loop,
+  const ConformalDiskOptions& options)
 {
-  IntrinsicTriangulation Triangulation;
-  Points3 Points;
-};
-
-Workpiece prepare(const TriangleMesh& mesh, int& flips)
-{
-  Workpiece piece{ IntrinsicTriangulation(mesh), mesh.Vertices };
-  flips += piece.Triangulation.flipToDelaunay();
-  return piece;
-}
-
-struct HalfPlaneMap
-{
-  IntrinsicTriangulation Triangulation; // in which it is flat
-  ComplexVector Positions;
-  IntrinsicTriangulation::Factors LogFactors;
-  int AtInfinity = -1;
-};
-
-// Gives every vertex its place in the half-plane, one boundary vertex at infinity.
-HalfPlaneMap mapToHalfPlane(Workpiece& piece,
-  int atInfinity,
-  const ConformalDiskOptions& options,
-  ConformalDiskMap& map,
-  const ProgressCallback& progress)
-{
-  IntrinsicTriangulation& t = piece.Triangulation;
-  const std::vector<char> onBoundary = boundaryVertices(t);
-  const IntrinsicTriangulation::Star star = t.removeStar(atInfinity);
-
-  // The other side of a seam lies in the very place of the vertex at infinity.
-  double nearest = HUGE_VAL;
-  for (const auto& spoke : star.Spokes)
-  {
-    nearest = std::min(nearest, static_cast<double>(std::exp(spoke.LogLength)));
-  }
-  const int n = t.vertexCount();
-  Eigen::VectorXd targets(n);
-  IntrinsicTriangulation::Factors start(n);
-  for (int v = 0; v < n; ++v)
-  {
-    targets[v] = onBoundary[v] ? EIGEN_PI : 2.0 * EIGEN_PI;
-    // Inversion of space in the vertex at infinity: exact on planar surfaces.
-    const double distance = (piece.Points.row(v) - piece.Points.row(atInfinity)).norm();
-    start[v] = v == atInfinity ? 0.0 : -2.0 * std::log(std::max(distance, nearest));
-  }
-  std::vector<char> fixed(n, 0);
-  fixed[atInfinity] = 1;
-  for (const auto& spoke : star.Spokes)
-  {
-    fixed[spoke.Vertex] = 1;
-    start[spoke.Vertex] = -2.0 * spoke.LogLength;
-  }
-
-  const RicciFlowResult flow = discreteRicciFlow(t, targets, fixed, start, options.Flow, progress);
-  map.NewtonIterations += flow.NewtonIterations;
-  map.Flips += flow.Flips;
-  map.MaxCurvatureError = flow.MaxCurvatureError;
-
-  const ComplexVector positions = layOutInHalfPlane(t, flow.LogFactors, star.FirstBoundaryEdge);
-  map.LayoutError = layoutError(t, flow.LogFactors, positions);
-  if (!(map.LayoutError < 1e-3))
-  {
-    throw ConvergenceError("the flat metric could not be laid out: an edge is off by a factor of " +
-                           std::to_string(1.0 + map.LayoutError) +
-                           "; remesh the surface (Surface To Disk, Remesh)");
-  }
-  return { std::move(t), positions, flow.LogFactors, atInfinity };
-}
-
-// The same from the first of the candidates for infinity that gets there: near a vertex with an unlucky
-// star the flow, which cannot flip the edges around infinity, may have no solution.
-HalfPlaneMap mapToHalfPlane(const Workpiece& piece,
-  const std::vector<int>& candidates,
-  const ConformalDiskOptions& options,
-  ConformalDiskMap& map,
-  const ProgressCallback& progress)
-{
-  const int attempts = std::min(static_cast<int>(candidates.size()), LargestAttempts);
-  for (int k = 0; k + 1 < attempts; ++k)
-  {
-    try
-    {
-      Workpiece attempt = piece;
-      return mapToHalfPlane(attempt,
-        candidates[k],
-        options,
-        map,
-        subrange(progress, static_cast<double>(k) / attempts, static_cast<double>(k + 1) / attempts));
-    }
-    catch (const ConvergenceError&)
-    {
-    }
-  }
-  if (attempts == 0)
-  {
-    throw ConvergenceError(
-      "no boundary vertex of the surface can be sent to infinity: remesh the surface "
-      "(Surface To Disk, Remesh)");
-  }
-  Workpiece attempt = piece;
-  return mapToHalfPlane(
-    attempt, candidates[attempts - 1], options, map, subrange(progress, 1.0 - 1.0 / attempts, 1.0));
-}
-
-ComplexVector firstOf(const ComplexVector& positions, int count)
-{
-  return ComplexVector(positions.begin(), positions.begin() + count);
-}
-
-// Splits every face into four: for surfaces so coarse that no boundary vertex can go to infinity.
-TriangleMesh subdivided(const TriangleMesh& mesh)
-{
-  TriangleMesh fine;
-  fine.Vertices = mesh.Vertices;
-  fine.Vertices.conservativeResize(mesh.vertexCount() + 3 * mesh.faceCount(), 3);
-  fine.Faces.resize(4 * mesh.faceCount(), 3);
-  int count = mesh.vertexCount();
-  std::map<std::pair<int, int>, int> middles;
-  const auto middle = [&](int a, int b)
-  {
-    const auto [entry, isNew] = middles.emplace(std::pair<int, int>(std::minmax(a, b)), count);
-    if (isNew)
-    {
-      fine.Vertices.row(count++) = 0.5 * (mesh.Vertices.row(a) + mesh.Vertices.row(b));
-    }
-    return entry->second;
-  };
-  for (int f = 0; f < mesh.faceCount(); ++f)
-  {
-    const int a = mesh.Faces(f, 0);
-    const int b = mesh.Faces(f, 1);
-    const int c = mesh.Faces(f, 2);
-    const int ab = middle(a, b);
-    const int bc = middle(b, c);
-    const int ca = middle(c, a);
-    fine.Faces.row(4 * f) << a, ab, ca;
-    fine.Faces.row(4 * f + 1) << b, bc, ab;
-    fine.Faces.row(4 * f + 2) << c, ca, bc;
-    fine.Faces.row(4 * f + 3) << ab, bc, ca;
-  }
-  fine.Vertices.conservativeResize(count, 3);
-  return fine;
-}
-
-} // namespace
-
-ConformalDiskMap conformalDiskMap(const TriangleMesh& mesh,
-  const ConformalDiskOptions& options,
-  const ProgressCallback& progress)
-{
-  const std::vector<int> loop = requireDisk(mesh);
   const int n = mesh.vertexCount();
   const auto isOnBoundary = [&loop](int v)
   { return std::find(loop.begin(), loop.end(), v) != loop.end(); };
@@ -195,59 +36,44 @@ ConformalDiskMap conformalDiskMap(const TriangleMesh& mesh,
     throw InvalidInput("the vertex for angle 0, " + std::to_string(options.BoundaryVertex) +
                        ", is not on the boundary: choose a boundary vertex");
   }
+}
 
-  ConformalDiskMap map;
-  report(progress, 0.0, "Intrinsic Delaunay triangulation");
-  Workpiece piece = prepare(mesh, map.Flips);
-  map.AddedLength = piece.Triangulation.addedLength();
-  std::vector<int> candidates = verticesForInfinity(piece.Triangulation);
-  TriangleMesh fine = mesh;
-  for (int round = 0; candidates.empty() && round < LargestSubdivisions; ++round)
+// The angle by which a centred map is turned.
+double rotationOf(const ComplexVector& disk,
+  const TriangleMesh& mesh,
+  const std::vector<int>& loop,
+  int boundaryVertex)
+{
+  if (boundaryVertex >= 0)
   {
-    fine = subdivided(fine);
-    piece = prepare(fine, map.Flips);
-    candidates = verticesForInfinity(piece.Triangulation);
-  }
-  HalfPlaneMap half = mapToHalfPlane(piece, candidates, options, map, subrange(progress, 0.1, 0.9));
-  report(progress, 0.95, "Moebius normalisation");
-  const Eigen::VectorXd masses = vertexAreas(mesh.Faces, faceAreas(mesh.Vertices, mesh.Faces), n);
-  const Complex centre = options.CenterVertex >= 0
-                           ? half.Positions[options.CenterVertex]
-                           : centreOfMass(firstOf(half.Positions, n), masses / masses.sum());
-  ComplexVector disk = cayley(half.Positions, centre);
-  for (const int v : loop)
-  {
-    disk[v] /= std::abs(disk[v]);
+    return -std::arg(disk[boundaryVertex]);
   }
   double angle = 0.0;
-  if (options.BoundaryVertex >= 0)
-  {
-    angle = -std::arg(disk[options.BoundaryVertex]);
-  }
-  else if (!intrinsicRotation(firstOf(disk, n), mesh.Vertices, masses / masses.sum(), angle))
-  {
-    angle = -std::arg(disk[loop.front()]);
-  }
-  const Complex rotation = std::polar(1.0, angle);
+  const DiskCentring area(mesh);
+  return intrinsicRotation(disk, mesh.Vertices, area.weights(), angle) ? angle
+                                                                       : -std::arg(disk[loop.front()]);
+}
 
-  IntrinsicTriangulation::Factors logFactors = half.LogFactors;
-  for (Eigen::Index v = 0; v < logFactors.size(); ++v)
+} // namespace
+
+ConformalDiskMap conformalDiskMap(const TriangleMesh& mesh,
+  const ConformalDiskOptions& options,
+  const ProgressCallback& progress)
+{
+  const std::vector<int> loop = requireDisk(mesh);
+  requireVertices(mesh, loop, options);
+  const DiskCentring centring =
+    options.CenterVertex >= 0 ? DiskCentring(mesh, options.CenterVertex) : DiskCentring(mesh);
+
+  ConformalDiskMap map = ricciFlowDisk(mesh, loop, centring, options.Flow, progress);
+  ComplexVector disk = complexOf(map.Positions);
+  const std::complex<double> rotation =
+    std::polar(1.0, rotationOf(disk, mesh, loop, options.BoundaryVertex));
+  for (std::complex<double>& z : disk)
   {
-    logFactors[v] =
-      std::log(2.0 * centre.imag()) +
-      (v == half.AtInfinity
-          ? 0.0L
-          : half.LogFactors[v] - 2.0 * std::log(std::abs(half.Positions[v] - std::conj(centre))));
+    z *= rotation;
   }
-  map.LogFactors = logFactors.head(n).cast<double>();
-  map.SpreadVertices =
-    spreadHorns(half.Triangulation, logFactors, 0.5 * std::log(EIGEN_PI / masses.sum()), disk);
-  map.Positions.resize(n, 2);
-  for (int v = 0; v < n; ++v)
-  {
-    const Complex w = disk[v] * rotation;
-    map.Positions.row(v) << w.real(), w.imag();
-  }
+  map.Positions = pointsOf(disk);
   map.FlippedFaces = countFlippedFaces(map.Positions, mesh.Faces);
   report(progress, 1.0, "Conformal disk");
   return map;

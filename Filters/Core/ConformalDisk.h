@@ -2,6 +2,7 @@
 /// The conformal map of a surface of disk topology to the unit disk.
 #pragma once
 
+#include "ConformalDiskMap.h"
 #include "Progress.h"
 #include "RicciFlow.h"
 #include "TriangleMesh.h"
@@ -18,24 +19,7 @@ struct ConformalDiskOptions
   RicciFlowOptions Flow;
 };
 
-struct ConformalDiskMap
-{
-  Points2 Positions;              ///< n x 2, unit disk; boundary vertices on the circle
-  Eigen::VectorXd LogFactors;     ///< n, log of (flat length / surface length) at each vertex
-  double MaxCurvatureError = 0.0; ///< radians, over the free vertices of the intrinsic triangulation
-  double LayoutError = 0.0;       ///< greatest relative error of a laid out edge (see layoutError)
-  double AddedLength = 0.0;       ///< length added to every edge to open degenerate faces; 0 mostly
-  int NewtonIterations = 0;
-  int Flips = 0;                  ///< intrinsic edge flips in all
-  int InsertedBoundaryPoints = 0; ///< always 0: boundary edges flip with their mirror images
-  int SpreadVertices = 0;         ///< whose true positions double precision hardly tells apart
-  int FlippedFaces = 0;           ///< faces of the *original* connectivity not positively oriented
-};
-
-/// Maps @p mesh conformally to the unit disk. One boundary vertex is sent to infinity; the flow makes
-/// the rest of the boundary straight, the surface is laid out in the half-plane and carried to the disk
-/// by a Moebius map, which keeps discrete conformality exactly (Springborn, Schroeder, Pinkall 2008,
-/// section 5.2; paper, Theorem 2).
+/// Maps @p mesh conformally to the unit disk, by discrete Ricci flow (see ricciFlowDisk).
 /// @throws InvalidInput, TopologyError (see requireDisk), InvalidInput if CenterVertex is not an
 /// interior or BoundaryVertex not a boundary vertex, ConvergenceError, Cancelled.
 ConformalDiskMap conformalDiskMap(const TriangleMesh& mesh,

@@ -12,6 +12,9 @@ namespace flattening
 
 using ComplexVector = std::vector<std::complex<double>>;
 
+Points2 pointsOf(const ComplexVector& positions);
+ComplexVector complexOf(const Points2& positions);
+
 /// (z - centre) / (z - conj(centre)): the upper half-plane onto the unit disk, centre to 0 and infinity
 /// to 1. Infinite entries of @p halfPlane are allowed.
 ComplexVector cayley(const ComplexVector& halfPlane, std::complex<double> centre);

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What every method for the conformal disk returns.
+#pragma once
+
+#include "TriangleMesh.h"
+
+namespace flattening
+{
+
+struct ConformalDiskMap
+{
+  Points2 Positions;              ///< n x 2, unit disk; boundary vertices on the circle
+  Eigen::VectorXd LogFactors;     ///< n, log of (flat length / surface length) at each vertex
+  double MaxCurvatureError = 0.0; ///< radians, over the free vertices of the intrinsic triangulation
+  double LayoutError = 0.0;       ///< greatest relative error of a laid out edge (see layoutError)
+  double AddedLength = 0.0;       ///< length added to every edge to open degenerate faces; 0 mostly
+  int NewtonIterations = 0;
+  int Flips = 0;                  ///< intrinsic edge flips in all
+  int InsertedBoundaryPoints = 0; ///< always 0: boundary edges flip with their mirror images
+  int SpreadVertices = 0;         ///< whose true positions double precision hardly tells apart
+  int FlippedFaces = 0;           ///< faces of the *original* connectivity not positively oriented
+};
+
+} // namespace flattening
