@@ -138,7 +138,7 @@ public:
   }
 
 private:
-  SparseCholesky Factor;
+  SparseCholesky Factor{ SparseCholesky::Ordering::Quick };
 };
 
 } // namespace

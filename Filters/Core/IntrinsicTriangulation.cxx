@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "IntrinsicTriangulation.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -13,6 +16,7 @@ namespace flattening
 namespace
 {
 
+constexpr int HalfedgesPerTask = 4096;
 constexpr double FlipTolerance = 1e-12;
 // Relative to the mean edge length. The angles of a shorter edge's needles would lose more digits of the
 // logarithms than the flow's tolerance allows.
@@ -358,9 +362,18 @@ int IntrinsicTriangulation::flipAll(const Metric& metric)
   };
   const auto mayFlip = [&](int h)
   { return this->Origins[h] >= 0 && this->Twins[h] >= 0 && face(this->Twins[h]) != face(h); };
+  std::vector<char> mustFlip(this->halfedgeCount(), 0);
+  tbb::parallel_for(tbb::blocked_range<int>(0, this->halfedgeCount(), HalfedgesPerTask),
+    [&](const tbb::blocked_range<int>& halfedges)
+    {
+      for (int h = halfedges.begin(); h < halfedges.end(); ++h)
+      {
+        mustFlip[h] = this->Twins[h] > h && mayFlip(h) && metric.mustFlip(h);
+      }
+    });
   for (int h = 0; h < this->halfedgeCount(); ++h)
   {
-    if (this->Twins[h] > h && mayFlip(h) && metric.mustFlip(h))
+    if (mustFlip[h])
     {
       push(h);
     }
@@ -454,6 +467,65 @@ int IntrinsicTriangulation::flipToDelaunay()
 int IntrinsicTriangulation::flipToDelaunay(const Factors& u)
 {
   return this->flipAll(ConformalMetric{ *this, u });
+}
+
+IntrinsicTriangulation::Part IntrinsicTriangulation::part(const std::vector<int>& faces) const
+{
+  Part part{ IntrinsicTriangulation(), {}, faces, {} };
+  IntrinsicTriangulation& copy = part.Triangulation;
+  std::vector<int> localFace(this->faceCount(), -1);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    localFace[faces[i]] = static_cast<int>(i);
+  }
+  std::vector<int> localVertex(this->VertexCount, -1);
+  for (const int f : faces)
+  {
+    for (int h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      int& vertex = localVertex[this->Origins[h]];
+      if (vertex < 0)
+      {
+        vertex = static_cast<int>(part.Vertices.size());
+        part.Vertices.push_back(this->Origins[h]);
+      }
+      copy.Origins.push_back(vertex);
+      copy.LogLengths.push_back(this->LogLengths[h]);
+    }
+  }
+  copy.VertexCount = static_cast<int>(part.Vertices.size());
+  copy.Twins.resize(copy.Origins.size());
+  for (int k = 0; k < copy.halfedgeCount(); ++k)
+  {
+    const int twin = this->Twins[3 * faces[face(k)] + k % 3];
+    if (twin >= 0 && localFace[face(twin)] >= 0)
+    {
+      copy.Twins[k] = 3 * localFace[face(twin)] + twin % 3;
+    }
+    else
+    {
+      const int b =
+        copy.addBoundaryEdge({ copy.Origins[k], -1, -1, k, copy.LogLengths[k], OnMirror, true });
+      copy.Twins[k] = -1 - b;
+      part.Outside.push_back(twin);
+    }
+  }
+  return part;
+}
+
+void IntrinsicTriangulation::replace(const Part& part)
+{
+  const IntrinsicTriangulation& copy = part.Triangulation;
+  const auto whole = [&part](int k) { return 3 * part.Faces[face(k)] + k % 3; };
+  for (int k = 0; k < copy.halfedgeCount(); ++k)
+  {
+    const int h = whole(k);
+    const int twin = copy.Twins[k];
+    this->Origins[h] = part.Vertices[copy.Origins[k]];
+    this->LogLengths[h] = copy.LogLengths[k];
+    this->glue(h, twin >= 0 ? whole(twin) : part.Outside[-1 - twin]);
+  }
+  this->Outgoing.clear();
 }
 
 std::vector<int> IntrinsicTriangulation::outgoing(int vertex) const

@@ -116,12 +116,20 @@ public:
   };
   std::optional<Neighbour> reachInfinity(const Factors& u, const std::vector<char>& excluded);
 
+  /// A copy of some faces, in which edges to the rest cannot be flipped, and where it came from.
+  struct Part;
+  Part part(const std::vector<int>& faces) const;
+
+  /// Takes over the flips made in a part that part() returned, this triangulation being unchanged since.
+  void replace(const Part& part);
+
   /// The half-edges that leave @p vertex, counter-clockwise; for a boundary vertex from the one that
   /// runs along the boundary. The last boundary edge, which arrives at the vertex, is not among them.
   /// For triangulations without vertices that flips brought to the mirror.
   std::vector<int> outgoing(int vertex) const;
 
 private:
+  IntrinsicTriangulation() = default;
   int addFace();
   void removeFace(int f);
   void closeGaps();
@@ -142,6 +150,14 @@ private:
   std::vector<BoundaryEdge> Boundary;
   std::vector<int> FreeFaces;
   mutable std::vector<int> Outgoing; ///< empty when stale
+};
+
+struct IntrinsicTriangulation::Part
+{
+  IntrinsicTriangulation Triangulation; ///< with vertices numbered from 0
+  std::vector<int> Vertices;            ///< of the whole, for each of the part's
+  std::vector<int> Faces;               ///< of the whole
+  std::vector<int> Outside; ///< the side of the whole beyond each boundary edge, as in twin()
 };
 
 } // namespace flattening

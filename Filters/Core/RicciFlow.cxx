@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "RicciFlow.h"
 
+#include "CurvatureSystem.h"
 #include "Errors.h"
-#include "SparseCholesky.h"
+#include "StaleFactorSolver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,145 +15,25 @@ namespace flattening
 namespace
 {
 
+// Of the gradient, left over by a step's linear system.
+constexpr double LinearTolerance = 1e-2;
+constexpr int MostTrials = 40;
+// Radians; what is accepted as flat.
+constexpr double GreatestError = 1e-10;
+// Radians; vertices that are farther off, if they are few, are settled before the others move on: in
+// horns the energy is far from quadratic when it is nearly so elsewhere.
+constexpr double OutlierError = 0.2;
+constexpr int MostOutliersPerMille = 2;
+constexpr int LeastMostOutliers = 20;
+constexpr int OutlierRings = 4;
+constexpr double OutlierTolerance = 0.02;
+constexpr int MostLocalSteps = 20;
+// Greatest change of a factor in one step.
+constexpr double LongestStep = 8.0;
+// A ridge on the Hessian, whose entries are cotangents, where the energy is flat.
+constexpr double Ridge = 1e-3;
 // Radians; what is degenerate next to infinity when no angle is farther off will stay so.
 constexpr double SettledError = 0.1;
-
-// Gradient and, on request, Hessian of the energy at one choice of factors.
-class CurvatureSystem
-{
-public:
-  CurvatureSystem(const IntrinsicTriangulation& triangulation,
-    const Eigen::VectorXd& targetAngles,
-    const std::vector<char>& fixed)
-    : Triangulation(triangulation)
-    , TargetAngles(targetAngles)
-  {
-    this->setFixed(fixed);
-  }
-
-  void setFixed(const std::vector<char>& fixed)
-  {
-    this->Row.assign(fixed.size(), -1);
-    this->Vertex.clear();
-    for (std::size_t v = 0; v < fixed.size(); ++v)
-    {
-      if (!fixed[v])
-      {
-        this->Row[v] = static_cast<int>(this->Vertex.size());
-        this->Vertex.push_back(static_cast<int>(v));
-      }
-    }
-  }
-
-  int unknowns() const { return static_cast<int>(this->Vertex.size()); }
-
-  void evaluate(const IntrinsicTriangulation::Factors& u)
-  {
-    const int faces = this->Triangulation.faceCount();
-    this->Gradient.resize(this->unknowns());
-    for (int r = 0; r < this->unknowns(); ++r)
-    {
-      this->Gradient[r] = this->TargetAngles[this->Vertex[r]];
-    }
-    this->Cotangents.resize(3 * faces);
-    this->DegenerateFaces = 0;
-    for (int f = 0; f < faces; ++f)
-    {
-      const TriangleAngles t = this->Triangulation.scaledAngles(f, u);
-      this->DegenerateFaces += t.Degenerate;
-      for (int k = 0; k < 3; ++k)
-      {
-        this->Cotangents[3 * f + k] = t.Cotangent[k];
-        this->subtract(
-          this->Triangulation.origin(IntrinsicTriangulation::previous(3 * f + k)), t.Angle[k]);
-      }
-    }
-    const auto& boundary = this->Triangulation.boundaryEdges();
-    this->BoundaryCotangents.assign(boundary.size(), 0.0);
-    for (std::size_t b = 0; b < boundary.size(); ++b)
-    {
-      if (boundary[b].Origin >= 0 && !boundary[b].AtInfinity)
-      {
-        const MirrorCellShape cell = mirrorCellShape(this->Triangulation.scaledMirrorCell(b, u));
-        this->DegenerateFaces += cell.Degenerate;
-        this->BoundaryCotangents[b] = cell.Cotangent;
-        this->subtract(boundary[b].Origin, cell.AngleAtOrigin);
-        this->subtract(this->Triangulation.tipOfBoundaryEdge(b), cell.AngleAtTip);
-      }
-    }
-  }
-
-  // Half the cotangent Laplacian at the factors of the last evaluate().
-  SparseMatrix hessian() const
-  {
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(4 * this->Cotangents.size());
-    // An edge from a vertex to itself contributes nothing.
-    const auto couple = [&](int origin, int tip, double weight)
-    {
-      const int i = this->Row[origin];
-      const int j = this->Row[tip];
-      if (i != j)
-      {
-        if (i >= 0)
-        {
-          entries.emplace_back(i, i, weight);
-        }
-        if (j >= 0)
-        {
-          entries.emplace_back(j, j, weight);
-        }
-        if (i >= 0 && j >= 0)
-        {
-          entries.emplace_back(std::max(i, j), std::min(i, j), -weight);
-        }
-      }
-    };
-    for (int h = 0; h < this->Triangulation.halfedgeCount(); ++h)
-    {
-      couple(this->Triangulation.origin(h), this->Triangulation.tip(h), 0.5 * this->Cotangents[h]);
-    }
-    for (std::size_t b = 0; b < this->BoundaryCotangents.size(); ++b)
-    {
-      if (this->BoundaryCotangents[b] > 0.0)
-      {
-        couple(this->Triangulation.boundaryEdges()[b].Origin,
-          this->Triangulation.tipOfBoundaryEdge(b),
-          0.5 * this->BoundaryCotangents[b]);
-      }
-    }
-    SparseMatrix matrix(this->unknowns(), this->unknowns());
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
-  }
-
-  void addTo(IntrinsicTriangulation::Factors& u, const Eigen::VectorXd& step, double length) const
-  {
-    for (int r = 0; r < this->unknowns(); ++r)
-    {
-      u[this->Vertex[r]] += length * step[r];
-    }
-  }
-
-  Eigen::VectorXd Gradient;
-  int DegenerateFaces = 0;
-
-private:
-  void subtract(int vertex, double angle)
-  {
-    if (this->Row[vertex] >= 0)
-    {
-      this->Gradient[this->Row[vertex]] -= angle;
-    }
-  }
-
-  const IntrinsicTriangulation& Triangulation;
-  const Eigen::VectorXd& TargetAngles;
-  std::vector<int> Row;
-  std::vector<int> Vertex;
-  std::vector<double> Cotangents;
-  std::vector<double> BoundaryCotangents; // of the mirror cells
-};
 
 // Lets vertices beyond an edge at infinity become neighbours of infinity, and fixes their factors.
 // Vertices of the mirror are not asked: only its ends are next to infinity.
@@ -176,6 +57,217 @@ bool reachInfinity(IntrinsicTriangulation& triangulation,
   return any;
 }
 
+// Faces within some rings of the vertices.
+std::vector<int> facesAround(const IntrinsicTriangulation& t,
+  const std::vector<int>& vertices,
+  int rings)
+{
+  std::vector<char> isNear(t.vertexCount(), 0);
+  for (const int v : vertices)
+  {
+    isNear[v] = 1;
+  }
+  std::vector<int> faces;
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    faces.clear();
+    for (int f = 0; f < t.faceCount(); ++f)
+    {
+      if (isNear[t.origin(3 * f)] || isNear[t.origin(3 * f + 1)] || isNear[t.origin(3 * f + 2)])
+      {
+        faces.push_back(f);
+      }
+    }
+    for (const int f : faces)
+    {
+      isNear[t.origin(3 * f)] = isNear[t.origin(3 * f + 1)] = isNear[t.origin(3 * f + 2)] = 1;
+    }
+  }
+  return faces;
+}
+
+// Newton's method on the convex energy.
+class FlowSolver
+{
+public:
+  FlowSolver(IntrinsicTriangulation& triangulation,
+    const Eigen::VectorXd& targetAngles,
+    const std::vector<char>& fixed,
+    const IntrinsicTriangulation::Factors& start,
+    const RicciFlowOptions& options)
+    : Triangulation(triangulation)
+    , TargetAngles(targetAngles)
+    , Options(options)
+    , Settled(fixed)
+    , System(triangulation, targetAngles, fixed)
+  {
+    this->Result.LogFactors = start;
+    this->evaluate();
+  }
+
+  RicciFlowResult run(const ProgressCallback& progress)
+  {
+    if (this->System.unknowns() > 0)
+    {
+      this->iterate(progress);
+    }
+    this->Result.MaxCurvatureError = this->System.unknowns() > 0 ? this->System.error() : 0.0;
+    if (this->System.unknowns() > 0 &&
+        (this->System.degenerateFaces() > 0 || !(this->Result.MaxCurvatureError <= GreatestError)))
+    {
+      std::ostringstream message;
+      message << "the Ricci flow stopped after " << this->Result.NewtonIterations
+              << " Newton steps at a curvature error of " << this->Result.MaxCurvatureError << " with "
+              << this->System.degenerateFaces()
+              << " degenerate triangles: remesh the surface (Surface To Disk, Remesh)";
+      throw ConvergenceError(message.str());
+    }
+    return this->Result;
+  }
+
+private:
+  void iterate(const ProgressCallback& progress)
+  {
+    // The error falls quadratically at the end; progress is its logarithm's.
+    const double tolerance = this->Options.Tolerance;
+    const double startError = std::max(this->System.error(), 10.0 * tolerance);
+    double fraction = 0.0;
+    double best = this->System.error();
+    int stalled = 0;
+    while (this->System.error() > tolerance &&
+           this->Result.NewtonIterations < this->Options.MaximumIterations)
+    {
+      const double gain = std::log(startError / this->System.error());
+      fraction = std::max(fraction, std::clamp(gain / std::log(startError / tolerance), 0.0, 1.0));
+      report(progress, fraction, "Ricci flow");
+      this->step();
+      ++this->Result.NewtonIterations;
+      this->settleInfinity();
+      this->settleOutliers();
+      stalled = this->System.error() < 0.9 * best ? 0 : stalled + 1;
+      best = std::min(best, this->System.error());
+      if (stalled >= 4 && best < 1e-9)
+      {
+        break; // at the rounding floor
+      }
+    }
+  }
+
+  void evaluate()
+  {
+    this->Result.Flips += this->Triangulation.flipToDelaunay(this->Result.LogFactors);
+    this->System.evaluate(this->Result.LogFactors);
+  }
+
+  // Near the solution the linear system is solved the more exactly the smaller the error, so that
+  // convergence stays quadratic.
+  Eigen::VectorXd direction()
+  {
+    SparseMatrix hessian = this->System.hessian();
+    if (this->System.degenerateFaces() > 0)
+    {
+      hessian.diagonal().array() += Ridge;
+    }
+    const double error = this->System.error();
+    const double tolerance =
+      std::max(std::min(LinearTolerance, error), 0.1 * this->Options.Tolerance / error);
+    Eigen::VectorXd step;
+    if (!this->Solver.solve(hessian, -this->System.gradient(), tolerance, step))
+    {
+      throw ConvergenceError("the Ricci flow's Hessian could not be factored after " +
+                             std::to_string(this->Result.NewtonIterations) +
+                             " Newton steps: remesh the surface (Surface To Disk, Remesh)");
+    }
+    return step;
+  }
+
+  // The energy is convex: along a descent direction its derivative grows, and a step is long enough as
+  // soon as the derivative has shrunk, too long once it is as steep upwards as it was downwards.
+  void step()
+  {
+    const Eigen::VectorXd step = this->direction();
+    const double slope = this->System.gradient().dot(step);
+    const double previous = this->System.error();
+    const IntrinsicTriangulation::Factors origin = this->Result.LogFactors;
+    double length = std::min(1.0, LongestStep / std::max(step.lpNorm<Eigen::Infinity>(), 1e-300));
+    for (int trial = 0; trial < MostTrials; ++trial)
+    {
+      this->Result.LogFactors = origin;
+      this->System.addTo(this->Result.LogFactors, step, length);
+      this->evaluate();
+      const double after = this->System.gradient().dot(step);
+      if (after <= -0.5 * slope || this->System.error() < 0.5 * previous)
+      {
+        return;
+      }
+      length *= std::clamp(slope / (slope - after), 0.1, 0.5);
+    }
+  }
+
+  void settleInfinity()
+  {
+    if (this->System.degenerateFaces() > 0 &&
+        (this->System.error() < SettledError || this->Result.NewtonIterations > 8) &&
+        reachInfinity(this->Triangulation, this->TargetAngles, this->Settled, this->Result.LogFactors))
+    {
+      this->System.setFixed(this->Settled);
+      this->evaluate();
+    }
+  }
+
+  // Minimises the energy over the surroundings of the outliers, all else fixed.
+  void settleOutliers()
+  {
+    const std::vector<int> outliers = this->System.verticesOffBy(OutlierError);
+    const int most = this->System.unknowns() * MostOutliersPerMille / 1000;
+    if (outliers.empty() || static_cast<int>(outliers.size()) > std::max(LeastMostOutliers, most))
+    {
+      return;
+    }
+    IntrinsicTriangulation::Part part =
+      this->Triangulation.part(facesAround(this->Triangulation, outliers, OutlierRings));
+    const int count = part.Triangulation.vertexCount();
+    std::vector<char> fixed(count);
+    Eigen::VectorXd targets(count);
+    IntrinsicTriangulation::Factors start(count);
+    for (int v = 0; v < count; ++v)
+    {
+      fixed[v] = this->Settled[part.Vertices[v]];
+      targets[v] = this->TargetAngles[part.Vertices[v]];
+      start[v] = this->Result.LogFactors[part.Vertices[v]];
+    }
+    for (const auto& edge : part.Triangulation.boundaryEdges())
+    {
+      fixed[edge.Origin] = 1;
+      fixed[part.Triangulation.tip(edge.Inner)] = 1;
+    }
+    FlowSolver local(part.Triangulation, targets, fixed, start, this->Options);
+    if (local.System.unknowns() == 0)
+    {
+      return;
+    }
+    for (int k = 0; k < MostLocalSteps && local.System.error() > OutlierTolerance; ++k)
+    {
+      local.step();
+    }
+    for (int v = 0; v < count; ++v)
+    {
+      this->Result.LogFactors[part.Vertices[v]] = local.Result.LogFactors[v];
+    }
+    this->Result.Flips += local.Result.Flips;
+    this->Triangulation.replace(part);
+    this->evaluate();
+  }
+
+  IntrinsicTriangulation& Triangulation;
+  const Eigen::VectorXd& TargetAngles;
+  const RicciFlowOptions& Options;
+  std::vector<char> Settled;
+  CurvatureSystem System;
+  StaleFactorSolver Solver;
+  RicciFlowResult Result;
+};
+
 } // namespace
 
 RicciFlowResult discreteRicciFlow(IntrinsicTriangulation& triangulation,
@@ -185,86 +277,7 @@ RicciFlowResult discreteRicciFlow(IntrinsicTriangulation& triangulation,
   const RicciFlowOptions& options,
   const ProgressCallback& progress)
 {
-  RicciFlowResult result;
-  result.LogFactors = start;
-  CurvatureSystem system(triangulation, targetAngles, fixed);
-  result.Flips += triangulation.flipToDelaunay(result.LogFactors);
-  system.evaluate(result.LogFactors);
-  if (system.unknowns() == 0)
-  {
-    return result;
-  }
-
-  // The error falls quadratically at the end; progress is its logarithm's.
-  const auto error = [&system] { return system.Gradient.lpNorm<Eigen::Infinity>(); };
-  const double startError = std::max(error(), 10.0 * options.Tolerance);
-  double fraction = 0.0;
-  std::vector<char> settled = fixed;
-  SparseCholesky cholesky;
-  double best = error();
-  int stalled = 0;
-  while (error() > options.Tolerance && result.NewtonIterations < options.MaximumIterations)
-  {
-    fraction = std::max(fraction,
-      std::clamp(std::log(startError / error()) / std::log(startError / options.Tolerance), 0.0, 1.0));
-    report(progress, fraction, "Ricci flow");
-
-    // Where triangles are degenerate the energy is flat; a ridge keeps the step finite there. The
-    // Hessian has no unit: its entries are cotangents.
-    cholesky.setShift(system.DegenerateFaces > 0 ? 1e-3 : 0.0);
-    cholesky.compute(system.hessian());
-    if (cholesky.info() != Eigen::Success)
-    {
-      throw ConvergenceError("the Ricci flow's Hessian could not be factored after " +
-                             std::to_string(result.NewtonIterations) +
-                             " Newton steps: remesh the surface (Surface To Disk, Remesh)");
-    }
-    const Eigen::VectorXd step = -cholesky.solve(system.Gradient);
-    // The energy is convex: along a descent direction its derivative grows, and a step is long enough
-    // as soon as the derivative has shrunk, too long once it is as steep upwards as it was downwards.
-    const double slope = system.Gradient.dot(step);
-    const double previous = error();
-    const IntrinsicTriangulation::Factors origin = result.LogFactors;
-    double length = std::min(1.0, 8.0 / std::max(step.lpNorm<Eigen::Infinity>(), 1e-300));
-    for (int trial = 0; trial < 40; ++trial, length *= 0.5)
-    {
-      result.LogFactors = origin;
-      system.addTo(result.LogFactors, step, length);
-      result.Flips += triangulation.flipToDelaunay(result.LogFactors);
-      system.evaluate(result.LogFactors);
-      if (system.Gradient.dot(step) <= -0.5 * slope || error() < 0.5 * previous)
-      {
-        break;
-      }
-    }
-    ++result.NewtonIterations;
-    if (system.DegenerateFaces > 0 && (error() < SettledError || result.NewtonIterations > 8))
-    {
-      if (reachInfinity(triangulation, targetAngles, settled, result.LogFactors))
-      {
-        system.setFixed(settled);
-        result.Flips += triangulation.flipToDelaunay(result.LogFactors);
-        system.evaluate(result.LogFactors);
-      }
-    }
-    stalled = error() < 0.9 * best ? 0 : stalled + 1;
-    best = std::min(best, error());
-    if (stalled >= 4 && best < 1e-9)
-    {
-      break; // at the rounding floor
-    }
-  }
-  result.MaxCurvatureError = error();
-  if (system.DegenerateFaces > 0 || !(result.MaxCurvatureError <= 1e-10))
-  {
-    std::ostringstream message;
-    message << "the Ricci flow stopped after " << result.NewtonIterations
-            << " Newton steps at a curvature error of " << result.MaxCurvatureError << " with "
-            << system.DegenerateFaces
-            << " degenerate triangles: remesh the surface (Surface To Disk, Remesh)";
-    throw ConvergenceError(message.str());
-  }
-  return result;
+  return FlowSolver(triangulation, targetAngles, fixed, start, options).run(progress);
 }
 
 } // namespace flattening

@@ -44,14 +44,29 @@ bool SparseCholesky::reuseOrder(const SparseMatrix& matrix)
   return true;
 }
 
+void SparseCholesky::findOrder(const SparseMatrix& matrix)
+{
+  cholmod_common& common = this->cholmod();
+  const int methods = common.nmethods;
+  const int first = common.method[0].ordering;
+  if (this->Search == Ordering::Quick)
+  {
+    common.nmethods = 1;
+    common.method[0].ordering = CHOLMOD_AMD;
+  }
+  this->analyzePattern(matrix);
+  common.nmethods = methods;
+  common.method[0].ordering = first;
+  const auto* order = static_cast<const int*>(this->m_cholmodFactor->Perm);
+  this->Order.assign(order, order + matrix.rows());
+  this->FirstFill = common.lnz;
+}
+
 SparseCholesky& SparseCholesky::compute(const SparseMatrix& matrix)
 {
   if (!this->reuseOrder(matrix))
   {
-    this->analyzePattern(matrix);
-    const auto* order = static_cast<const int*>(this->m_cholmodFactor->Perm);
-    this->Order.assign(order, order + matrix.rows());
-    this->FirstFill = this->cholmod().lnz;
+    this->findOrder(matrix);
   }
   const std::lock_guard<std::mutex> lock(this->blas());
   this->factorize(matrix);

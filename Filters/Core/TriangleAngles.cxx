@@ -70,6 +70,41 @@ bool anglesInPrecision(const long double (&log)[3], TriangleAngles& result)
   return wide;
 }
 
+// Sides and excesses above this share of the longest side lose no digits to speak of.
+constexpr double WellShaped = 0.1;
+
+// The same without precautions, three times as fast. Returns whether they were unnecessary.
+bool anglesOfWellShaped(const long double (&log)[3], TriangleAngles& result)
+{
+  const long double unit = std::max({ log[0], log[1], log[2] });
+  double side[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    side[k] = log[k] == unit ? 1.0 : std::exp(static_cast<double>(log[k] - unit));
+  }
+  const double excess[3] = {
+    side[1] + side[2] - side[0], side[2] + side[0] - side[1], side[0] + side[1] - side[2]
+  };
+  if (!(std::min({ side[0], side[1], side[2], excess[0], excess[1], excess[2] }) > WellShaped))
+  {
+    return false;
+  }
+  const double squared[3] = { side[0] * side[0], side[1] * side[1], side[2] * side[2] };
+  const double fourArea = std::sqrt((side[0] + side[1] + side[2]) * excess[0] * excess[1] * excess[2]);
+  const double twiceDot[3] = { squared[1] + squared[2] - squared[0],
+    squared[2] + squared[0] - squared[1],
+    squared[0] + squared[1] - squared[2] };
+  result.Degenerate = false;
+  result.Angle[0] = std::atan2(fourArea, twiceDot[0]);
+  result.Angle[1] = std::atan2(fourArea, twiceDot[1]);
+  result.Angle[2] = EIGEN_PI - result.Angle[0] - result.Angle[1];
+  for (int k = 0; k < 3; ++k)
+  {
+    result.Cotangent[k] = twiceDot[k] / fourArea;
+  }
+  return true;
+}
+
 } // namespace
 
 double cosineOpposite(long double opposite, long double left, long double right)
@@ -83,7 +118,7 @@ TriangleAngles triangleAngles(long double logA, long double logB, long double lo
 {
   const long double log[3] = { logA, logB, logC };
   TriangleAngles result;
-  if (!anglesInPrecision<double>(log, result))
+  if (!anglesOfWellShaped(log, result) && !anglesInPrecision<double>(log, result))
   {
     anglesInPrecision<long double>(log, result);
   }

@@ -171,6 +171,48 @@ TEST(IntrinsicTriangulation, FlipsOnACurvedSurfaceKeepItsMetric)
   EXPECT_EQ(t.flipToDelaunay(), 0) << "is Delaunay already";
 }
 
+TEST(IntrinsicTriangulation, APartIsFlippedAlone)
+{
+  TriangleMesh mesh = sunflowerMesh(gaussianBump(2.0, 0.3), 2000).Mesh;
+  mesh.Vertices.col(0) *= 4.0;
+  IntrinsicTriangulation t(mesh);
+  const Eigen::VectorXd before = angleSums(t);
+  std::vector<int> faces;
+  for (int f = 0; f < t.faceCount(); ++f)
+  {
+    if (mesh.Vertices(mesh.Faces(f, 0), 0) > 0.5)
+    {
+      faces.push_back(f);
+    }
+  }
+  IntrinsicTriangulation::Part part = t.part(faces);
+  EXPECT_LT(part.Triangulation.vertexCount(), t.vertexCount() / 2);
+  const Factors none = Factors::Zero(part.Triangulation.vertexCount());
+  const int flips = part.Triangulation.flipToDelaunay(none);
+  EXPECT_GT(flips, 100);
+  expectDelaunay(part.Triangulation, none);
+  t.replace(part);
+  expectConsistent(t);
+  EXPECT_EQ(t.part(faces).Triangulation.flipToDelaunay(none), 0) << "the part's flips are here";
+  EXPECT_GT(t.flipToDelaunay(Factors::Zero(t.vertexCount())), 100) << "none were made elsewhere";
+  // Ptolemy's flips keep no curvature; next to no flip it stays.
+  std::vector<char> inPart(t.vertexCount(), 0);
+  for (const int v : part.Vertices)
+  {
+    inPart[v] = 1;
+  }
+  IntrinsicTriangulation only(mesh);
+  only.replace(part);
+  const Eigen::VectorXd after = angleSums(only);
+  for (int v = 0; v < t.vertexCount(); ++v)
+  {
+    if (!inPart[v])
+    {
+      ASSERT_EQ(after[v], before[v]);
+    }
+  }
+}
+
 // Length cross ratios (il lm / (lj jk ...)) are what a discrete conformal class is. Ptolemy's relation
 // says what a flip makes of them: flips there and back restore all lengths.
 TEST(IntrinsicTriangulation, PtolemaicFlipsKeepTheConformalClass)

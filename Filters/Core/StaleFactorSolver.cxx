@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "StaleFactorSolver.h"
+
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+
+// A factorization takes as long as about twenty solutions with the factor.
+constexpr int MostIterations = 30;
+// More than these, judged by the last system, are not begun.
+constexpr int ManyIterations = 20;
+
+} // namespace
+
+bool StaleFactorSolver::factor(const SparseMatrix& lower)
+{
+  this->Factor.compute(lower);
+  ++this->Factorizations;
+  this->LogReduction = -HUGE_VAL;
+  this->Size = this->Factor.info() == Eigen::Success ? lower.rows() : -1;
+  return this->Size >= 0;
+}
+
+bool StaleFactorSolver::iterate(const SparseMatrix& lower,
+  const Eigen::VectorXd& rightSide,
+  double tolerance,
+  Eigen::VectorXd& solution)
+{
+  solution.setZero(rightSide.size());
+  Eigen::VectorXd residual = rightSide;
+  Eigen::VectorXd direction;
+  const double enough = tolerance * rightSide.norm();
+  double previous = 0.0;
+  for (int k = 0; k < MostIterations; ++k)
+  {
+    const Eigen::VectorXd preconditioned = this->Factor.solve(residual);
+    const double descent = residual.dot(preconditioned);
+    direction = k == 0 ? preconditioned : (preconditioned + descent / previous * direction).eval();
+    previous = descent;
+    const Eigen::VectorXd product = lower.selfadjointView<Eigen::Lower>() * direction;
+    const double length = descent / direction.dot(product);
+    if (!(length > 0.0))
+    {
+      break;
+    }
+    solution += length * direction;
+    residual -= length * product;
+    ++this->Iterations;
+    if (residual.norm() <= enough)
+    {
+      this->LogReduction = std::log(residual.norm() / rightSide.norm()) / (k + 1);
+      return true;
+    }
+  }
+  return false;
+}
+
+bool StaleFactorSolver::solve(const SparseMatrix& lower,
+  const Eigen::VectorXd& rightSide,
+  double tolerance,
+  Eigen::VectorXd& solution)
+{
+  if (this->Size == lower.rows() && std::log(tolerance) >= ManyIterations * this->LogReduction &&
+      this->iterate(lower, rightSide, tolerance, solution))
+  {
+    return true;
+  }
+  if (!this->factor(lower))
+  {
+    return false;
+  }
+  solution = this->Factor.solve(rightSide);
+  return rightSide.dot(solution) >= 0.0; // small indefinite matrices are factored all the same
+}
+
+} // namespace flattening

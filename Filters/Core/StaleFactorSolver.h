@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Solves a sequence of similar positive definite systems with few factorizations.
+#pragma once
+
+#include "SparseCholesky.h"
+
+namespace flattening
+{
+
+/// Conjugate gradients with the Cholesky factor of an earlier matrix of the sequence as preconditioner:
+/// a solution with a known factor costs a twentieth of a new factor. A new one is made when the
+/// iterations become too many.
+class StaleFactorSolver
+{
+public:
+  /// Solves A x = b up to a residual of @p tolerance times b, in the Euclidean norm. @p lower is the
+  /// lower half of A. False if a new factor was needed and A is not positive definite.
+  bool solve(const SparseMatrix& lower,
+    const Eigen::VectorXd& rightSide,
+    double tolerance,
+    Eigen::VectorXd& solution);
+
+  int factorizations() const { return this->Factorizations; }
+  int iterations() const { return this->Iterations; }
+
+private:
+  bool factor(const SparseMatrix& lower);
+  bool iterate(const SparseMatrix& lower,
+    const Eigen::VectorXd& rightSide,
+    double tolerance,
+    Eigen::VectorXd& solution);
+
+  SparseCholesky Factor{ SparseCholesky::Ordering::Quick };
+  Eigen::Index Size = -1;    // of the factor; -1 without one
+  double LogReduction = 0.0; // of the residual by one iteration for the last system
+  int Factorizations = 0;
+  int Iterations = 0;
+};
+
+} // namespace flattening
