@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "HalfPlaneLayout.h"
 
+#include "Errors.h"
 #include "SpringLayout.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace flattening
@@ -14,6 +16,7 @@ namespace
 {
 
 using Complex = std::complex<double>;
+constexpr double LargestLayoutError = 1e-3;
 // Of the layout's extent. Along a horn of the surface lengths fall exponentially, past what doubles tell
 // apart.
 constexpr double LeastResolved = 1e-11;
@@ -117,6 +120,16 @@ double layoutError(const IntrinsicTriangulation& t,
     worst = std::max(worst, std::abs(found - wanted) / std::max(wanted, LeastResolved * extent));
   }
   return worst;
+}
+
+void requireLayout(double layoutError)
+{
+  if (!(layoutError < LargestLayoutError))
+  {
+    throw ConvergenceError("the flat metric could not be laid out: an edge is off by a factor of " +
+                           std::to_string(1.0 + layoutError) +
+                           "; remesh the surface (Surface To Disk, Remesh)");
+  }
 }
 
 } // namespace flattening

@@ -25,4 +25,7 @@ double layoutError(const IntrinsicTriangulation& triangulation,
   const IntrinsicTriangulation::Factors& u,
   const ComplexVector& position);
 
+/// @throws ConvergenceError if such an error is too large for a map.
+void requireLayout(double layoutError);
+
 } // namespace flattening

@@ -130,6 +130,41 @@ struct ConformalMetric
   }
 };
 
+// The metric of the surface and its mirror image, unfolded into the plane with the mirror as x axis.
+struct DoubledMetric : ConformalMetric
+{
+  std::function<long double(int)> OtherDiagonal;
+
+  long double flipped(int h) const { return this->OtherDiagonal(h); }
+  long double opened(int b) const
+  {
+    const IntrinsicTriangulation& t = this->Triangulation;
+    const MirrorCell cell = this->unscaledCell(b);
+    const int h = t.boundaryEdges()[b].Inner;
+    const auto inEdges = [&cell](long double logLength)
+    { return std::exp(static_cast<double>(logLength - cell.LogEdge)); };
+    const double p = inEdges(t.logLength(t.previous(h)));
+    const double q = inEdges(t.logLength(t.next(h)));
+    const double along = 0.5 * (1.0 + (p - q) * (p + q));
+    const double across = std::sqrt(std::max(0.0, (p - along) * (p + along)));
+    const double above = inEdges(cell.LogAtOrigin) +
+                         along * (inEdges(cell.LogAtTip) - inEdges(cell.LogAtOrigin)) +
+                         2.0 * across * mirrorCellShape(cell).Extent;
+    return cell.LogEdge + std::log(above);
+  }
+  long double closed(int b) const
+  {
+    const MirrorCell after = this->unscaledCell(b);
+    const MirrorCell before = this->unscaledCell(this->Triangulation.boundaryEdges()[b].Previous);
+    const auto inEdges = [&after](long double logLength)
+    { return std::exp(static_cast<double>(logLength - after.LogEdge)); };
+    const double x =
+      mirrorCellShape(after).Extent + inEdges(before.LogEdge) * mirrorCellShape(before).Extent;
+    const double y = 0.5 * (inEdges(after.LogAtTip) - inEdges(before.LogAtOrigin));
+    return after.LogEdge + std::log(std::hypot(x, y));
+  }
+};
+
 } // namespace
 
 IntrinsicTriangulation::IntrinsicTriangulation(const TriangleMesh& mesh)
@@ -462,6 +497,13 @@ long double IntrinsicTriangulation::otherDiagonal(int h) const
 int IntrinsicTriangulation::flipToDelaunay()
 {
   return this->flipAll(FlatMetric{ *this, [this](int h) { return this->otherDiagonal(h); } });
+}
+
+int IntrinsicTriangulation::flipDoubleToDelaunay()
+{
+  const Factors none = Factors::Zero(this->VertexCount);
+  return this->flipAll(
+    DoubledMetric{ { *this, none }, [this](int h) { return this->otherDiagonal(h); } });
 }
 
 int IntrinsicTriangulation::flipToDelaunay(const Factors& u)

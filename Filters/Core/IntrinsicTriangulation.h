@@ -83,6 +83,10 @@ public:
   /// Returns the number of flips.
   int flipToDelaunay();
 
+  /// The same for the triangulation with its mirror image: where an angle opposite to the boundary is
+  /// obtuse, mirror cells come about.
+  int flipDoubleToDelaunay();
+
   /// Flips edges until the triangulation, with its mirror image, is Delaunay at conformal factors @p u,
   /// keeping the *discrete conformal class* (lengths change by Ptolemy's relation: Springborn,
   /// Schroeder, Pinkall 2008; Gu, Luo, Sun, Wu 2018). The scaled lengths then satisfy every triangle

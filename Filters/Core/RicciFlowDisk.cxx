@@ -88,12 +88,7 @@ HalfPlaneMap mapToHalfPlane(Workpiece& piece,
 
   const ComplexVector positions = layOutInHalfPlane(t, flow.LogFactors, star.FirstBoundaryEdge);
   map.LayoutError = layoutError(t, flow.LogFactors, positions);
-  if (!(map.LayoutError < 1e-3))
-  {
-    throw ConvergenceError("the flat metric could not be laid out: an edge is off by a factor of " +
-                           std::to_string(1.0 + map.LayoutError) +
-                           "; remesh the surface (Surface To Disk, Remesh)");
-  }
+  requireLayout(map.LayoutError);
   return { std::move(t), positions, flow.LogFactors, atInfinity };
 }
 
