@@ -2,11 +2,14 @@
 #include "vtkConformalDiskFilter.h"
 
 #include "Core/ConformalDisk.h"
+#include "Core/ConformalRectangle.h"
 #include "Core/MeshTopology.h"
 #include "FilterExecution.h"
 #include "PolyDataConversion.h"
 
 #include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -16,6 +19,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkConformalDiskFilter);
@@ -42,6 +46,82 @@ int nearestVertex(const flattening::Points3& vertices,
   return nearest;
 }
 
+// Of the points that had to be moved apart: more than these are a tube.
+constexpr double SpreadShare = 0.01;
+
+double boundaryAnisotropy(const flattening::TriangleMesh& mesh, const std::vector<int>& loop)
+{
+  double length = 0.0;
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    length += (mesh.Vertices.row(loop[k]) - mesh.Vertices.row(loop[(k + 1) % loop.size()])).norm();
+  }
+  return 4.0 * EIGEN_PI * flattening::faceAreas(mesh.Vertices, mesh.Faces).sum() / (length * length);
+}
+
+flattening::ConformalDiskOptions diskOptions(vtkConformalDiskFilter* filter,
+  const flattening::TriangleMesh& mesh,
+  const std::vector<int>& loop)
+{
+  flattening::ConformalDiskOptions options;
+  options.Flow.Tolerance = filter->GetTolerance();
+  if (filter->GetUseCenterPoint())
+  {
+    std::vector<int> all(mesh.vertexCount());
+    std::iota(all.begin(), all.end(), 0);
+    options.CenterVertex = nearestVertex(mesh.Vertices, all, filter->GetCenterPoint());
+  }
+  if (filter->GetUseBoundaryPoint())
+  {
+    options.BoundaryVertex = nearestVertex(mesh.Vertices, loop, filter->GetBoundaryPoint());
+  }
+  return options;
+}
+
+flattening::ConformalRectangleOptions rectangleOptions(vtkConformalDiskFilter* filter,
+  const flattening::TriangleMesh& mesh,
+  const std::vector<int>& loop)
+{
+  flattening::ConformalRectangleOptions options;
+  options.Flow.Tolerance = filter->GetTolerance();
+  if (filter->GetUseCorners())
+  {
+    for (const double* corner : { filter->GetLowerLeftCorner(),
+           filter->GetLowerRightCorner(),
+           filter->GetUpperRightCorner(),
+           filter->GetUpperLeftCorner() })
+    {
+      options.Corners.push_back(nearestVertex(mesh.Vertices, loop, corner));
+    }
+  }
+  return options;
+}
+
+void setCorners(vtkFieldData* figures, const std::vector<int>& corners)
+{
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("CornerPointIds");
+  for (const int corner : corners)
+  {
+    ids->InsertNextValue(corner);
+  }
+  figures->AddArray(ids);
+}
+
+void setFigures(vtkFieldData* figures, const flattening::ConformalDiskMap& map)
+{
+  const auto count = [figures](const char* name, int value)
+  { flattening::setFigure(figures, name, static_cast<long long>(value)); };
+  count("NewtonIterations", map.NewtonIterations);
+  flattening::setFigure(figures, "MaxCurvatureError", map.MaxCurvatureError);
+  flattening::setFigure(figures, "LayoutError", map.LayoutError);
+  count("IntrinsicFlips", map.Flips);
+  count("InsertedBoundaryPoints", map.InsertedBoundaryPoints);
+  flattening::setFigure(figures, "AddedLength", map.AddedLength);
+  count("FlippedFaces", map.FlippedFaces);
+  count("SpreadPoints", map.SpreadVertices);
+}
+
 } // namespace
 
 vtkConformalDiskFilter::vtkConformalDiskFilter() = default;
@@ -62,56 +142,65 @@ int vtkConformalDiskFilter::RequestData(vtkInformation* vtkNotUsed(request),
     [&]
     {
       const flattening::TriangleMesh mesh = flattening::toTriangleMesh(input);
-      flattening::ConformalDiskOptions options;
-      options.Flow.Tolerance = this->Tolerance;
-      if (this->UseCenterPoint)
-      {
-        std::vector<int> all(mesh.vertexCount());
-        std::iota(all.begin(), all.end(), 0);
-        options.CenterVertex = nearestVertex(mesh.Vertices, all, this->CenterPoint);
-      }
-      if (this->UseBoundaryPoint)
-      {
-        options.BoundaryVertex =
-          nearestVertex(mesh.Vertices, flattening::requireDisk(mesh), this->BoundaryPoint);
-      }
-
-      const flattening::ConformalDiskMap map =
-        flattening::conformalDiskMap(mesh, options, flattening::progressOf(this));
-
-      const double radius =
-        this->NormalizeTo == SURFACE_AREA
-          ? std::sqrt(flattening::faceAreas(mesh.Vertices, mesh.Faces).sum() / EIGEN_PI)
-          : 1.0;
+      const std::vector<int> loop = flattening::requireDisk(mesh);
+      flattening::ConformalDiskMap map;
+      double domainArea = EIGEN_PI;
       output->ShallowCopy(input);
-      output->SetPoints(vtk::TakeSmartPointer(flattening::newPlanarPoints(radius * map.Positions)));
+      vtkFieldData* figures = output->GetFieldData();
+      if (this->Domain == RECTANGLE)
+      {
+        flattening::ConformalRectangleMap rectangle = flattening::conformalRectangleMap(
+          mesh, rectangleOptions(this, mesh, loop), flattening::progressOf(this));
+        map = std::move(rectangle.Map);
+        domainArea = rectangle.Modulus;
+        flattening::setFigure(figures, "Modulus", rectangle.Modulus);
+        setCorners(figures, rectangle.Corners);
+      }
+      else
+      {
+        map = flattening::conformalDiskMap(
+          mesh, diskOptions(this, mesh, loop), flattening::progressOf(this));
+      }
+
+      const double area = flattening::faceAreas(mesh.Vertices, mesh.Faces).sum();
+      const double scale = this->NormalizeTo == SURFACE_AREA ? std::sqrt(area / domainArea) : 1.0;
+      output->SetPoints(vtk::TakeSmartPointer(flattening::newPlanarPoints(scale * map.Positions)));
       flattening::deactivateNormals(output);
       flattening::addSurfacePoints(output, mesh.Vertices);
       flattening::addPointArray(
-        output, "ConformalFactor", (map.LogFactors.array() + std::log(radius)).matrix());
-
-      vtkFieldData* figures = output->GetFieldData();
-      flattening::setFigure(figures, "NewtonIterations", static_cast<long long>(map.NewtonIterations));
-      flattening::setFigure(figures, "MaxCurvatureError", map.MaxCurvatureError);
-      flattening::setFigure(figures, "LayoutError", map.LayoutError);
-      flattening::setFigure(figures, "IntrinsicFlips", static_cast<long long>(map.Flips));
-      flattening::setFigure(
-        figures, "InsertedBoundaryPoints", static_cast<long long>(map.InsertedBoundaryPoints));
-      flattening::setFigure(figures, "AddedLength", map.AddedLength);
-      flattening::setFigure(figures, "FlippedFaces", static_cast<long long>(map.FlippedFaces));
+        output, "ConformalFactor", (map.LogFactors.array() + std::log(scale)).matrix());
+      setFigures(figures, map);
+      const double anisotropy = boundaryAnisotropy(mesh, loop);
+      flattening::setFigure(figures, "BoundaryAnisotropy", anisotropy);
+      if (this->Domain == DISK && map.SpreadVertices > SpreadShare * mesh.vertexCount())
+      {
+        vtkWarningMacro("the surface is a long tube for a disk: "
+                        << map.SpreadVertices << " of " << mesh.vertexCount()
+                        << " points had to be moved apart, where the map is not conformal, and a "
+                           "disk that keeps areas is stretched "
+                        << anisotropy
+                        << " to 1 along its boundary. Cut the tube "
+                           "open (Surface To Disk, Cut: Seam) and set Domain to Rectangle");
+      }
     });
 }
 
 void vtkConformalDiskFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  const auto printPoint = [&os, indent](const char* name, const double* x)
+  { os << indent << name << ": (" << x[0] << ", " << x[1] << ", " << x[2] << ")\n"; };
+  os << indent << "Domain: " << (this->Domain == RECTANGLE ? "Rectangle" : "Disk") << "\n";
+  os << indent << "UseCorners: " << this->UseCorners << "\n";
+  printPoint("LowerLeftCorner", this->LowerLeftCorner);
+  printPoint("LowerRightCorner", this->LowerRightCorner);
+  printPoint("UpperRightCorner", this->UpperRightCorner);
+  printPoint("UpperLeftCorner", this->UpperLeftCorner);
   os << indent << "NormalizeTo: " << (this->NormalizeTo == SURFACE_AREA ? "SurfaceArea" : "UnitDomain")
      << "\n";
   os << indent << "UseCenterPoint: " << this->UseCenterPoint << "\n";
-  os << indent << "CenterPoint: (" << this->CenterPoint[0] << ", " << this->CenterPoint[1] << ", "
-     << this->CenterPoint[2] << ")\n";
+  printPoint("CenterPoint", this->CenterPoint);
   os << indent << "UseBoundaryPoint: " << this->UseBoundaryPoint << "\n";
-  os << indent << "BoundaryPoint: (" << this->BoundaryPoint[0] << ", " << this->BoundaryPoint[1] << ", "
-     << this->BoundaryPoint[2] << ")\n";
+  printPoint("BoundaryPoint", this->BoundaryPoint);
   os << indent << "Tolerance: " << this->Tolerance << "\n";
 }

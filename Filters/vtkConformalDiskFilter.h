@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkConformalDiskFilter
- * @brief   maps a surface of disk topology to a disk with all angles kept
+ * @brief   maps a surface of disk topology to a disk, or a rectangle, with all angles kept
  *
  * The input is one oriented triangle surface with one boundary loop and no handle, as
  * vtkSurfaceToDiskFilter makes it. The output has the same points and cells, one to one and with all of
@@ -23,17 +23,29 @@
  * easiest start for vtkOMTAreaPreservingFilter; without the second, by a rotation that depends on the
  * surface's shape alone.
  *
+ * With SetDomainToRectangle() the surface goes to a rectangle instead, its lower left corner at the
+ * origin, boundary vertices exactly on its sides: for tubes that were cut open along a line, which a
+ * disk squeezes exponentially. The four corners can be chosen; the ratio of width to height then is a
+ * property of the surface, its conformal modulus.
+ *
  * Field data (one tuple each): `NewtonIterations`; `MaxCurvatureError` (radians), greatest error of an
  * angle sum; `LayoutError`, greatest relative error of a flat intrinsic edge; `IntrinsicFlips`;
  * `InsertedBoundaryPoints`, intrinsic points used on the way, not in the output; `AddedLength` (input
  * units), the length added to every edge to open triangles without area, 0 for most surfaces;
  * `FlippedFaces`, triangles of the output that are not positively oriented: a coarse or very uneven
- * triangulation cannot always follow the map.
+ * triangulation cannot always follow the map; `SpreadPoints`, points in narrow parts of the surface
+ * whose images double precision hardly tells apart, and which were moved apart; `BoundaryAnisotropy`, 4
+ * pi area / boundary length^2 of the surface: along its boundary a map to the disk that keeps areas must
+ * stretch so many times more in one direction than in the other. Rectangle only: `Modulus`, width /
+ * height, and `CornerPointIds`, four tuples counter-clockwise from the lower left corner.
+ *
+ * A warning if more than a hundredth of the points were moved apart: the surface is a long tube for the
+ * disk, and a rectangle serves better.
  *
  * An empty input gives an empty output. Errors, each with an empty output: cells that are not triangles,
  * coordinates that are not finite, zero area, unused points, non-manifold or inconsistently oriented
- * triangles, several components, genus > 0, no or several boundaries, a centre on the boundary, no
- * convergence.
+ * triangles, several components, genus > 0, no or several boundaries, a centre on the boundary, corners
+ * that are not four different boundary vertices in order, no convergence.
  *
  * Sources: Zhao et al., "Area-Preservation Mapping using Optimal Mass Transport", TVCG 2013,
  * sections 3.3 and 4.1; Springborn, Schroeder, Pinkall, "Conformal Equivalence of Triangle Meshes",
@@ -56,17 +68,61 @@ public:
   vtkTypeMacro(vtkConformalDiskFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What the size of the disk is.
-  enum Normalization
+  /// What the surface is mapped to.
+  enum DomainType
   {
-    SURFACE_AREA = 0, ///< area of the disk = area of the surface, in input units
-    UNIT_DOMAIN = 1   ///< radius 1
+    DISK = 0,
+    RECTANGLE = 1
   };
 
   ///@{
   /**
-   * Size of the disk: SURFACE_AREA (0) or UNIT_DOMAIN (1). Default: SURFACE_AREA, so that lengths and
-   * areas on the flat picture are in input units.
+   * DISK (0) or RECTANGLE (1). Default: DISK.
+   */
+  vtkSetClampMacro(Domain, int, DISK, RECTANGLE);
+  vtkGetMacro(Domain, int);
+  void SetDomainToDisk() { this->SetDomain(DISK); }
+  void SetDomainToRectangle() { this->SetDomain(RECTANGLE); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether the four corners of the rectangle are chosen. Default: off, they are where the boundary
+   * turns most sharply, or a quarter of its length apart if it does not turn four times by 45 degrees or
+   * more.
+   */
+  vtkSetMacro(UseCorners, bool);
+  vtkGetMacro(UseCorners, bool);
+  vtkBooleanMacro(UseCorners, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Points in space (input units) whose nearest boundary vertices become the corners of the rectangle.
+   * They must be in this order, counter-clockwise, on the boundary with the surface on its left; which
+   * one is the lower left corner is free. Default: (0, 0, 0), not used.
+   */
+  vtkSetVector3Macro(LowerLeftCorner, double);
+  vtkGetVector3Macro(LowerLeftCorner, double);
+  vtkSetVector3Macro(LowerRightCorner, double);
+  vtkGetVector3Macro(LowerRightCorner, double);
+  vtkSetVector3Macro(UpperRightCorner, double);
+  vtkGetVector3Macro(UpperRightCorner, double);
+  vtkSetVector3Macro(UpperLeftCorner, double);
+  vtkGetVector3Macro(UpperLeftCorner, double);
+  ///@}
+
+  /// What the size of the disk or rectangle is.
+  enum Normalization
+  {
+    SURFACE_AREA = 0, ///< its area = area of the surface, in input units
+    UNIT_DOMAIN = 1   ///< radius 1, or height 1
+  };
+
+  ///@{
+  /**
+   * Size of the disk or rectangle: SURFACE_AREA (0) or UNIT_DOMAIN (1). Default: SURFACE_AREA, so that
+   * lengths and areas on the flat picture are in input units.
    */
   vtkSetClampMacro(NormalizeTo, int, SURFACE_AREA, UNIT_DOMAIN);
   vtkGetMacro(NormalizeTo, int);
@@ -76,7 +132,7 @@ public:
 
   ///@{
   /**
-   * Whether CenterPoint is used. Default: off, the surface's area is centred.
+   * Disk: whether CenterPoint is used. Default: off, the surface's area is centred.
    */
   vtkSetMacro(UseCenterPoint, bool);
   vtkGetMacro(UseCenterPoint, bool);
@@ -94,7 +150,8 @@ public:
 
   ///@{
   /**
-   * Whether BoundaryPoint is used. Default: off, the rotation depends on the surface's shape alone.
+   * Disk: whether BoundaryPoint is used. Default: off, the rotation depends on the surface's shape
+   * alone.
    */
   vtkSetMacro(UseBoundaryPoint, bool);
   vtkGetMacro(UseBoundaryPoint, bool);
@@ -127,6 +184,12 @@ protected:
     vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
+  int Domain = DISK;
+  bool UseCorners = false;
+  double LowerLeftCorner[3] = { 0.0, 0.0, 0.0 };
+  double LowerRightCorner[3] = { 0.0, 0.0, 0.0 };
+  double UpperRightCorner[3] = { 0.0, 0.0, 0.0 };
+  double UpperLeftCorner[3] = { 0.0, 0.0, 0.0 };
   int NormalizeTo = SURFACE_AREA;
   bool UseCenterPoint = false;
   double CenterPoint[3] = { 0.0, 0.0, 0.0 };

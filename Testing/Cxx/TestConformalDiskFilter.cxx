@@ -5,15 +5,18 @@
 
 #include <vtkConformalDiskFilter.h>
 
+#include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
+#include <vtkIdTypeArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkStringArray.h>
+#include <vtkTriangleFilter.h>
 
 #include <cmath>
 #include <limits>
@@ -201,6 +204,101 @@ TEST(ConformalDiskFilter, NearestPointsGoToTheCentreAndToAngleZero)
   EXPECT_NEAR(x[0], std::sqrt(surfaceArea(hemisphere()) / Pi), 1e-12);
 }
 
+// Half of a cylinder of radius 10 and length 45, as a grid.
+vtkSmartPointer<vtkPolyData> halfCylinder()
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(0.0, 0.0, 0.0);
+  plane->SetPoint1(45.0, 0.0, 0.0);
+  plane->SetPoint2(0.0, Pi, 0.0);
+  plane->SetResolution(40, 60);
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(plane->GetOutputPort());
+  triangles->Update();
+  const vtkSmartPointer<vtkPolyData> data = triangles->GetOutput();
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    data->GetPoint(i, x);
+    data->GetPoints()->SetPoint(i, x[0], 10.0 * std::cos(x[1]), 10.0 * std::sin(x[1]));
+  }
+  return data;
+}
+
+TEST(ConformalDiskFilter, AHalfCylinderUnrollsToARectangle)
+{
+  vtkNew<vtkConformalDiskFilter> filter;
+  filter->SetInputData(halfCylinder());
+  filter->SetDomainToRectangle();
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  EXPECT_NEAR(figure(output, "Modulus"), 45.0 / (10.0 * Pi), 2e-4) << "the mesh is a prism";
+  double bounds[6];
+  output->GetBounds(bounds);
+  const double height = 60 * 2.0 * 10.0 * std::sin(Pi / 120.0);
+  EXPECT_NEAR(bounds[0], 0.0, 1e-12);
+  EXPECT_NEAR(bounds[1], 45.0, 1e-4);
+  EXPECT_NEAR(bounds[2], 0.0, 1e-12);
+  EXPECT_NEAR(bounds[3], height, 1e-4) << "the area is that of the surface";
+  EXPECT_EQ(figure(output, "FlippedFaces"), 0.0);
+  EXPECT_NEAR(figure(output, "BoundaryAnisotropy"),
+    4.0 * Pi * 45.0 * height / std::pow(90.0 + 2.0 * height, 2.0),
+    1e-4);
+
+  // Turned by a quarter: the first corner is one of the far end.
+  filter->UseCornersOn();
+  filter->SetLowerLeftCorner(50.0, 10.0, 0.0);
+  filter->SetLowerRightCorner(50.0, -10.0, 0.0);
+  filter->SetUpperRightCorner(-5.0, -10.0, 0.0);
+  filter->SetUpperLeftCorner(-5.0, 10.0, 0.0);
+  filter->SetNormalizeToUnitDomain();
+  filter->Update();
+  ASSERT_EQ(output->GetNumberOfPoints(), 41 * 61);
+  EXPECT_NEAR(figure(output, "Modulus"), height / 45.0, 1e-6);
+  output->GetBounds(bounds);
+  EXPECT_NEAR(bounds[1], height / 45.0, 1e-6);
+  EXPECT_NEAR(bounds[3], 1.0, 1e-12);
+  auto* ids = vtkIdTypeArray::SafeDownCast(output->GetFieldData()->GetArray("CornerPointIds"));
+  ASSERT_TRUE(ids);
+  ASSERT_EQ(ids->GetNumberOfTuples(), 4);
+  double x[3];
+  output->GetPoint(ids->GetValue(2), x);
+  EXPECT_NEAR(x[0], figure(output, "Modulus"), 1e-12);
+  EXPECT_NEAR(x[1], 1.0, 1e-12);
+
+  filter->SetLowerLeftCorner(50.0, -10.0, 0.0);
+  filter->SetLowerRightCorner(50.0, 10.0, 0.0);
+  ErrorLog errors(filter);
+  filter->Update();
+  ASSERT_EQ(errors.messages().size(), 1u);
+  EXPECT_NE(errors.messages().front().find("not in the order"), std::string::npos);
+  EXPECT_EQ(output->GetNumberOfPoints(), 0);
+}
+
+// A cap on a tube of 30 radii: a disk shrinks it by e^-30.
+TEST(ConformalDiskFilter, WarnsOfLongTubes)
+{
+  vtkNew<vtkConformalDiskFilter> filter;
+  filter->SetInputData(polyDataOf(ringMesh(capsule(30.0), 3000).Mesh));
+  std::string warning;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&warning);
+  command->SetCallback([](vtkObject*, unsigned long, void* text, void* message)
+    { *static_cast<std::string*>(text) = static_cast<const char*>(message); });
+  filter->AddObserver(vtkCommand::WarningEvent, command);
+  filter->Update();
+  EXPECT_NE(warning.find("set Domain to Rectangle"), std::string::npos) << warning;
+  filter->SetInputData(polyDataOf(ringMesh(capsule(3.0), 3000).Mesh));
+  warning.clear();
+  filter->Update();
+  EXPECT_EQ(warning, "");
+  filter->SetInputData(polyDataOf(ringMesh(capsule(30.0), 3000).Mesh));
+  filter->Update();
+  EXPECT_GT(figure(filter->GetOutput(), "SpreadPoints"), 300.0);
+  EXPECT_NEAR(figure(filter->GetOutput(), "BoundaryAnisotropy"), 62.0, 1.0);
+  EXPECT_EQ(figure(filter->GetOutput(), "FlippedFaces"), 0.0);
+}
+
 TEST(ConformalDiskFilter, ParametersAreClampedAndPrinted)
 {
   vtkNew<vtkConformalDiskFilter> filter;
@@ -216,6 +314,9 @@ TEST(ConformalDiskFilter, ParametersAreClampedAndPrinted)
   std::ostringstream printed;
   filter->Print(printed);
   for (const char* part : { "NormalizeTo: UnitDomain",
+         "Domain: Disk",
+         "UseCorners: 0",
+         "UpperLeftCorner: (0, 0, 0)",
          "UseCenterPoint: 0",
          "CenterPoint: (1, 2, 3.5)",
          "UseBoundaryPoint: 0",
