@@ -16,6 +16,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -59,11 +60,18 @@ double boundaryAnisotropy(const flattening::TriangleMesh& mesh, const std::vecto
   return 4.0 * EIGEN_PI * flattening::faceAreas(mesh.Vertices, mesh.Faces).sum() / (length * length);
 }
 
+// In the order of vtkConformalDiskFilter::MethodType.
+constexpr std::array<flattening::ConformalMethod, 3> Methods = { flattening::ConformalMethod::RicciFlow,
+  flattening::ConformalMethod::BoundaryFirst,
+  flattening::ConformalMethod::MeanValue };
+constexpr std::array<const char*, 3> MethodNames = { "RicciFlow", "BoundaryFirst", "MeanValue" };
+
 flattening::ConformalDiskOptions diskOptions(vtkConformalDiskFilter* filter,
   const flattening::TriangleMesh& mesh,
   const std::vector<int>& loop)
 {
   flattening::ConformalDiskOptions options;
+  options.Method = Methods[filter->GetMethod()];
   options.Flow.Tolerance = filter->GetTolerance();
   if (filter->GetUseCenterPoint())
   {
@@ -82,6 +90,11 @@ flattening::ConformalRectangleOptions rectangleOptions(vtkConformalDiskFilter* f
   const flattening::TriangleMesh& mesh,
   const std::vector<int>& loop)
 {
+  if (filter->GetMethod() != vtkConformalDiskFilter::RICCI_FLOW)
+  {
+    throw flattening::InvalidInput(
+      "a rectangle is found by Ricci flow alone: set Method to Ricci Flow, or Domain to Disk");
+  }
   flattening::ConformalRectangleOptions options;
   options.Flow.Tolerance = filter->GetTolerance();
   if (filter->GetUseCorners())
@@ -108,18 +121,41 @@ void setCorners(vtkFieldData* figures, const std::vector<int>& corners)
   figures->AddArray(ids);
 }
 
-void setFigures(vtkFieldData* figures, const flattening::ConformalDiskMap& map)
+// Those of an earlier map that the input may bring, and that this one may not have.
+void removeFigures(vtkFieldData* figures)
+{
+  for (const char* name : { "NewtonIterations",
+         "MaxCurvatureError",
+         "LayoutError",
+         "InsertedBoundaryPoints",
+         "SpreadPoints",
+         "BoundaryIterations",
+         "Modulus",
+         "CornerPointIds" })
+  {
+    figures->RemoveArray(name);
+  }
+}
+
+void setFigures(vtkFieldData* figures, const flattening::ConformalDiskMap& map, int method)
 {
   const auto count = [figures](const char* name, int value)
   { flattening::setFigure(figures, name, static_cast<long long>(value)); };
-  count("NewtonIterations", map.NewtonIterations);
-  flattening::setFigure(figures, "MaxCurvatureError", map.MaxCurvatureError);
-  flattening::setFigure(figures, "LayoutError", map.LayoutError);
+  if (method == vtkConformalDiskFilter::RICCI_FLOW)
+  {
+    count("NewtonIterations", map.NewtonIterations);
+    flattening::setFigure(figures, "MaxCurvatureError", map.MaxCurvatureError);
+    flattening::setFigure(figures, "LayoutError", map.LayoutError);
+    count("InsertedBoundaryPoints", map.InsertedBoundaryPoints);
+    count("SpreadPoints", map.SpreadVertices);
+  }
+  if (method == vtkConformalDiskFilter::BOUNDARY_FIRST)
+  {
+    count("BoundaryIterations", map.BoundaryIterations);
+  }
   count("IntrinsicFlips", map.Flips);
-  count("InsertedBoundaryPoints", map.InsertedBoundaryPoints);
   flattening::setFigure(figures, "AddedLength", map.AddedLength);
   count("FlippedFaces", map.FlippedFaces);
-  count("SpreadPoints", map.SpreadVertices);
 }
 
 } // namespace
@@ -147,6 +183,7 @@ int vtkConformalDiskFilter::RequestData(vtkInformation* vtkNotUsed(request),
       double domainArea = EIGEN_PI;
       output->ShallowCopy(input);
       vtkFieldData* figures = output->GetFieldData();
+      removeFigures(figures);
       if (this->Domain == RECTANGLE)
       {
         flattening::ConformalRectangleMap rectangle = flattening::conformalRectangleMap(
@@ -169,7 +206,7 @@ int vtkConformalDiskFilter::RequestData(vtkInformation* vtkNotUsed(request),
       flattening::addSurfacePoints(output, mesh.Vertices);
       flattening::addPointArray(
         output, "ConformalFactor", (map.LogFactors.array() + std::log(scale)).matrix());
-      setFigures(figures, map);
+      setFigures(figures, map, this->Method);
       const double anisotropy = boundaryAnisotropy(mesh, loop);
       flattening::setFigure(figures, "BoundaryAnisotropy", anisotropy);
       if (this->Domain == DISK && map.SpreadVertices > SpreadShare * mesh.vertexCount())
@@ -190,6 +227,7 @@ void vtkConformalDiskFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   const auto printPoint = [&os, indent](const char* name, const double* x)
   { os << indent << name << ": (" << x[0] << ", " << x[1] << ", " << x[2] << ")\n"; };
+  os << indent << "Method: " << MethodNames[this->Method] << "\n";
   os << indent << "Domain: " << (this->Domain == RECTANGLE ? "Rectangle" : "Disk") << "\n";
   os << indent << "UseCorners: " << this->UseCorners << "\n";
   printPoint("LowerLeftCorner", this->LowerLeftCorner);

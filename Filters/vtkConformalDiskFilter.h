@@ -11,11 +11,22 @@
  *   surface
  * - `ConformalFactor` (double), natural logarithm of flat length over surface length at the point
  *
- * The method is discrete Ricci flow: logarithmic factors u_i at the vertices scale each edge by
+ * There are three methods (SetMethod), with centre and rotation of the disk in common;
+ * docs/conformal_methods.md compares them.
+ *
+ * Ricci flow, the default: logarithmic factors u_i at the vertices scale each edge by
  * exp((u_i + u_j) / 2) so that the metric becomes flat inside and its boundary straight; they minimise a
  * convex energy, by Newton's method. Edges are flipped intrinsically (Ptolemy, Delaunay) on the way,
  * which makes it converge on the slivers of marching cubes; the output keeps the input's triangles. The
  * half-plane that comes out goes to the disk by a Moebius map.
+ *
+ * Boundary First: the boundary's lengths in the disk by some solutions of a Poisson equation, then the
+ * harmonic extension to the inside. It is conformal up to the error of piecewise linear functions.
+ *
+ * Mean Value: the boundary goes to the circle in proportion to its length, but for the Moebius map that
+ * centres the surface, and every inner vertex to a mean of its neighbours with positive weights. It is
+ * not conformal, but no triangle is flipped as long as double precision tells the positions apart and no
+ * boundary vertex outweighs all others (see Filters/Core/ConvexCombinationDisk.h).
  *
  * A conformal map to the disk is unique up to a Moebius map. It is fixed by an interior point that goes
  * to the centre (SetCenterPoint) and a boundary point that goes to angle 0 (SetBoundaryPoint); without
@@ -28,16 +39,22 @@
  * disk squeezes exponentially. The four corners can be chosen; the ratio of width to height then is a
  * property of the surface, its conformal modulus.
  *
- * Field data (one tuple each): `NewtonIterations`; `MaxCurvatureError` (radians), greatest error of an
- * angle sum; `LayoutError`, greatest relative error of a flat intrinsic edge; `IntrinsicFlips`;
- * `InsertedBoundaryPoints`, intrinsic points used on the way, not in the output; `AddedLength` (input
- * units), the length added to every edge to open triangles without area, 0 for most surfaces;
- * `FlippedFaces`, triangles of the output that are not positively oriented: a coarse or very uneven
- * triangulation cannot always follow the map; `SpreadPoints`, points in narrow parts of the surface
- * whose images double precision hardly tells apart, and which were moved apart; `BoundaryAnisotropy`, 4
- * pi area / boundary length^2 of the surface: along its boundary a map to the disk that keeps areas must
- * stretch so many times more in one direction than in the other. Rectangle only: `Modulus`, width /
- * height, and `CornerPointIds`, four tuples counter-clockwise from the lower left corner.
+ * Field data (one tuple each): `IntrinsicFlips`; `AddedLength` (input units), the length added to every
+ * edge to open triangles without area, 0 for most surfaces; `FlippedFaces`, triangles of the output that
+ * are not positively oriented: a coarse or very uneven triangulation cannot always follow the map;
+ * `BoundaryAnisotropy`, 4 pi area / boundary length^2 of the surface: along its boundary a map to the
+ * disk that keeps areas must stretch so many times more in one direction than in the other. Ricci flow
+ * only: `NewtonIterations`; `MaxCurvatureError` (radians), greatest error of an angle sum;
+ * `LayoutError`, greatest relative error of a flat intrinsic edge; `InsertedBoundaryPoints`, intrinsic
+ * points used on the way, not in the output; `SpreadPoints`, points in narrow parts of the surface whose
+ * images double precision hardly tells apart, and which were moved apart. Boundary First only:
+ * `BoundaryIterations`. Rectangle only: `Modulus`, width / height, and `CornerPointIds`, four tuples
+ * counter-clockwise from the lower left corner. Boundary First and Mean Value place vertices in the
+ * plane, where every angle sum is right: they have no curvature error, and vtkDistortionMetrics tells
+ * how conformal they are.
+ *
+ * `ConformalFactor` is u of the Ricci flow; for the other methods the logarithm of the sum of the flat
+ * lengths of the edges at the point over the sum of their lengths on the surface.
  *
  * A warning if more than a hundredth of the points were moved apart: the surface is a long tube for the
  * disk, and a rectangle serves better.
@@ -45,12 +62,15 @@
  * An empty input gives an empty output. Errors, each with an empty output: cells that are not triangles,
  * coordinates that are not finite, zero area, unused points, non-manifold or inconsistently oriented
  * triangles, several components, genus > 0, no or several boundaries, a centre on the boundary, corners
- * that are not four different boundary vertices in order, no convergence.
+ * that are not four different boundary vertices in order, a rectangle by another method than Ricci flow,
+ * no convergence.
  *
  * Sources: Zhao et al., "Area-Preservation Mapping using Optimal Mass Transport", TVCG 2013,
  * sections 3.3 and 4.1; Springborn, Schroeder, Pinkall, "Conformal Equivalence of Triangle Meshes",
  * SIGGRAPH 2008; Gu, Luo, Sun, Wu, "A Discrete Uniformization Theorem for Polyhedral Surfaces", 2018;
- * Gillespie, Springborn, Crane, "Discrete Conformal Equivalence of Polyhedral Surfaces", SIGGRAPH 2021.
+ * Gillespie, Springborn, Crane, "Discrete Conformal Equivalence of Polyhedral Surfaces", SIGGRAPH 2021;
+ * Sawhney, Crane, "Boundary First Flattening", ACM TOG 2017; Floater, "Mean value coordinates", CAGD
+ * 2003; Floater, "One-to-one piecewise linear mappings over triangulations", Math. Comp. 2003.
  *
  * @sa vtkSurfaceToDiskFilter vtkOMTAreaPreservingFilter vtkDistortionMetrics
  */
@@ -67,6 +87,26 @@ public:
   static vtkConformalDiskFilter* New();
   vtkTypeMacro(vtkConformalDiskFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// How the map is found.
+  enum MethodType
+  {
+    RICCI_FLOW = 0,     ///< discrete Ricci flow
+    BOUNDARY_FIRST = 1, ///< Boundary First Flattening
+    MEAN_VALUE = 2      ///< mean value coordinates: no flipped triangle, not conformal
+  };
+
+  ///@{
+  /**
+   * Method of the map: RICCI_FLOW (0), BOUNDARY_FIRST (1) or MEAN_VALUE (2). Default: RICCI_FLOW. The
+   * others are for the disk alone; it is an error to ask them for a rectangle.
+   */
+  vtkSetClampMacro(Method, int, RICCI_FLOW, MEAN_VALUE);
+  vtkGetMacro(Method, int);
+  void SetMethodToRicciFlow() { this->SetMethod(RICCI_FLOW); }
+  void SetMethodToBoundaryFirst() { this->SetMethod(BOUNDARY_FIRST); }
+  void SetMethodToMeanValue() { this->SetMethod(MEAN_VALUE); }
+  ///@}
 
   /// What the surface is mapped to.
   enum DomainType
@@ -170,7 +210,7 @@ public:
   ///@{
   /**
    * Greatest error of an angle sum (radians) at which the flow may stop. Range [1e-14, 1e-10]. Default:
-   * 1e-11. More than 1e-10 is an error: the map would not be conformal.
+   * 1e-11. More than 1e-10 is an error: the map would not be conformal. Of Ricci flow alone.
    */
   vtkSetClampMacro(Tolerance, double, 1e-14, 1e-10);
   vtkGetMacro(Tolerance, double);
@@ -184,6 +224,7 @@ protected:
     vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
+  int Method = RICCI_FLOW;
   int Domain = DISK;
   bool UseCorners = false;
   double LowerLeftCorner[3] = { 0.0, 0.0, 0.0 };

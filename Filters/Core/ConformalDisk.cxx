@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ConformalDisk.h"
 
+#include "BoundaryFirstDisk.h"
 #include "DiskCentring.h"
 #include "Errors.h"
 #include "FaceOrientation.h"
+#include "LengthRatios.h"
+#include "MeanValueDisk.h"
 #include "MeshTopology.h"
 #include "MoebiusNormalisation.h"
 #include "RicciFlowDisk.h"
@@ -38,6 +41,25 @@ void requireVertices(const TriangleMesh& mesh,
   }
 }
 
+ConformalDiskMap centredMap(const TriangleMesh& mesh,
+  const std::vector<int>& loop,
+  const ConformalDiskOptions& options,
+  const ProgressCallback& progress)
+{
+  const DiskCentring centring =
+    options.CenterVertex >= 0 ? DiskCentring(mesh, options.CenterVertex) : DiskCentring(mesh);
+  switch (options.Method)
+  {
+    case ConformalMethod::BoundaryFirst:
+      return boundaryFirstDisk(mesh, loop, centring, progress);
+    case ConformalMethod::MeanValue:
+      return meanValueDisk(mesh, loop, centring, progress);
+    case ConformalMethod::RicciFlow:
+      break;
+  }
+  return ricciFlowDisk(mesh, loop, centring, options.Flow, progress);
+}
+
 // The angle by which a centred map is turned.
 double rotationOf(const ComplexVector& disk,
   const TriangleMesh& mesh,
@@ -62,10 +84,7 @@ ConformalDiskMap conformalDiskMap(const TriangleMesh& mesh,
 {
   const std::vector<int> loop = requireDisk(mesh);
   requireVertices(mesh, loop, options);
-  const DiskCentring centring =
-    options.CenterVertex >= 0 ? DiskCentring(mesh, options.CenterVertex) : DiskCentring(mesh);
-
-  ConformalDiskMap map = ricciFlowDisk(mesh, loop, centring, options.Flow, progress);
+  ConformalDiskMap map = centredMap(mesh, loop, options, progress);
   ComplexVector disk = complexOf(map.Positions);
   const std::complex<double> rotation =
     std::polar(1.0, rotationOf(disk, mesh, loop, options.BoundaryVertex));
@@ -74,6 +93,10 @@ ConformalDiskMap conformalDiskMap(const TriangleMesh& mesh,
     z *= rotation;
   }
   map.Positions = pointsOf(disk);
+  if (options.Method != ConformalMethod::RicciFlow)
+  {
+    map.LogFactors = logLengthRatios(mesh, map.Positions, map.AddedLength);
+  }
   map.FlippedFaces = countFlippedFaces(map.Positions, mesh.Faces);
   report(progress, 1.0, "Conformal disk");
   return map;

@@ -10,16 +10,24 @@
 namespace flattening
 {
 
+enum class ConformalMethod
+{
+  RicciFlow,     ///< discrete uniformization: see RicciFlowDisk.h
+  BoundaryFirst, ///< linear, nearly as conformal: see BoundaryFirstDisk.h
+  MeanValue      ///< linear, not conformal, without flipped faces: see MeanValueDisk.h
+};
+
 struct ConformalDiskOptions
 {
   /// Interior vertex that goes to 0, or -1: the Moebius map that centres the surface area.
   int CenterVertex = -1;
   /// Boundary vertex that goes to angle 0, or -1: a rotation that depends on the surface alone.
   int BoundaryVertex = -1;
-  RicciFlowOptions Flow;
+  RicciFlowOptions Flow; ///< of ConformalMethod::RicciFlow alone
+  ConformalMethod Method = ConformalMethod::RicciFlow;
 };
 
-/// Maps @p mesh conformally to the unit disk, by discrete Ricci flow (see ricciFlowDisk).
+/// Maps @p mesh to the unit disk. The methods have their centring and rotation in common.
 /// @throws InvalidInput, TopologyError (see requireDisk), InvalidInput if CenterVertex is not an
 /// interior or BoundaryVertex not a boundary vertex, ConvergenceError, Cancelled.
 ConformalDiskMap conformalDiskMap(const TriangleMesh& mesh,

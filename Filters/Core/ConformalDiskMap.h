@@ -9,12 +9,15 @@ namespace flattening
 
 struct ConformalDiskMap
 {
-  Points2 Positions;              ///< n x 2, unit disk; boundary vertices on the circle
-  Eigen::VectorXd LogFactors;     ///< n, log of (flat length / surface length) at each vertex
-  double MaxCurvatureError = 0.0; ///< radians, over the free vertices of the intrinsic triangulation
-  double LayoutError = 0.0;       ///< greatest relative error of a laid out edge (see layoutError)
-  double AddedLength = 0.0;       ///< length added to every edge to open degenerate faces; 0 mostly
+  Points2 Positions;          ///< n x 2, unit disk; boundary vertices on the circle
+  Eigen::VectorXd LogFactors; ///< n, log of (flat length / surface length) at each vertex
+  /// Radians, over the free vertices of the intrinsic triangulation; NaN for methods without a flat
+  /// metric of their own: that of positions in the plane is flat whatever they are.
+  double MaxCurvatureError = 0.0;
+  double LayoutError = 0.0; ///< greatest relative error of a laid out edge (see layoutError); or NaN
+  double AddedLength = 0.0; ///< length added to every edge to open degenerate faces; 0 mostly
   int NewtonIterations = 0;
+  int BoundaryIterations = 0;     ///< of ConformalMethod::BoundaryFirst
   int Flips = 0;                  ///< intrinsic edge flips in all
   int InsertedBoundaryPoints = 0; ///< always 0: boundary edges flip with their mirror images
   int SpreadVertices = 0;         ///< whose true positions double precision hardly tells apart

@@ -49,9 +49,11 @@ public:
     return Base::solve(rightSide);
   }
 
+  /// What everything that may call BLAS holds meanwhile.
+  static std::mutex& blas();
+
 private:
   using Base = Eigen::CholmodDecomposition<SparseMatrix, Eigen::Lower>;
-  static std::mutex& blas();
   bool reuseOrder(const SparseMatrix& matrix);
   void findOrder(const SparseMatrix& matrix);
 

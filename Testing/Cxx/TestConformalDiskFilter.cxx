@@ -183,6 +183,62 @@ TEST(ConformalDiskFilter, FiguresOfTheSolver)
   EXPECT_GE(figure(output, "InsertedBoundaryPoints"), 0.0);
 }
 
+bool hasFigure(vtkPolyData* output, const char* name)
+{
+  return output->GetFieldData()->HasArray(name);
+}
+
+TEST(ConformalDiskFilter, EveryMethodHasItsOwnFigures)
+{
+  vtkNew<vtkConformalDiskFilter> filter;
+  EXPECT_EQ(filter->GetMethod(), vtkConformalDiskFilter::RICCI_FLOW);
+  const auto input = polyDataOf(hemisphere().Mesh);
+  // What a map of another surface left in the field data is not taken for this one's.
+  vtkNew<vtkDoubleArray> stale;
+  stale->SetName("MaxCurvatureError");
+  stale->InsertNextValue(0.0);
+  input->GetFieldData()->AddArray(stale);
+  filter->SetInputData(input);
+  vtkPolyData* output = filter->GetOutput();
+  for (const int method : { vtkConformalDiskFilter::RICCI_FLOW,
+         vtkConformalDiskFilter::BOUNDARY_FIRST,
+         vtkConformalDiskFilter::MEAN_VALUE })
+  {
+    SCOPED_TRACE(method);
+    filter->SetMethod(method);
+    filter->Update();
+    const bool isFlow = method == vtkConformalDiskFilter::RICCI_FLOW;
+    for (const char* name : { "NewtonIterations",
+           "MaxCurvatureError",
+           "LayoutError",
+           "InsertedBoundaryPoints",
+           "SpreadPoints" })
+    {
+      EXPECT_EQ(hasFigure(output, name), isFlow) << name;
+    }
+    EXPECT_EQ(hasFigure(output, "BoundaryIterations"), method == vtkConformalDiskFilter::BOUNDARY_FIRST);
+    EXPECT_EQ(figure(output, "FlippedFaces"), 0.0);
+    EXPECT_EQ(figure(output, "AddedLength"), 0.0);
+    EXPECT_TRUE(hasFigure(output, "IntrinsicFlips"));
+    // The stereographic projection halves lengths at the pole of a unit sphere; the disk of the
+    // hemisphere's area has radius sqrt(2).
+    EXPECT_NEAR(output->GetPointData()->GetArray("ConformalFactor")->GetTuple1(0),
+      -0.5 * std::log(2.0),
+      method == vtkConformalDiskFilter::MEAN_VALUE ? 0.05 : 5e-3);
+  }
+  EXPECT_TRUE(input->GetFieldData()->HasArray("MaxCurvatureError")) << "the input was changed";
+  filter->SetMethodToBoundaryFirst();
+  EXPECT_EQ(filter->GetMethod(), vtkConformalDiskFilter::BOUNDARY_FIRST);
+  filter->SetMethodToMeanValue();
+  EXPECT_EQ(filter->GetMethod(), vtkConformalDiskFilter::MEAN_VALUE);
+  filter->SetMethodToRicciFlow();
+  EXPECT_EQ(filter->GetMethod(), vtkConformalDiskFilter::RICCI_FLOW);
+  filter->SetMethod(-1);
+  EXPECT_EQ(filter->GetMethod(), vtkConformalDiskFilter::RICCI_FLOW);
+  filter->SetMethod(9);
+  EXPECT_EQ(filter->GetMethod(), vtkConformalDiskFilter::MEAN_VALUE);
+}
+
 TEST(ConformalDiskFilter, NearestPointsGoToTheCentreAndToAngleZero)
 {
   vtkNew<vtkConformalDiskFilter> filter;
@@ -276,6 +332,25 @@ TEST(ConformalDiskFilter, AHalfCylinderUnrollsToARectangle)
 }
 
 // A cap on a tube of 30 radii: a disk shrinks it by e^-30.
+TEST(ConformalDiskFilter, ARectangleNeedsRicciFlow)
+{
+  vtkNew<vtkConformalDiskFilter> filter;
+  filter->SetInputData(polyDataOf(hemisphere().Mesh));
+  filter->SetDomainToRectangle();
+  for (const int method : { vtkConformalDiskFilter::BOUNDARY_FIRST, vtkConformalDiskFilter::MEAN_VALUE })
+  {
+    filter->SetMethod(method);
+    ErrorLog errors(filter);
+    filter->Update();
+    ASSERT_EQ(errors.messages().size(), 1u);
+    EXPECT_NE(errors.messages().front().find("set Method to Ricci Flow"), std::string::npos);
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  }
+  filter->SetMethodToRicciFlow();
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), hemisphere().Mesh.faceCount());
+}
+
 TEST(ConformalDiskFilter, WarnsOfLongTubes)
 {
   vtkNew<vtkConformalDiskFilter> filter;
@@ -311,9 +386,11 @@ TEST(ConformalDiskFilter, ParametersAreClampedAndPrinted)
   filter->SetNormalizeTo(7);
   EXPECT_EQ(filter->GetNormalizeTo(), vtkConformalDiskFilter::UNIT_DOMAIN);
   filter->SetCenterPoint(1.0, 2.0, 3.5);
+  filter->SetMethodToBoundaryFirst();
   std::ostringstream printed;
   filter->Print(printed);
-  for (const char* part : { "NormalizeTo: UnitDomain",
+  for (const char* part : { "Method: BoundaryFirst",
+         "NormalizeTo: UnitDomain",
          "Domain: Disk",
          "UseCorners: 0",
          "UpperLeftCorner: (0, 0, 0)",
@@ -338,9 +415,20 @@ TEST(ConformalDiskFilter, EmptyInputGivesEmptyOutputSilently)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
 }
 
-TEST(ConformalDiskFilter, BadInput)
+class BadInput : public ::testing::TestWithParam<int>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(ConformalDiskFilter,
+  BadInput,
+  ::testing::Values(vtkConformalDiskFilter::RICCI_FLOW,
+    vtkConformalDiskFilter::BOUNDARY_FIRST,
+    vtkConformalDiskFilter::MEAN_VALUE));
+
+TEST_P(BadInput, IsOneError)
 {
   vtkNew<vtkConformalDiskFilter> filter;
+  filter->SetMethod(GetParam());
   const RevolutionMesh disk = ringMesh(sphericalCap(1.0), 100);
   const auto good = polyDataOf(disk.Mesh);
   const auto expect = [&](vtkPolyData* input, const char* words)
@@ -411,6 +499,10 @@ TEST(ConformalDiskFilter, Abort)
   {
     expectAbort(filter.Get(), input, fraction);
   }
+  filter->SetMethodToBoundaryFirst();
+  expectAbort(filter.Get(), input, 0.3);
+  filter->SetMethodToMeanValue();
+  expectAbort(filter.Get(), input, 0.3);
 }
 
 } // namespace

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ConvexCombinationDisk.h"
+
+#include "BoundaryAngles.h"
+#include "Errors.h"
+#include "SparseLu.h"
+
+#include <cmath>
+#include <string>
+
+namespace flattening
+{
+namespace
+{
+
+using Complex = std::complex<double>;
+// Of what a boundary vertex may weigh in the centre: with half of it no Moebius map of the circle
+// centres the masses, and close to that all other vertices crowd at the far side.
+constexpr double GreatestShare = 0.49;
+constexpr int Refinements = 1;
+
+class ConvexCombinations
+{
+public:
+  ConvexCombinations(const std::vector<NeighbourWeight>& weights,
+    const std::vector<int>& loop,
+    Eigen::Index vertexCount)
+    : Loop(loop)
+    , Row(vertexCount, 0)
+  {
+    for (const int v : loop)
+    {
+      this->Row[v] = -1;
+    }
+    for (Eigen::Index v = 0; v < vertexCount; ++v)
+    {
+      if (this->Row[v] == 0)
+      {
+        this->Row[v] = static_cast<int>(this->Inner.size());
+        this->Inner.push_back(static_cast<int>(v));
+      }
+    }
+    this->setShares(weights);
+    this->setMatrix();
+  }
+
+  // What every boundary vertex, in the order of the loop, weighs in the mean of all vertices.
+  Eigen::VectorXd boundaryShares(const Eigen::VectorXd& vertexShares, const SparseLu* factors) const
+  {
+    Eigen::VectorXd all = vertexShares;
+    if (factors)
+    {
+      Eigen::VectorXd inner(this->Inner.size());
+      for (std::size_t i = 0; i < this->Inner.size(); ++i)
+      {
+        inner[i] = vertexShares[this->Inner[i]];
+      }
+      const Eigen::VectorXd passed = factors->solveTransposed(inner);
+      for (const NeighbourWeight& s : this->Shares)
+      {
+        all[s.To] += this->Row[s.To] < 0 ? s.Weight * passed[this->Row[s.From]] : 0.0;
+      }
+    }
+    Eigen::VectorXd shares(this->Loop.size());
+    for (std::size_t k = 0; k < this->Loop.size(); ++k)
+    {
+      shares[k] = all[this->Loop[k]];
+    }
+    return shares / shares.sum();
+  }
+
+  // All positions, from those of the boundary.
+  ComplexVector extended(const ComplexVector& boundary, const SparseLu* factors) const
+  {
+    ComplexVector position(this->Row.size(), Complex(0.0, 0.0));
+    for (std::size_t k = 0; k < this->Loop.size(); ++k)
+    {
+      position[this->Loop[k]] = boundary[k];
+    }
+    // As sums of differences the residuals keep their digits where neighbours are close.
+    for (int round = 0; factors && round < 1 + Refinements; ++round)
+    {
+      Eigen::MatrixXd residual = Eigen::MatrixXd::Zero(this->Inner.size(), 2);
+      for (const NeighbourWeight& s : this->Shares)
+      {
+        const Complex pull = s.Weight * (position[s.To] - position[s.From]);
+        residual.row(this->Row[s.From]) += Eigen::RowVector2d(pull.real(), pull.imag());
+      }
+      const Eigen::MatrixXd change = factors->solve(residual);
+      for (std::size_t i = 0; i < this->Inner.size(); ++i)
+      {
+        position[this->Inner[i]] += Complex(change(i, 0), change(i, 1));
+      }
+    }
+    return position;
+  }
+
+  const SparseMatrix& matrix() const { return this->Matrix; }
+
+private:
+  void setShares(const std::vector<NeighbourWeight>& weights)
+  {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(this->Row.size());
+    for (const NeighbourWeight& w : weights)
+    {
+      sum[w.From] += w.Weight;
+    }
+    for (const NeighbourWeight& w : weights)
+    {
+      if (this->Row[w.From] >= 0 && w.Weight > 0.0)
+      {
+        this->Shares.push_back({ w.From, w.To, w.Weight / sum[w.From] });
+      }
+    }
+  }
+
+  void setMatrix()
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(2 * this->Shares.size());
+    for (const NeighbourWeight& s : this->Shares)
+    {
+      const int i = this->Row[s.From];
+      entries.emplace_back(i, i, s.Weight);
+      if (this->Row[s.To] >= 0)
+      {
+        entries.emplace_back(i, this->Row[s.To], -s.Weight);
+      }
+    }
+    this->Matrix.resize(this->Inner.size(), this->Inner.size());
+    this->Matrix.setFromTriplets(entries.begin(), entries.end());
+  }
+
+  const std::vector<int>& Loop;
+  std::vector<int> Row; // of every vertex; -1 on the boundary
+  std::vector<int> Inner;
+  std::vector<NeighbourWeight> Shares; // of inner vertices, of sum 1
+  SparseMatrix Matrix;
+};
+
+ComplexVector onCircle(ComplexVector points)
+{
+  for (Complex& z : points)
+  {
+    z /= std::abs(z);
+  }
+  return points;
+}
+
+// The map whose boundary is moved by the Moebius map that centres the boundary's shares.
+ComplexVector centredByBoundary(const ConvexCombinations& combinations,
+  const SparseLu* factors,
+  const Eigen::VectorXd& angles,
+  const Eigen::VectorXd& shares)
+{
+  const ComplexVector halfPlane = halfPlaneBoundary(angles);
+  return combinations.extended(onCircle(cayley(halfPlane, centreOfMass(halfPlane, shares))), factors);
+}
+
+// The map of which all vertices are moved by a Moebius map. What is centred lies close to one boundary
+// vertex: distances from it keep their digits where it is the origin, and infinity in the half-plane.
+ComplexVector centredByAll(const ConvexCombinations& combinations,
+  const SparseLu* factors,
+  const std::vector<int>& loop,
+  const Eigen::VectorXd& angles,
+  Eigen::Index nearest,
+  const DiskCentring& centring)
+{
+  Eigen::VectorXd turned = angles.array() - angles[nearest];
+  turned = (turned.array() < 0.0).select(turned.array() + 2.0 * EIGEN_PI, turned);
+  ComplexVector boundary(loop.size());
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    boundary[k] = Complex(0.0, 2.0 * std::sin(0.5 * turned[k])) * std::polar(1.0, 0.5 * turned[k]);
+  }
+  ComplexVector halfPlane = combinations.extended(boundary, factors);
+  for (std::size_t v = 0; v < halfPlane.size(); ++v)
+  {
+    Complex& fromNearest = halfPlane[v];
+    if (fromNearest == 0.0 && static_cast<int>(v) != loop[nearest])
+    {
+      throw ConvergenceError("vertex " + std::to_string(v) + " falls onto boundary vertex " +
+                             std::to_string(loop[nearest]) +
+                             ": the surface is too coarse there; set Method to Ricci Flow, or remesh "
+                             "the surface (Surface To Disk, Remesh)");
+    }
+    fromNearest = Complex(0.0, -1.0) * (2.0 + fromNearest) / fromNearest;
+  }
+  const ComplexVector line = halfPlaneBoundary(turned);
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    halfPlane[loop[k]] = line[k];
+  }
+  ComplexVector disk = cayley(halfPlane, centring.centre(halfPlane));
+  for (const int v : loop)
+  {
+    disk[v] /= std::abs(disk[v]);
+  }
+  return disk;
+}
+
+ComplexVector centred(const ConvexCombinations& combinations,
+  const SparseLu* factors,
+  const std::vector<int>& loop,
+  const Eigen::VectorXd& angles,
+  const DiskCentring& centring)
+{
+  const Eigen::VectorXd shares = combinations.boundaryShares(centring.weights(), factors);
+  Eigen::Index nearest = 0;
+  return shares.maxCoeff(&nearest) < GreatestShare
+           ? centredByBoundary(combinations, factors, angles, shares)
+           : centredByAll(combinations, factors, loop, angles, nearest, centring);
+}
+
+} // namespace
+
+ComplexVector convexCombinationDisk(const std::vector<NeighbourWeight>& weights,
+  const std::vector<int>& loop,
+  const Eigen::VectorXd& angles,
+  const DiskCentring& centring)
+{
+  const ConvexCombinations combinations(weights, loop, centring.weights().size());
+  ComplexVector disk;
+  if (combinations.matrix().rows() == 0)
+  {
+    disk = centred(combinations, nullptr, loop, angles, centring);
+  }
+  else
+  {
+    const SparseLu factors(combinations.matrix());
+    if (factors.info() != Eigen::Success)
+    {
+      throw ConvergenceError(
+        "the system of the neighbours' weights could not be factored: remesh the surface (Surface To "
+        "Disk, Remesh)");
+    }
+    disk = centred(combinations, &factors, loop, angles, centring);
+  }
+  if (centring.vertex() >= 0)
+  {
+    disk[centring.vertex()] = 0.0; // but for rounding it is there
+  }
+  for (const Complex& z : disk)
+  {
+    if (!std::isfinite(z.real()) || !std::isfinite(z.imag()))
+    {
+      throw ConvergenceError(
+        "a vertex has no position in the disk: remesh the surface (Surface To Disk, "
+        "Remesh)");
+    }
+  }
+  return disk;
+}
+
+} // namespace flattening
