@@ -155,6 +155,9 @@ void setFigures(vtkFieldData* figures, const flattening::ConformalDiskMap& map, 
   }
   count("IntrinsicFlips", map.Flips);
   flattening::setFigure(figures, "AddedLength", map.AddedLength);
+  count("RepairedFaces", map.Repair.RepairedFaces);
+  count("MovedPoints", map.Repair.MovedVertices);
+  flattening::setFigure(figures, "GreatestMove", map.Repair.GreatestMove);
   count("FlippedFaces", map.FlippedFaces);
 }
 
@@ -207,6 +210,13 @@ int vtkConformalDiskFilter::RequestData(vtkInformation* vtkNotUsed(request),
       flattening::addPointArray(
         output, "ConformalFactor", (map.LogFactors.array() + std::log(scale)).matrix());
       setFigures(figures, map, this->Method);
+      if (map.FlippedFaces > 0)
+      {
+        vtkWarningMacro(
+          << map.FlippedFaces
+          << " faces of the map are flipped and could not be turned over, so that it is not one-to-one "
+             "there: remesh the surface (Surface To Disk, Remesh)");
+      }
       const double anisotropy = boundaryAnisotropy(mesh, loop);
       flattening::setFigure(figures, "BoundaryAnisotropy", anisotropy);
       if (this->Domain == DISK && map.SpreadVertices > SpreadShare * mesh.vertexCount())

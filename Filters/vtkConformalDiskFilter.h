@@ -40,8 +40,11 @@
  * property of the surface, its conformal modulus.
  *
  * Field data (one tuple each): `IntrinsicFlips`; `AddedLength` (input units), the length added to every
- * edge to open triangles without area, 0 for most surfaces; `FlippedFaces`, triangles of the output that
- * are not positively oriented: a coarse or very uneven triangulation cannot always follow the map;
+ * edge to open triangles without area, 0 for most surfaces; `RepairedFaces`, triangles of the output
+ * that were flipped and no longer are, as a coarse or very uneven triangulation cannot always follow the
+ * map; `MovedPoints`, how many points were moved for that, and `GreatestMove`, by how much at most, in
+ * mean lengths of the edges around the point; `FlippedFaces`, triangles that are still not positively
+ * oriented, with a warning if there are any;
  * `BoundaryAnisotropy`, 4 pi area / boundary length^2 of the surface: along its boundary a map to the
  * disk that keeps areas must stretch so many times more in one direction than in the other. Ricci flow
  * only: `NewtonIterations`; `MaxCurvatureError` (radians), greatest error of an angle sum;

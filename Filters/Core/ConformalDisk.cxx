@@ -4,7 +4,7 @@
 #include "BoundaryFirstDisk.h"
 #include "DiskCentring.h"
 #include "Errors.h"
-#include "FaceOrientation.h"
+#include "FlippedFaceRepair.h"
 #include "LengthRatios.h"
 #include "MeanValueDisk.h"
 #include "MeshTopology.h"
@@ -76,6 +76,17 @@ double rotationOf(const ComplexVector& disk,
                                                                        : -std::arg(disk[loop.front()]);
 }
 
+// Those that the repair of flipped faces must not move.
+std::vector<int> fixedVertices(const std::vector<int>& loop, const ConformalDiskOptions& options)
+{
+  std::vector<int> fixed = loop;
+  if (options.CenterVertex >= 0)
+  {
+    fixed.push_back(options.CenterVertex);
+  }
+  return fixed;
+}
+
 } // namespace
 
 ConformalDiskMap conformalDiskMap(const TriangleMesh& mesh,
@@ -93,11 +104,13 @@ ConformalDiskMap conformalDiskMap(const TriangleMesh& mesh,
     z *= rotation;
   }
   map.Positions = pointsOf(disk);
+  map.Repair =
+    repairFlippedFaces(mesh, fixedVertices(loop, options), map.Positions, subrange(progress, 0.95, 1.0));
+  map.FlippedFaces = map.Repair.FlippedFaces;
   if (options.Method != ConformalMethod::RicciFlow)
   {
     map.LogFactors = logLengthRatios(mesh, map.Positions, map.AddedLength);
   }
-  map.FlippedFaces = countFlippedFaces(map.Positions, mesh.Faces);
   report(progress, 1.0, "Conformal disk");
   return map;
 }

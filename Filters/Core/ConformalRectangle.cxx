@@ -2,7 +2,7 @@
 #include "ConformalRectangle.h"
 
 #include "Errors.h"
-#include "FaceOrientation.h"
+#include "FlippedFaceRepair.h"
 #include "HalfPlaneLayout.h"
 #include "HornSpreading.h"
 #include "MeshTopology.h"
@@ -200,7 +200,9 @@ ConformalRectangleMap conformalRectangleMap(const TriangleMesh& mesh,
     result.Map.Positions(v, 1) = std::clamp(result.Map.Positions(v, 1), 0.0, 1.0);
   }
   result.Map.LogFactors = flow.LogFactors.cast<double>().array() - std::log(rectangle.Height);
-  result.Map.FlippedFaces = countFlippedFaces(result.Map.Positions, mesh.Faces);
+  result.Map.Repair =
+    repairFlippedFaces(mesh, loop, result.Map.Positions, subrange(progress, 0.95, 1.0));
+  result.Map.FlippedFaces = result.Map.Repair.FlippedFaces;
   report(progress, 1.0, "Conformal rectangle");
   return result;
 }

@@ -8,15 +8,23 @@
 namespace flattening
 {
 
-std::vector<signed char> faceOrientations(const Points2& positions, const FaceMatrix& faces)
+signed char faceOrientation(const Points2& positions, const FaceMatrix& faces, int face)
 {
   using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
-  const auto point = [&positions](int v) { return Point(positions(v, 0), positions(v, 1)); };
-  std::vector<signed char> orientations(faces.rows());
-  for (Eigen::Index f = 0; f < faces.rows(); ++f)
+  const auto corner = [&](int k)
   {
-    orientations[f] = static_cast<signed char>(
-      CGAL::orientation(point(faces(f, 0)), point(faces(f, 1)), point(faces(f, 2))));
+    const int v = faces(face, k);
+    return Point(positions(v, 0), positions(v, 1));
+  };
+  return static_cast<signed char>(CGAL::orientation(corner(0), corner(1), corner(2)));
+}
+
+std::vector<signed char> faceOrientations(const Points2& positions, const FaceMatrix& faces)
+{
+  std::vector<signed char> orientations(faces.rows());
+  for (int f = 0; f < faces.rows(); ++f)
+  {
+    orientations[f] = faceOrientation(positions, faces, f);
   }
   return orientations;
 }

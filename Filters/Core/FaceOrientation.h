@@ -13,6 +13,9 @@ namespace flattening
 /// the given doubles, whatever their size (CGAL's filtered predicate). Positions must be finite.
 std::vector<signed char> faceOrientations(const Points2& positions, const FaceMatrix& faces);
 
+/// The same of row @p face of @p faces alone.
+signed char faceOrientation(const Points2& positions, const FaceMatrix& faces, int face);
+
 /// Number of faces with orientation 0 or -1: a face of no area is not mapped bijectively either.
 int countFlippedFaces(const Points2& positions, const FaceMatrix& faces);
 

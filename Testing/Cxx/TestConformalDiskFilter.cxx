@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../Core/SampleSurfaces.h"
+#include "../Core/SliverRefinement.h"
 #include "AnalyticSurfaces.h"
+#include "FaceOrientation.h"
 #include "FilterTest.h"
 
 #include <vtkConformalDiskFilter.h>
@@ -16,6 +18,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkStringArray.h>
+#include <vtkTestErrorObserver.h>
 #include <vtkTriangleFilter.h>
 
 #include <cmath>
@@ -178,6 +181,9 @@ TEST(ConformalDiskFilter, FiguresOfTheSolver)
   EXPECT_LE(figure(output, "MaxCurvatureError"), 1e-10);
   EXPECT_LE(figure(output, "LayoutError"), 1e-8);
   EXPECT_EQ(figure(output, "AddedLength"), 0.0);
+  EXPECT_EQ(figure(output, "RepairedFaces"), 0.0);
+  EXPECT_EQ(figure(output, "MovedPoints"), 0.0);
+  EXPECT_EQ(figure(output, "GreatestMove"), 0.0);
   EXPECT_EQ(figure(output, "FlippedFaces"), 0.0);
   EXPECT_GE(figure(output, "IntrinsicFlips"), 0.0);
   EXPECT_GE(figure(output, "InsertedBoundaryPoints"), 0.0);
@@ -237,6 +243,53 @@ TEST(ConformalDiskFilter, EveryMethodHasItsOwnFigures)
   EXPECT_EQ(filter->GetMethod(), vtkConformalDiskFilter::RICCI_FLOW);
   filter->SetMethod(9);
   EXPECT_EQ(filter->GetMethod(), vtkConformalDiskFilter::MEAN_VALUE);
+}
+
+TEST(ConformalDiskFilter, SaysWhatItDidAboutFlippedFaces)
+{
+  vtkNew<vtkConformalDiskFilter> filter;
+  filter->SetInputData(polyDataOf(samples::withRandomSlivers(hemisphere().Mesh, 2000, 1e-3, 1)));
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::WarningEvent, observer);
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  EXPECT_EQ(figure(output, "FlippedFaces"), 0.0);
+  EXPECT_GT(figure(output, "RepairedFaces"), 0.0);
+  EXPECT_GT(figure(output, "MovedPoints"), 0.0);
+  EXPECT_GT(figure(output, "GreatestMove"), 0.0);
+  EXPECT_FALSE(observer->GetWarning());
+  Points2 positions(output->GetNumberOfPoints(), 2);
+  FaceMatrix faces(output->GetNumberOfCells(), 3);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    positions.row(i) << output->GetPoint(i)[0], output->GetPoint(i)[1];
+  }
+  for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
+  {
+    vtkIdList* corners = output->GetCell(i)->GetPointIds();
+    for (int k = 0; k < 3; ++k)
+    {
+      faces(i, k) = static_cast<int>(corners->GetId(k));
+    }
+  }
+  EXPECT_EQ(countFlippedFaces(positions, faces), 0) << "in the output's own size";
+}
+
+// A boundary of three vertices, two of which all but coincide: the triangle between them leaves no room.
+TEST(ConformalDiskFilter, WarnsOfFlippedFaces)
+{
+  TriangleMesh mesh = samples::withoutFaces(samples::sphere(4), { 0 });
+  const Eigen::Vector3i hole = samples::sphere(4).Faces.row(0).transpose();
+  mesh.Vertices.row(hole[1]) =
+    mesh.Vertices.row(hole[0]) + 1e-9 * (mesh.Vertices.row(hole[1]) - mesh.Vertices.row(hole[0]));
+  vtkNew<vtkConformalDiskFilter> filter;
+  filter->SetInputData(polyDataOf(mesh));
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::WarningEvent, observer);
+  filter->Update();
+  EXPECT_GT(figure(filter->GetOutput(), "FlippedFaces"), 0.0);
+  ASSERT_TRUE(observer->GetWarning());
+  EXPECT_NE(observer->GetWarningMessage().find("are flipped"), std::string::npos);
 }
 
 TEST(ConformalDiskFilter, NearestPointsGoToTheCentreAndToAngleZero)

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The part of a flat mesh that is freed to turn flipped faces over.
+#pragma once
+
+#include "FlatMesh.h"
+#include "PatchRepair.h"
+
+#include <vector>
+
+namespace flattening
+{
+
+/// Vertices that may move and all faces around them. Where a flipped face (one that is not safely
+/// positive) is among these, its vertices may move too, so that patches that touch are one.
+class FreedPatch
+{
+public:
+  /// Frees the vertices of face @p face but the fixed ones. @p mesh must live as long as the patch does.
+  FreedPatch(const FlatMesh& mesh, int face);
+
+  /// Both in ascending order.
+  const std::vector<int>& vertices() const { return this->Vertices; }
+  const std::vector<int>& faces() const { return this->Faces; }
+
+  /// Frees the vertices of all its faces. Returns false if there is none to free.
+  bool grow();
+
+  /// A copy in coordinates around its own place, of its own size: doubles resolve them however small the
+  /// patch is in the map.
+  struct Local
+  {
+    FlatPatch Flat; ///< numbered as vertices() and faces(), and after these the rim's vertices
+    Eigen::RowVector2d Origin;
+    double Unit = 0.0; ///< 0 if there is nothing to free, or all of it lies in one place
+  };
+  Local local() const;
+
+private:
+  void free(int face);
+  void includeFlippedFaces();
+
+  const FlatMesh& Mesh;
+  std::vector<int> Vertices;
+  std::vector<int> Faces;
+};
+
+} // namespace flattening

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// No face of a conformal disk is flipped, whatever the surface's triangles are like.
+#include "AnalyticSurfaces.h"
+#include "ConformalDisk.h"
+#include "Errors.h"
+#include "FaceOrientation.h"
+#include "MeshTopology.h"
+#include "RandomSurfaces.h"
+#include "SliverRefinement.h"
+#include "SurfaceToDisk.h"
+
+#include <gtest/gtest.h>
+
+#include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#include <tbb/task_arena.h>
+
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace flattening;
+using namespace flattening::analytic;
+using namespace flattening::samples;
+
+// Of all seeds some are no disks: this many are enough for 500.
+constexpr int SurfaceCount = 590;
+// Of the disk's: a boundary of so little area in the map, as of three vertices two of which nearly
+// coincide, leaves no room for the surface.
+constexpr double LeastRoom = 1e-6;
+
+struct SliverCase
+{
+  double LeastAngle; // degrees
+  int Splits;
+};
+
+// What the test's name shows.
+void PrintTo(const SliverCase& value, std::ostream* stream)
+{
+  *stream << value.Splits << " splits to " << value.LeastAngle << " degrees";
+}
+
+class ConformalSlivers : public testing::TestWithParam<SliverCase>
+{
+};
+
+TEST_P(ConformalSlivers, AreNotFlipped)
+{
+  const RevolutionMesh smooth = sunflowerMesh(gaussianBump(1.0, 0.3), 4000);
+  const TriangleMesh mesh = withRandomSlivers(smooth.Mesh, GetParam().Splits, GetParam().LeastAngle, 1);
+  EXPECT_LT(smallestAngleOf(mesh), 1.2 * GetParam().LeastAngle);
+  EXPECT_GE(smallestAngleOf(mesh), 0.99 * GetParam().LeastAngle);
+  const std::vector<int> loop = requireDisk(mesh);
+  const ConformalDiskMap map = conformalDiskMap(mesh, { -1, loop[5], {} });
+  std::cout << mesh.faceCount() << " faces, " << map.Repair.RepairedFaces << " flipped, "
+            << map.Repair.MovedVertices << " vertices moved, by " << map.Repair.GreatestMove
+            << " edges at most\n";
+  EXPECT_EQ(map.FlippedFaces, 0);
+  EXPECT_EQ(countFlippedFaces(map.Positions, mesh.Faces), 0);
+  EXPECT_GT(map.Repair.RepairedFaces, 0) << "the surface is no test of the repair";
+  EXPECT_LT(map.Repair.MovedVertices, 2 * map.Repair.RepairedFaces);
+  for (const int v : loop)
+  {
+    EXPECT_NEAR(map.Positions.row(v).norm(), 1.0, 1e-15) << v;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(ConformalFlips,
+  ConformalSlivers,
+  testing::Values(SliverCase{ 1e-3, 1200 },
+    SliverCase{ 1e-3, 4000 },
+    SliverCase{ 1e-3, 12000 },
+    SliverCase{ 1e-6, 1200 }));
+
+TEST(ConformalFlips, RepairKeepsTheCentreAndTheBits)
+{
+  const TriangleMesh mesh =
+    withRandomSlivers(sunflowerMesh(gaussianBump(1.0, 0.3), 1000).Mesh, 1000, 1e-3, 2);
+  for (const int centre : { 3, mesh.vertexCount() - 1 })
+  {
+    const Points2 first = conformalDiskMap(mesh, { centre, -1, {} }).Positions;
+    EXPECT_EQ(first.row(centre).norm(), 0.0);
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+    EXPECT_TRUE((conformalDiskMap(mesh, { centre, -1, {} }).Positions.array() == first.array()).all());
+  }
+}
+
+struct SeedRecord
+{
+  bool IsDisk = false;
+  bool HasRoom = true;
+  std::string Error; // of the map
+  FlippedFaceReport Repair;
+};
+
+SeedRecord recordOf(int seed)
+{
+  SeedRecord record;
+  SurfaceToDiskOptions options;
+  options.CountSelfIntersections = false;
+  TriangleMesh disk;
+  try
+  {
+    disk = surfaceToDisk(randomSurface(seed).Mesh, options).Surface.Mesh;
+  }
+  catch (const FlatteningError&)
+  {
+    return record; // a matter of another test
+  }
+  record.IsDisk = true;
+  try
+  {
+    const ConformalDiskMap map = conformalDiskMap(disk);
+    record.Repair = map.Repair;
+    record.HasRoom = signedFaceAreas(map.Positions, disk.Faces).sum() > LeastRoom * EIGEN_PI;
+  }
+  catch (const FlatteningError& error)
+  {
+    record.Error = error.what();
+  }
+  return record;
+}
+
+TEST(ConformalFlips, RandomDisksHaveNone)
+{
+  std::vector<SeedRecord> records(SurfaceCount);
+  tbb::parallel_for(
+    tbb::blocked_range<int>(0, SurfaceCount, 1),
+    [&](const tbb::blocked_range<int>& seeds)
+    {
+      for (int seed = seeds.begin(); seed < seeds.end(); ++seed)
+      {
+        tbb::this_task_arena::isolate([&] { records[seed] = recordOf(seed); });
+      }
+    },
+    tbb::simple_partitioner());
+  int disks = 0;
+  int failures = 0;
+  int without = 0;
+  int before = 0;
+  int after = 0;
+  for (int seed = 0; seed < SurfaceCount; ++seed)
+  {
+    const SeedRecord& record = records[seed];
+    EXPECT_EQ(record.Error, "") << "seed " << seed;
+    EXPECT_TRUE(record.Repair.FlippedFaces == 0 || !record.HasRoom) << "seed " << seed;
+    disks += record.IsDisk;
+    failures += !record.Error.empty();
+    without += !record.HasRoom;
+    before += record.Repair.RepairedFaces + record.Repair.FlippedFaces;
+    after += record.Repair.FlippedFaces;
+  }
+  std::cout << disks << " disks, " << failures << " without a map, " << without << " without room; "
+            << before << " faces flipped before the repair, " << after << " after it\n";
+  EXPECT_GE(disks, 500);
+  EXPECT_LE(without, 5);
+  EXPECT_GT(before, 100) << "the surfaces are no test of the repair";
+}
+
+} // namespace
