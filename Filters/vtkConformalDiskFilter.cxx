@@ -221,12 +221,14 @@ int vtkConformalDiskFilter::RequestData(vtkInformation* vtkNotUsed(request),
       flattening::setFigure(figures, "BoundaryAnisotropy", anisotropy);
       if (this->Domain == DISK && map.SpreadVertices > SpreadShare * mesh.vertexCount())
       {
-        vtkWarningMacro("the surface is a long tube for a disk: "
-                        << map.SpreadVertices << " of " << mesh.vertexCount()
-                        << " points had to be moved apart, where the map is not conformal, and a "
-                           "disk that keeps areas is stretched "
+        vtkWarningMacro(<< map.SpreadVertices << " of " << mesh.vertexCount()
+                        << " points lie in long narrow parts of the surface, which a conformal disk "
+                           "shrinks to less than "
+                           "1e-5 of the rest: they were moved apart, and the map is not conformal "
+                           "there. A disk that keeps "
+                           "areas is stretched "
                         << anisotropy
-                        << " to 1 along its boundary. Cut the tube "
+                        << " to 1 along its boundary. If the surface is a tube, cut it "
                            "open (Surface To Disk, Cut: Seam) and set Domain to Rectangle");
       }
     });

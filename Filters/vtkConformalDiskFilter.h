@@ -59,8 +59,8 @@
  * `ConformalFactor` is u of the Ricci flow; for the other methods the logarithm of the sum of the flat
  * lengths of the edges at the point over the sum of their lengths on the surface.
  *
- * A warning if more than a hundredth of the points were moved apart: the surface is a long tube for the
- * disk, and a rectangle serves better.
+ * A warning if more than a hundredth of the points were moved apart; if the surface is a long tube, a
+ * rectangle serves better.
  *
  * An empty input gives an empty output. Errors, each with an empty output: cells that are not triangles,
  * coordinates that are not finite, zero area, unused points, non-manifold or inconsistently oriented

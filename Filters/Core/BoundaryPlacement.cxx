@@ -18,7 +18,7 @@ struct Pool
 
 double preferredAngle(const PowerDiagram& diagram, int site)
 {
-  const PowerDiagram::Arc arc = diagram.arc(site);
+  const PowerDiagram::BoundaryPart arc = diagram.boundaryPart(site);
   const Eigen::RowVector2d centroid = diagram.centroids().row(site);
   return arc.Length > 0.0 ? arc.Middle : std::atan2(centroid.y(), centroid.x());
 }

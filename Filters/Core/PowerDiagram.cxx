@@ -2,7 +2,6 @@
 #include "PowerDiagram.h"
 
 #include "PowerTriangulation.h"
-#include "RegionMeasure.h"
 
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/property_map.h>
@@ -14,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace flattening
 {
@@ -31,8 +31,9 @@ int previous(int h)
 
 } // namespace
 
-PowerDiagram::PowerDiagram(const Points2& sites)
-  : Sites(sites)
+PowerDiagram::PowerDiagram(const Points2& sites, std::shared_ptr<const ConvexDomain> domain)
+  : Domain(std::move(domain))
+  , Sites(sites)
   , Order(sites.rows())
 {
   std::vector<SiteKernel::Point_2> points;
@@ -200,7 +201,7 @@ void PowerDiagram::clipSides()
       const Eigen::Vector2d& left = this->Centres[h / 3];
       const Eigen::Vector2d& right = t < 0 ? left : this->Centres[t / 3];
       side = { right, left, false, false, true };
-      if (t >= 0 && left.squaredNorm() <= 1.0 && right.squaredNorm() <= 1.0)
+      if (t >= 0 && this->Domain->contains(left) && this->Domain->contains(right))
       {
         return;
       }
@@ -213,30 +214,25 @@ void PowerDiagram::clipSides()
       const double offset = 0.5 * (distance - this->weightDifference(i, j) / distance);
       const Eigen::Vector2d middle = origin + offset * along;
       const Eigen::Vector2d normal(-along.y(), along.x());
-      // The power line middle + s normal meets the circle where s = -b -+ sqrt(b^2 - c).
-      const double b = middle.dot(normal);
-      const double d = middle.dot(along); // its distance from the disk's centre
-      if (!(std::abs(d) < 1.0))
+      ConvexDomain::Chord chord;
+      if (!this->Domain->cross(middle, normal, chord))
       {
         side.Inside = false;
         return;
       }
-      const double root = std::sqrt((1.0 - d) * (1.0 + d));
       const double first = t < 0 ? -far : (right - middle).dot(normal);
       const double last = (left - middle).dot(normal);
-      const double enter = -b - root;
-      const double leave = -b + root;
-      if (first < enter)
+      if (first < chord.EnterAt)
       {
-        side.From = d * along - root * normal;
-        side.FromOnCircle = true;
+        side.From = chord.Enter;
+        side.FromOnBoundary = true;
       }
-      if (last > leave)
+      if (last > chord.LeaveAt)
       {
-        side.To = d * along + root * normal;
-        side.ToOnCircle = true;
+        side.To = chord.Leave;
+        side.ToOnBoundary = true;
       }
-      side.Inside = std::max(first, enter) < std::min(last, leave);
+      side.Inside = std::max(first, chord.EnterAt) < std::min(last, chord.LeaveAt);
     });
 
   this->Sides.clear();
@@ -261,12 +257,12 @@ PowerDiagram::Segment PowerDiagram::sideOf(int site, int halfedge) const
   if (t >= 0 && t < halfedge ? this->Origins[t] != site : this->Origins[halfedge] != site)
   {
     std::swap(side.From, side.To);
-    std::swap(side.FromOnCircle, side.ToOnCircle);
+    std::swap(side.FromOnBoundary, side.ToOnBoundary);
   }
   return side;
 }
 
-// The straight sides of a cell inside the disk, counter-clockwise.
+// The straight sides of a cell inside the domain, counter-clockwise.
 void PowerDiagram::sidesOf(int site, std::vector<Segment>& sides) const
 {
   sides.clear();
@@ -295,11 +291,12 @@ void PowerDiagram::sidesOf(int site, std::vector<Segment>& sides) const
   }
 }
 
-bool PowerDiagram::coversDisk(int site) const
+bool PowerDiagram::coversDomain(int site) const
 {
-  // No side crosses the disk, so one point of it decides.
-  const auto power = [this](int i)
-  { return DoubleDouble(this->Sites.row(i).squaredNorm()) - this->SiteWeights[i]; };
+  // No side crosses the domain, so one point of it decides.
+  const Eigen::RowVector2d point = this->Domain->centroid();
+  const auto power = [this, &point](int i)
+  { return DoubleDouble((this->Sites.row(i) - point).squaredNorm()) - this->SiteWeights[i]; };
   for (int i = 0; i < this->siteCount(); ++i)
   {
     if (power(i) < power(site))
@@ -323,10 +320,10 @@ void PowerDiagram::measureCells()
         this->sidesOf(i, sides);
         if (sides.empty())
         {
-          if (this->Outgoing[i] >= 0 && this->coversDisk(i))
+          if (this->Outgoing[i] >= 0 && this->coversDomain(i))
           {
-            this->Areas[i] = EIGEN_PI;
-            this->Centroids.row(i).setZero();
+            this->Areas[i] = this->Domain->area();
+            this->Centroids.row(i) = this->Domain->centroid();
           }
           continue;
         }
@@ -336,9 +333,9 @@ void PowerDiagram::measureCells()
           const Segment& side = sides[s];
           const Segment& following = sides[(s + 1) % sides.size()];
           region.addSide(side.From, side.To);
-          if (side.ToOnCircle && following.FromOnCircle)
+          if (side.ToOnBoundary && following.FromOnBoundary)
           {
-            region.addArc(side.To, following.From);
+            this->Domain->addBoundary(side.To, following.From, region);
           }
           else if (side.To != following.From)
           {
@@ -354,20 +351,20 @@ void PowerDiagram::measureCells()
     });
 }
 
-PowerDiagram::Arc PowerDiagram::arc(int site) const
+PowerDiagram::BoundaryPart PowerDiagram::boundaryPart(int site) const
 {
   std::vector<Segment> sides;
   this->sidesOf(site, sides);
-  Arc longest;
+  BoundaryPart longest;
   for (std::size_t s = 0; s < sides.size(); ++s)
   {
     const Segment& following = sides[(s + 1) % sides.size()];
-    if (sides[s].ToOnCircle && following.FromOnCircle)
+    if (sides[s].ToOnBoundary && following.FromOnBoundary)
     {
-      const double length = arcAngle(sides[s].To, following.From);
+      const double length = this->Domain->distanceAlong(sides[s].To, following.From);
       if (length > longest.Length)
       {
-        longest = { std::atan2(sides[s].To.y(), sides[s].To.x()) + 0.5 * length, length };
+        longest = { this->Domain->placeOf(sides[s].To) + 0.5 * length, length };
       }
     }
   }
@@ -378,21 +375,11 @@ std::vector<Eigen::Vector2d> PowerDiagram::outline(int site, double maximumStep)
 {
   std::vector<Segment> sides;
   this->sidesOf(site, sides);
-  std::vector<Eigen::Vector2d> outline;
-  const auto addArc = [&](double from, double length)
-  {
-    const int steps = std::max(1, static_cast<int>(std::ceil(length / maximumStep)));
-    for (int k = 1; k < steps; ++k)
-    {
-      const double angle = from + length * k / steps;
-      outline.emplace_back(std::cos(angle), std::sin(angle));
-    }
-  };
   if (sides.empty() && this->Areas[site] > 0.0)
   {
-    outline.emplace_back(1.0, 0.0);
-    addArc(0.0, 2.0 * EIGEN_PI);
+    return this->Domain->outline(maximumStep);
   }
+  std::vector<Eigen::Vector2d> outline;
   for (std::size_t s = 0; s < sides.size(); ++s)
   {
     const Segment& following = sides[(s + 1) % sides.size()];
@@ -401,9 +388,10 @@ std::vector<Eigen::Vector2d> PowerDiagram::outline(int site, double maximumStep)
     {
       outline.push_back(sides[s].To);
     }
-    if (sides[s].ToOnCircle && following.FromOnCircle)
+    if (sides[s].ToOnBoundary && following.FromOnBoundary)
     {
-      addArc(std::atan2(sides[s].To.y(), sides[s].To.x()), arcAngle(sides[s].To, following.From));
+      const auto between = this->Domain->pointsBetween(sides[s].To, following.From, maximumStep);
+      outline.insert(outline.end(), between.begin(), between.end());
     }
   }
   return outline;

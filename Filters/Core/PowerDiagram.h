@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The power diagram of weighted sites, clipped exactly to the unit disk.
+/// The power diagram of weighted sites, clipped exactly to a convex domain.
 #pragma once
 
+#include "ConvexDomain.h"
 #include "DoubleDouble.h"
 #include "TriangleMesh.h"
 
+#include <memory>
 #include <vector>
 
 namespace flattening
 {
 
-/// Cells W_i = { x in disk : |x - y_i|^2 - w_i <= |x - y_j|^2 - w_j for all j } of sites y_i with
-/// weights w_i (paper, equations 3 and 4; w_i = 2 h_i + |y_i|^2). Polygon sides are straight, the rest
-/// of a cell's boundary is arcs of the unit circle; areas, centroids and side lengths count both
-/// exactly.
+/// Cells W_i = { x in domain : |x - y_i|^2 - w_i <= |x - y_j|^2 - w_j for all j } of sites y_i with
+/// weights w_i (paper, equations 3 and 4; w_i = 2 h_i + |y_i|^2). Their sides are straight, the rest of
+/// a cell's boundary is that of the domain; areas, centroids and side lengths count both exactly.
 ///
 /// Weights have twice the precision of double because cells depend on their differences divided by the
 /// distance of the sites, which in the horns of a surface is 1e-15 and less. The triangulation behind
@@ -26,7 +27,8 @@ public:
   using Weights = Eigen::Matrix<DoubleDouble, Eigen::Dynamic, 1>;
 
   /// @p sites n x 2, n >= 3, pairwise distinct, not all on a line.
-  explicit PowerDiagram(const Points2& sites);
+  explicit PowerDiagram(const Points2& sites,
+    std::shared_ptr<const ConvexDomain> domain = std::make_shared<UnitDisk>());
 
   /// Computes the cells for @p weights (n, same unit as squared lengths). Returns false, and leaves the
   /// cells undefined, if more than @p largestHidden sites have no cell in the plane; theirs have area 0.
@@ -34,6 +36,7 @@ public:
 
   int siteCount() const { return static_cast<int>(this->Sites.rows()); }
   const Points2& sites() const { return this->Sites; }
+  const ConvexDomain& domain() const { return *this->Domain; }
   /// Diagrams computed so far, failed ones included.
   int updates() const { return this->Updates; }
 
@@ -46,12 +49,12 @@ public:
   };
   const std::vector<HiddenSite>& hiddenSites() const { return this->HiddenSites; }
 
-  /// Area of every cell in the disk (n). Zero for a cell outside.
+  /// Area of every cell in the domain (n). Zero for a cell outside.
   const Eigen::VectorXd& areas() const { return this->Areas; }
   /// Centroid of every cell in the disk (n x 2); the site itself for a cell without area.
   const Points2& centroids() const { return this->Centroids; }
 
-  /// A common side of two cells: its length inside the disk and the distance of the sites.
+  /// A common side of two cells: its length inside the domain and the distance of the sites.
   /// The area of cell First changes by -Length / (2 Distance) per unit of the weight of Second.
   struct CommonSide
   {
@@ -62,17 +65,17 @@ public:
   };
   const std::vector<CommonSide>& commonSides() const { return this->Sides; }
 
-  /// The middle of the arc that a cell has on the unit circle, as an angle, and the arc's length; length
-  /// 0 if the cell does not reach the circle. With several arcs: the longest.
-  struct Arc
+  /// The middle of the part of the domain's boundary that a cell has, as a place (ConvexDomain.h), and
+  /// its length; length 0 if the cell does not reach the boundary. With several parts: the longest.
+  struct BoundaryPart
   {
     double Middle = 0.0;
     double Length = 0.0;
   };
-  Arc arc(int site) const;
+  BoundaryPart boundaryPart(int site) const;
 
-  /// Outline of a cell, counter-clockwise, its arcs as polylines with steps of at most @p maximumStep
-  /// radians. Empty for a cell outside the disk.
+  /// Outline of a cell, counter-clockwise, arcs as polylines with steps of at most @p maximumStep
+  /// radians. Empty for a cell outside the domain.
   std::vector<Eigen::Vector2d> outline(int site, double maximumStep) const;
 
 private:
@@ -81,9 +84,9 @@ private:
   {
     Eigen::Vector2d From;
     Eigen::Vector2d To;
-    bool FromOnCircle;
-    bool ToOnCircle;
-    bool Inside; ///< false: no part in the disk
+    bool FromOnBoundary;
+    bool ToOnBoundary;
+    bool Inside; ///< false: no part in the domain
   };
 
   bool triangulate(int largestHidden);
@@ -95,8 +98,9 @@ private:
   void measureCells();
   Segment sideOf(int site, int halfedge) const;
   void sidesOf(int site, std::vector<Segment>& sides) const;
-  bool coversDisk(int site) const;
+  bool coversDomain(int site) const;
 
+  std::shared_ptr<const ConvexDomain> Domain;
   Points2 Sites;
   std::vector<std::size_t> Order; ///< space-filling order for insertion
   Weights SiteWeights;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Errors.h"
 #include "PowerDiagram.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <random>
 #include <vector>
 
@@ -66,17 +68,23 @@ Polygon clipped(const Polygon& polygon, const Eigen::Vector2d& normal, double bo
   return result;
 }
 
-// By definition: the circle as a fine polygon, of the right area, cut by one half-plane per other site.
+// The circle as a fine polygon of the right area.
 constexpr int CircleSides = 100000;
-Polygon cellByHalfPlanes(const Points2& sites, const Weights& weights, int site)
+Polygon circle()
 {
-  Polygon cell;
+  Polygon polygon;
   const double radius = std::sqrt(2.0 * Pi / (CircleSides * std::sin(2.0 * Pi / CircleSides)));
   for (int k = 0; k < CircleSides; ++k)
   {
-    cell.emplace_back(
+    polygon.emplace_back(
       radius * std::cos(2.0 * Pi * k / CircleSides), radius * std::sin(2.0 * Pi * k / CircleSides));
   }
+  return polygon;
+}
+
+// By definition: the domain cut by one half-plane per other site.
+Polygon cellByHalfPlanes(const Points2& sites, const Weights& weights, int site, Polygon cell)
+{
   const Eigen::Vector2d here = sites.row(site);
   for (int j = 0; j < sites.rows() && !cell.empty(); ++j)
   {
@@ -122,7 +130,7 @@ void expectCellsByDefinition(const PowerDiagram& diagram, const Weights& weights
 {
   for (int i = 0; i < diagram.siteCount(); ++i)
   {
-    const Polygon cell = cellByHalfPlanes(diagram.sites(), weights, i);
+    const Polygon cell = cellByHalfPlanes(diagram.sites(), weights, i, circle());
     const double area = cell.size() > 2 ? polygonArea(cell) : 0.0;
     EXPECT_NEAR(diagram.areas()[i], area, 2e-9) << i;
     if (area > 1e-4)
@@ -191,11 +199,103 @@ TEST(PowerDiagram, OutlinesHaveTheCellsAreas)
   {
     const Polygon outline = diagram.outline(i, 1e-4); // sagitta 1e-9
     EXPECT_NEAR(outline.empty() ? 0.0 : polygonArea(outline), diagram.areas()[i], 1e-8) << i;
-    const double arc = diagram.arc(i).Length;
+    const double arc = diagram.boundaryPart(i).Length;
     EXPECT_GE(arc, 0.0);
     sum += arc;
   }
   EXPECT_NEAR(sum, 2.0 * Pi, 1e-12) << "the arcs make the circle";
+}
+
+// Counter-clockwise; sites lie inside and outside of it.
+Points2 pentagon()
+{
+  Points2 corners(5, 2);
+  corners << -0.7, -0.6, 0.8, -0.7, 0.9, 0.1, 0.1, 0.8, -0.8, 0.3;
+  return corners;
+}
+
+TEST(PowerDiagram, CellsInAPolygonAreIntersectionsOfHalfPlanes)
+{
+  const Points2 corners = pentagon();
+  Polygon polygon;
+  for (int k = 0; k < 5; ++k)
+  {
+    polygon.emplace_back(corners.row(k));
+  }
+  for (const int n : { 3, 4, 8, 60, 400 })
+  {
+    const Points2 sites = randomSites(n, n, 1.2);
+    PowerDiagram diagram(sites, std::make_shared<ConvexPolygon>(corners));
+    const Weights weights = convexWeights(sites);
+    ASSERT_TRUE(diagram.update(weights));
+    EXPECT_NEAR(diagram.areas().sum(), polygonArea(polygon), 1e-13);
+    double boundary = 0.0;
+    for (int i = 0; i < n; ++i)
+    {
+      const Polygon cell = cellByHalfPlanes(sites, weights, i, polygon);
+      const double area = cell.size() > 2 ? polygonArea(cell) : 0.0;
+      EXPECT_NEAR(diagram.areas()[i], area, 1e-14) << i;
+      if (area > 1e-6)
+      {
+        EXPECT_LT((diagram.centroids().row(i).transpose() - polygonCentroid(cell)).norm(), 1e-9) << i;
+        const Polygon outline = diagram.outline(i, 0.1);
+        EXPECT_NEAR(polygonArea(outline), area, 1e-14) << i;
+      }
+      boundary += diagram.boundaryPart(i).Length;
+    }
+    // Of a cell with several parts of the boundary, the longest counts.
+    EXPECT_LE(boundary, diagram.domain().perimeter() + 1e-12);
+    EXPECT_GT(boundary, 0.8 * diagram.domain().perimeter());
+  }
+}
+
+TEST(ConvexPolygon, PlacesAreLengthsAlongTheBoundary)
+{
+  const ConvexPolygon domain(pentagon());
+  const Points2 corners = pentagon();
+  double along = 0.0;
+  for (int k = 0; k < 5; ++k)
+  {
+    const Eigen::Vector2d corner = corners.row(k);
+    const Eigen::Vector2d following = corners.row((k + 1) % 5);
+    EXPECT_LT((domain.at(along) - corner).norm(), 1e-14);
+    EXPECT_LT((domain.at(along + 3.0 * domain.perimeter()) - corner).norm(), 1e-13);
+    const Eigen::Vector2d between = 0.3 * corner + 0.7 * following;
+    const double place = along + 0.7 * (following - corner).norm();
+    EXPECT_NEAR(domain.placeOf(between), place, 1e-13);
+    EXPECT_NEAR(domain.placeOf(domain.centroid() + 0.4 * (between - domain.centroid())), place, 1e-13);
+    EXPECT_NEAR(domain.distanceAlong(domain.at(place - 0.2), domain.at(place + 0.3)), 0.5, 1e-13);
+    EXPECT_NEAR(domain.distanceAlong(domain.at(place + 0.3), domain.at(place - 0.2)),
+      domain.perimeter() - 0.5,
+      1e-13);
+    EXPECT_EQ(domain.distanceAlong(between, between), 0.0);
+    along += (following - corner).norm();
+  }
+  EXPECT_NEAR(domain.perimeter(), along, 1e-14);
+  ConvexDomain::Chord chord{};
+  EXPECT_FALSE(domain.cross({ 0.0, 0.9 }, { 1.0, 0.0 }, chord));
+  ASSERT_TRUE(domain.cross({ 5.0, 0.0 }, { 1.0, 0.0 }, chord));
+  EXPECT_NEAR(chord.Enter.y(), 0.0, 1e-15);
+  EXPECT_NEAR(chord.LeaveAt - chord.EnterAt, (chord.Leave - chord.Enter).norm(), 1e-14);
+  EXPECT_LT(chord.LeaveAt, 0.0);
+}
+
+TEST(ConvexPolygon, RefusesWhatIsNotConvex)
+{
+  Points2 corners = pentagon();
+  corners.row(3) << 0.3, 0.0;
+  EXPECT_THROW(ConvexPolygon{ corners }, InvalidInput) << "a dent";
+  EXPECT_THROW(ConvexPolygon{ pentagon().colwise().reverse() }, InvalidInput) << "clockwise";
+  EXPECT_THROW(ConvexPolygon{ pentagon().topRows(2) }, InvalidInput);
+  Points2 star(5, 2);
+  for (int k = 0; k < 5; ++k)
+  {
+    star.row(k) << std::cos(0.8 * Pi * k), std::sin(0.8 * Pi * k);
+  }
+  EXPECT_THROW(ConvexPolygon{ star }, InvalidInput) << "a pentagram turns around twice";
+  corners = pentagon();
+  corners(2, 0) = NAN;
+  EXPECT_THROW(ConvexPolygon{ corners }, InvalidInput);
 }
 
 // dA_i / dw_j = -length / (2 distance), the paper's Hessian; the diagonal is minus the row's sum.
@@ -253,8 +353,9 @@ TEST(PowerDiagram, ThreeSectors)
   for (int k = 0; k < 3; ++k)
   {
     EXPECT_NEAR(diagram.areas()[k], Pi / 3.0, 1e-15);
-    EXPECT_NEAR(diagram.arc(k).Length, 2.0 * Pi / 3.0, 1e-14);
-    EXPECT_NEAR(std::remainder(diagram.arc(k).Middle - 2.0 * Pi * k / 3.0, 2.0 * Pi), 0.0, 1e-14);
+    EXPECT_NEAR(diagram.boundaryPart(k).Length, 2.0 * Pi / 3.0, 1e-14);
+    EXPECT_NEAR(
+      std::remainder(diagram.boundaryPart(k).Middle - 2.0 * Pi * k / 3.0, 2.0 * Pi), 0.0, 1e-14);
     // The centroid of a sector of half-angle a is at 2 sin(a) / (3 a).
     const double radius = 2.0 * std::sin(Pi / 3.0) / (3.0 * Pi / 3.0);
     EXPECT_NEAR(diagram.centroids().row(k).norm(), radius, 1e-15);
@@ -271,8 +372,8 @@ TEST(PowerDiagram, SegmentsOfTheCircle)
   const double segment = std::acos(0.25) - 0.25 * std::sqrt(1.0 - 0.25 * 0.25);
   EXPECT_NEAR(diagram.areas()[0], segment, 1e-8);
   EXPECT_NEAR(diagram.areas()[2], segment, 1e-8);
-  EXPECT_NEAR(diagram.arc(0).Length, 2.0 * std::acos(0.25), 1e-8);
-  EXPECT_NEAR(diagram.arc(1).Length, Pi - 2.0 * std::acos(0.25), 1e-8) << "one of its two arcs";
+  EXPECT_NEAR(diagram.boundaryPart(0).Length, 2.0 * std::acos(0.25), 1e-8);
+  EXPECT_NEAR(diagram.boundaryPart(1).Length, Pi - 2.0 * std::acos(0.25), 1e-8) << "one of its two arcs";
   expectPartition(diagram);
 }
 

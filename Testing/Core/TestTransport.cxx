@@ -359,7 +359,7 @@ TEST(BoundaryAngles, AreTheMiddlesOfTheArcs)
   const std::vector<double> angles = boundaryAngles(diagram, loop, siteOfVertex);
   for (int k = 0; k < n; ++k)
   {
-    EXPECT_NEAR(std::remainder(angles[k] - diagram.arc(k).Middle, 2.0 * Pi), 0.0, 1e-13);
+    EXPECT_NEAR(std::remainder(angles[k] - diagram.boundaryPart(k).Middle, 2.0 * Pi), 0.0, 1e-13);
     if (k > 0)
     {
       EXPECT_GT(angles[k], angles[k - 1]);
