@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, times Surface To Disk on surfaces of real scans with up to 600 handles and
-# every stage of the flattening on a hemisphere, a Gaussian bump and a real brain, and prints the figures as
-# Markdown tables. The JSON output of Google Benchmark stays in
-# the build folder. Safe to run again. Let nothing else run meanwhile.
+# every stage of the flattening on a hemisphere, a Gaussian bump and a real brain, compares the methods of the
+# conformal disk on the same, and prints the figures as Markdown tables. The JSON output of Google Benchmark
+# stays in the build folder. Safe to run again. Let nothing else run meanwhile.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 Utilities/build.sh -DSURFACEFLATTENING_BENCHMARKS=ON
 build=${BUILD_DIRECTORY:-build}
 results=()
-for benchmark in BenchmarkSurfaceToDisk BenchmarkFlattening; do
+for benchmark in BenchmarkSurfaceToDisk BenchmarkFlattening BenchmarkConformal; do
   results+=("$build/Testing/$benchmark.json")
   "$build/Testing/bin/$benchmark" --benchmark_out="${results[-1]}" --benchmark_out_format=json "$@" >/dev/null
 done

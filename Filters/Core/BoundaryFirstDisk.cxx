@@ -87,7 +87,7 @@ public:
 private:
   const std::vector<int>& Loop;
   Eigen::VectorXd Defects; // 2 pi, or pi on the boundary, minus the angle sum
-  SparseCholesky Cholesky;
+  SparseCholesky Cholesky{ SparseCholesky::Ordering::Quick };
 };
 
 // Mean of each entry, which belongs to the edge after a vertex, and the one before.
@@ -196,8 +196,8 @@ ConformalDiskMap boundaryFirstDisk(const TriangleMesh& mesh,
     map.BoundaryIterations,
     subrange(progress, 0.4, 0.7));
   report(progress, 0.7, "Harmonic extension");
-  map.Positions =
-    pointsOf(convexCombinationDisk(cotangentWeights(triangulation), loop, angles, centring));
+  map.Positions = pointsOf(convexCombinationDisk(
+    cotangentWeights(triangulation), WeightSymmetry::Symmetric, loop, angles, centring));
   return map;
 }
 

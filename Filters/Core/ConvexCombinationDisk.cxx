@@ -6,6 +6,7 @@
 #include "SparseLu.h"
 
 #include <cmath>
+#include <memory>
 #include <string>
 
 namespace flattening
@@ -23,6 +24,7 @@ class ConvexCombinations
 {
 public:
   ConvexCombinations(const std::vector<NeighbourWeight>& weights,
+    WeightSymmetry symmetry,
     const std::vector<int>& loop,
     Eigen::Index vertexCount)
     : Loop(loop)
@@ -40,37 +42,39 @@ public:
         this->Inner.push_back(static_cast<int>(v));
       }
     }
-    this->setShares(weights);
-    this->setMatrix();
+    for (const NeighbourWeight& w : weights)
+    {
+      if (this->Row[w.From] >= 0 && w.Weight > 0.0)
+      {
+        this->Weights.push_back(w);
+      }
+    }
+    if (!this->Inner.empty())
+    {
+      this->factor(symmetry);
+    }
   }
 
   // What every boundary vertex, in the order of the loop, weighs in the mean of all vertices.
-  Eigen::VectorXd boundaryShares(const Eigen::VectorXd& vertexShares, const SparseLu* factors) const
+  Eigen::VectorXd boundaryShares(const Eigen::VectorXd& vertexShares) const
   {
     Eigen::VectorXd all = vertexShares;
-    if (factors)
+    if (!this->Inner.empty())
     {
-      Eigen::VectorXd inner(this->Inner.size());
-      for (std::size_t i = 0; i < this->Inner.size(); ++i)
+      const Eigen::VectorXd inner = vertexShares(this->Inner);
+      const Eigen::VectorXd passed =
+        this->Cholesky ? this->Cholesky->solve(inner) : this->Lu->solveTransposed(inner);
+      for (const NeighbourWeight& w : this->Weights)
       {
-        inner[i] = vertexShares[this->Inner[i]];
-      }
-      const Eigen::VectorXd passed = factors->solveTransposed(inner);
-      for (const NeighbourWeight& s : this->Shares)
-      {
-        all[s.To] += this->Row[s.To] < 0 ? s.Weight * passed[this->Row[s.From]] : 0.0;
+        all[w.To] += this->Row[w.To] < 0 ? w.Weight * passed[this->Row[w.From]] : 0.0;
       }
     }
-    Eigen::VectorXd shares(this->Loop.size());
-    for (std::size_t k = 0; k < this->Loop.size(); ++k)
-    {
-      shares[k] = all[this->Loop[k]];
-    }
+    const Eigen::VectorXd shares = all(this->Loop);
     return shares / shares.sum();
   }
 
   // All positions, from those of the boundary.
-  ComplexVector extended(const ComplexVector& boundary, const SparseLu* factors) const
+  ComplexVector extended(const ComplexVector& boundary) const
   {
     ComplexVector position(this->Row.size(), Complex(0.0, 0.0));
     for (std::size_t k = 0; k < this->Loop.size(); ++k)
@@ -78,15 +82,16 @@ public:
       position[this->Loop[k]] = boundary[k];
     }
     // As sums of differences the residuals keep their digits where neighbours are close.
-    for (int round = 0; factors && round < 1 + Refinements; ++round)
+    for (int round = 0; !this->Inner.empty() && round < 1 + Refinements; ++round)
     {
       Eigen::MatrixXd residual = Eigen::MatrixXd::Zero(this->Inner.size(), 2);
-      for (const NeighbourWeight& s : this->Shares)
+      for (const NeighbourWeight& w : this->Weights)
       {
-        const Complex pull = s.Weight * (position[s.To] - position[s.From]);
-        residual.row(this->Row[s.From]) += Eigen::RowVector2d(pull.real(), pull.imag());
+        const Complex pull = w.Weight * (position[w.To] - position[w.From]);
+        residual.row(this->Row[w.From]) += Eigen::RowVector2d(pull.real(), pull.imag());
       }
-      const Eigen::MatrixXd change = factors->solve(residual);
+      const Eigen::MatrixXd change =
+        this->Cholesky ? this->Cholesky->solve(residual) : this->Lu->solve(residual);
       for (std::size_t i = 0; i < this->Inner.size(); ++i)
       {
         position[this->Inner[i]] += Complex(change(i, 0), change(i, 1));
@@ -95,47 +100,44 @@ public:
     return position;
   }
 
-  const SparseMatrix& matrix() const { return this->Matrix; }
-
 private:
-  void setShares(const std::vector<NeighbourWeight>& weights)
-  {
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(this->Row.size());
-    for (const NeighbourWeight& w : weights)
-    {
-      sum[w.From] += w.Weight;
-    }
-    for (const NeighbourWeight& w : weights)
-    {
-      if (this->Row[w.From] >= 0 && w.Weight > 0.0)
-      {
-        this->Shares.push_back({ w.From, w.To, w.Weight / sum[w.From] });
-      }
-    }
-  }
-
-  void setMatrix()
+  void factor(WeightSymmetry symmetry)
   {
     std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(2 * this->Shares.size());
-    for (const NeighbourWeight& s : this->Shares)
+    entries.reserve(2 * this->Weights.size());
+    for (const NeighbourWeight& w : this->Weights)
     {
-      const int i = this->Row[s.From];
-      entries.emplace_back(i, i, s.Weight);
-      if (this->Row[s.To] >= 0)
+      const int i = this->Row[w.From];
+      entries.emplace_back(i, i, w.Weight);
+      if (this->Row[w.To] >= 0)
       {
-        entries.emplace_back(i, this->Row[s.To], -s.Weight);
+        entries.emplace_back(i, this->Row[w.To], -w.Weight);
       }
     }
     this->Matrix.resize(this->Inner.size(), this->Inner.size());
     this->Matrix.setFromTriplets(entries.begin(), entries.end());
+    if (symmetry == WeightSymmetry::Symmetric)
+    {
+      this->Cholesky = std::make_unique<SparseCholesky>(this->Matrix);
+    }
+    else
+    {
+      this->Lu = std::make_unique<SparseLu>(this->Matrix);
+    }
+    if ((this->Cholesky ? this->Cholesky->info() : this->Lu->info()) != Eigen::Success)
+    {
+      throw ConvergenceError("the weights of neighbours could not be factored: remesh the surface "
+                             "(Surface To Disk, Remesh)");
+    }
   }
 
   const std::vector<int>& Loop;
   std::vector<int> Row; // of every vertex; -1 on the boundary
   std::vector<int> Inner;
-  std::vector<NeighbourWeight> Shares; // of inner vertices, of sum 1
+  std::vector<NeighbourWeight> Weights; // of inner vertices
   SparseMatrix Matrix;
+  std::unique_ptr<SparseCholesky> Cholesky; // or
+  std::unique_ptr<SparseLu> Lu;
 };
 
 ComplexVector onCircle(ComplexVector points)
@@ -149,18 +151,16 @@ ComplexVector onCircle(ComplexVector points)
 
 // The map whose boundary is moved by the Moebius map that centres the boundary's shares.
 ComplexVector centredByBoundary(const ConvexCombinations& combinations,
-  const SparseLu* factors,
   const Eigen::VectorXd& angles,
   const Eigen::VectorXd& shares)
 {
   const ComplexVector halfPlane = halfPlaneBoundary(angles);
-  return combinations.extended(onCircle(cayley(halfPlane, centreOfMass(halfPlane, shares))), factors);
+  return combinations.extended(onCircle(cayley(halfPlane, centreOfMass(halfPlane, shares))));
 }
 
 // The map of which all vertices are moved by a Moebius map. What is centred lies close to one boundary
 // vertex: distances from it keep their digits where it is the origin, and infinity in the half-plane.
 ComplexVector centredByAll(const ConvexCombinations& combinations,
-  const SparseLu* factors,
   const std::vector<int>& loop,
   const Eigen::VectorXd& angles,
   Eigen::Index nearest,
@@ -173,7 +173,7 @@ ComplexVector centredByAll(const ConvexCombinations& combinations,
   {
     boundary[k] = Complex(0.0, 2.0 * std::sin(0.5 * turned[k])) * std::polar(1.0, 0.5 * turned[k]);
   }
-  ComplexVector halfPlane = combinations.extended(boundary, factors);
+  ComplexVector halfPlane = combinations.extended(boundary);
   for (std::size_t v = 0; v < halfPlane.size(); ++v)
   {
     Complex& fromNearest = halfPlane[v];
@@ -200,42 +200,27 @@ ComplexVector centredByAll(const ConvexCombinations& combinations,
 }
 
 ComplexVector centred(const ConvexCombinations& combinations,
-  const SparseLu* factors,
   const std::vector<int>& loop,
   const Eigen::VectorXd& angles,
   const DiskCentring& centring)
 {
-  const Eigen::VectorXd shares = combinations.boundaryShares(centring.weights(), factors);
+  const Eigen::VectorXd shares = combinations.boundaryShares(centring.weights());
   Eigen::Index nearest = 0;
   return shares.maxCoeff(&nearest) < GreatestShare
-           ? centredByBoundary(combinations, factors, angles, shares)
-           : centredByAll(combinations, factors, loop, angles, nearest, centring);
+           ? centredByBoundary(combinations, angles, shares)
+           : centredByAll(combinations, loop, angles, nearest, centring);
 }
 
 } // namespace
 
 ComplexVector convexCombinationDisk(const std::vector<NeighbourWeight>& weights,
+  WeightSymmetry symmetry,
   const std::vector<int>& loop,
   const Eigen::VectorXd& angles,
   const DiskCentring& centring)
 {
-  const ConvexCombinations combinations(weights, loop, centring.weights().size());
-  ComplexVector disk;
-  if (combinations.matrix().rows() == 0)
-  {
-    disk = centred(combinations, nullptr, loop, angles, centring);
-  }
-  else
-  {
-    const SparseLu factors(combinations.matrix());
-    if (factors.info() != Eigen::Success)
-    {
-      throw ConvergenceError(
-        "the system of the neighbours' weights could not be factored: remesh the surface (Surface To "
-        "Disk, Remesh)");
-    }
-    disk = centred(combinations, &factors, loop, angles, centring);
-  }
+  const ConvexCombinations combinations(weights, symmetry, loop, centring.weights().size());
+  ComplexVector disk = centred(combinations, loop, angles, centring);
   if (centring.vertex() >= 0)
   {
     disk[centring.vertex()] = 0.0; // but for rounding it is there

@@ -9,13 +9,20 @@
 namespace flattening
 {
 
-/// What vertex To weighs in the mean that vertex From is, as far as that goes: From's weights are scaled
-/// to the sum 1, and those of boundary vertices are not used. >= 0.
+/// What vertex To weighs in the mean that vertex From is, in any unit that all weights of From share; >=
+/// 0. Weights of boundary vertices are not used.
 struct NeighbourWeight
 {
   int From;
   int To;
   double Weight;
+};
+
+/// Whether every pair of inner vertices weighs the same in each other; that saves half of the time.
+enum class WeightSymmetry
+{
+  Symmetric,
+  General
 };
 
 /// Places the vertices of the boundary @p loop on the unit circle, at @p angles (see BoundaryAngles.h)
@@ -32,6 +39,7 @@ struct NeighbourWeight
 /// at 0: a Moebius map is then applied to all of the vertices.
 /// @throws ConvergenceError if the matrix cannot be factored or the centre is not found.
 ComplexVector convexCombinationDisk(const std::vector<NeighbourWeight>& weights,
+  WeightSymmetry symmetry,
   const std::vector<int>& loop,
   const Eigen::VectorXd& angles,
   const DiskCentring& centring);

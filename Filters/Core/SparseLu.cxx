@@ -19,6 +19,7 @@ Eigen::VectorXd SparseLu::solve(int system, const Eigen::VectorXd& rightSide) co
   double control[UMFPACK_CONTROL];
   double info[UMFPACK_INFO];
   umfpack_di_defaults(control);
+  control[UMFPACK_IRSTEP] = 0; // who needs it refines by residuals of his own
   umfpack_di_solve(system,
     this->mp_matrix.outerIndexPtr(),
     this->mp_matrix.innerIndexPtr(),

@@ -9,7 +9,7 @@
 namespace flattening
 {
 
-/// UMFPACK's, of which solutions are refined once they are found. May be used in several threads at
+/// UMFPACK's, without its refinement of solutions. May be used in several threads at
 /// once, which wait for each other as those of SparseCholesky do. The matrix must outlive it.
 class SparseLu : public Eigen::UmfPackLU<SparseMatrix>
 {

@@ -6,14 +6,13 @@
 #include "BenchmarkSurfaces.h"
 #include "ConformalDisk.h"
 #include "DistortionSummary.h"
-#include "SparseCholesky.h"
+#include "Yardstick.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Regular_triangulation_2.h>
 
 #include <benchmark/benchmark.h>
 
-#include <chrono>
 #include <functional>
 #include <string>
 #include <vector>
@@ -23,17 +22,7 @@ namespace
 
 using namespace flattening;
 
-class StopWatch
-{
-public:
-  double seconds() const
-  {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
-  }
-
-private:
-  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
-};
+using benchmarks::StopWatch;
 
 double regularTriangulationSeconds(const Points2& sites, const Eigen::VectorXd& weights)
 {
@@ -50,23 +39,9 @@ double regularTriangulationSeconds(const Points2& sites, const Eigen::VectorXd& 
   return seconds;
 }
 
-// Of the mesh's graph Laplacian with one vertex held.
 double factorizationSeconds(const TriangleMesh& mesh)
 {
-  std::vector<Eigen::Triplet<double>> entries{ { 0, 0, 1.0 } };
-  for (int f = 0; f < mesh.faceCount(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const int i = mesh.Faces(f, k);
-      const int j = mesh.Faces(f, (k + 1) % 3);
-      entries.emplace_back(i, i, 0.5);
-      entries.emplace_back(j, j, 0.5);
-      entries.emplace_back(std::max(i, j), std::min(i, j), -0.5);
-    }
-  }
-  SparseMatrix laplacian(mesh.vertexCount(), mesh.vertexCount());
-  laplacian.setFromTriplets(entries.begin(), entries.end());
+  const SparseMatrix laplacian = benchmarks::meshLaplacian(mesh);
   const StopWatch watch;
   const SparseCholesky cholesky(laplacian);
   benchmark::DoNotOptimize(cholesky.info());

@@ -43,6 +43,17 @@ HANDLES = {
     "smallest angle": lambda b: f"{b['smallest_angle']:.1f}°",
     "intersecting pairs ": lambda b: f"{b['remeshed_intersections']:.0f}",
 }
+METHODS = {
+    "surface": TIMES["surface"],
+    "vertices": TIMES["vertices"],
+    "method": lambda b: b["name"].split("/")[1],
+    "seconds": lambda b: f"{b['conformal_cpu_seconds']:.2f}",
+    "in factorizations": lambda b: f"{b['conformal_ratio']:.1f}",
+    "mean angle error": lambda b: f"{b['angle_error']:.2f}°",
+    "AngleDistortion P95": lambda b: f"{b['angle_distortion_p95']:.3f}",
+    "flipped": lambda b: f"{b['flipped']:.0f}",
+    "curvature error": lambda b: f"{b['curvature_error']:.0e}" if "curvature_error" in b else "",
+}
 
 
 def table(columns, benchmarks):
@@ -56,7 +67,12 @@ def main(paths):
     for path in paths:
         with open(path, encoding="utf-8") as file:
             benchmarks = json.load(file)["benchmarks"]
-        kinds = [HANDLES] if "genus" in benchmarks[0] else [TIMES, ERRORS]
+        if "genus" in benchmarks[0]:
+            kinds = [HANDLES]
+        elif "conformal_ratio" in benchmarks[0]:
+            kinds = [METHODS]
+        else:
+            kinds = [TIMES, ERRORS]
         for columns in kinds:
             print("\n".join(table(columns, benchmarks)), end="\n\n")
 

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Compares the methods of the conformal disk: times, as a yardstick in the same run the Cholesky
+// factorization of the mesh's Laplacian, and the distortion of angles. Times are processor time.
+//   BenchmarkConformal [scan] [Google Benchmark's options]
+#include "BenchmarkSurfaces.h"
+#include "ConformalDisk.h"
+#include "DistortionSummary.h"
+#include "Yardstick.h"
+
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace
+{
+
+using namespace flattening;
+
+struct NamedMethod
+{
+  const char* Name;
+  ConformalMethod Method;
+};
+constexpr std::array<NamedMethod, 3> Methods = { { { "Ricci Flow", ConformalMethod::RicciFlow },
+  { "Boundary First", ConformalMethod::BoundaryFirst },
+  { "Mean Value", ConformalMethod::MeanValue } } };
+
+void compare(benchmark::State& state, const TriangleMesh& mesh, ConformalMethod method)
+{
+  ConformalDiskOptions options;
+  options.Method = method;
+  auto& counters = state.counters;
+  for (auto _ : state)
+  {
+    const SparseMatrix laplacian = benchmarks::meshLaplacian(mesh);
+    const benchmarks::StopWatch factorizationWatch;
+    const SparseCholesky cholesky(laplacian);
+    const double factorization = factorizationWatch.processorSeconds();
+    benchmark::DoNotOptimize(cholesky.info());
+
+    const benchmarks::StopWatch watch;
+    const ConformalDiskMap map = conformalDiskMap(mesh, options);
+    const double seconds = watch.processorSeconds();
+    state.SetIterationTime(watch.seconds());
+
+    const auto distortion = summariseDistortion(measureDistortion(mesh, map.Positions));
+    counters["vertices"] = mesh.vertexCount();
+    counters["conformal_cpu_seconds"] = seconds;
+    counters["factorization_cpu_seconds"] = factorization;
+    counters["conformal_ratio"] = seconds / factorization;
+    counters["angle_error"] = distortion[Measure::AngleError].Mean;
+    counters["angle_distortion_p95"] = distortion[Measure::AngleDistortion].P95;
+    counters["flipped"] = map.FlippedFaces;
+    if (method == ConformalMethod::RicciFlow)
+    {
+      counters["curvature_error"] = map.MaxCurvatureError;
+    }
+  }
+}
+
+// The surface is loaded once, when the first of its benchmarks runs.
+void add(const std::string& name, const std::function<benchmarks::BenchmarkSurface()>& load)
+{
+  const auto mesh = std::make_shared<TriangleMesh>();
+  for (const NamedMethod& method : Methods)
+  {
+    benchmark::RegisterBenchmark((name + "/" + method.Name).c_str(),
+      [load, mesh, method](benchmark::State& state)
+      {
+        if (mesh->faceCount() == 0)
+        {
+          *mesh = load().Mesh;
+        }
+        compare(state, *mesh, method.Method);
+      })
+      ->Iterations(1)
+      ->UseManualTime()
+      ->Unit(benchmark::kSecond);
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  benchmark::Initialize(&argc, argv);
+  const std::string scan = argc > 1 ? argv[1] : "/usr/share/mricron/templates/ch2bet.nii.gz";
+  add("hemisphere", benchmarks::hemisphere);
+  add("Gaussian bump", benchmarks::gaussianSquare);
+  add("half brain, remeshed", [scan] { return benchmarks::remeshedHalfBrain(scan); });
+  add("half brain, raw", [scan] { return benchmarks::halfBrain(scan); });
+  add("whole brain, closed", [scan] { return benchmarks::closedBrain(scan); });
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

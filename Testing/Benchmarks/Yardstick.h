@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What times are compared with.
+#pragma once
+
+#include "SparseCholesky.h"
+#include "TriangleMesh.h"
+
+#include <chrono>
+#include <ctime>
+
+namespace flattening::benchmarks
+{
+
+class StopWatch
+{
+public:
+  double seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
+  }
+  /// Of all threads together: what else runs on the machine matters less.
+  double processorSeconds() const
+  {
+    return static_cast<double>(std::clock() - this->ProcessorStart) / CLOCKS_PER_SEC;
+  }
+
+private:
+  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+  std::clock_t ProcessorStart = std::clock();
+};
+
+/// The mesh's Laplacian with one vertex held, all weights 1: cotangents would be factored in the same
+/// time.
+SparseMatrix meshLaplacian(const TriangleMesh& mesh);
+
+} // namespace flattening::benchmarks
