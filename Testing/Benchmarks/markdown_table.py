@@ -51,6 +51,7 @@ METHODS = {
     "in factorizations": lambda b: f"{b['conformal_ratio']:.1f}",
     "mean angle error": lambda b: f"{b['angle_error']:.2f}°",
     "AngleDistortion P95": lambda b: f"{b['angle_distortion_p95']:.3f}",
+    "turned over": lambda b: f"{b['repaired']:.0f}",
     "flipped": lambda b: f"{b['flipped']:.0f}",
     "curvature error": lambda b: f"{b['curvature_error']:.0e}" if "curvature_error" in b else "",
 }

@@ -447,6 +447,7 @@ TEST(MeanValue, FlipsNoFaceOfRandomDisks)
     }
     const ConformalDiskMap map = conformalDiskMap(mesh, optionsOf(ConformalMethod::MeanValue));
     EXPECT_EQ(map.FlippedFaces, 0) << "seed " << seed;
+    EXPECT_EQ(map.Repair.RepairedFaces, 0) << "seed " << seed;
     EXPECT_TRUE(map.Positions.allFinite() && map.LogFactors.allFinite()) << "seed " << seed;
     ++disks;
     faces += mesh.faceCount();
