@@ -159,10 +159,9 @@ Eigen::VectorXd boundaryAngles(const CherrierEquation& equation,
     report(progress, static_cast<double>(iterations) / LargestIterations, "Boundary factors");
   }
   throw ConvergenceError(
-    "the lengths of the boundary in the disk were not found in " +
-    std::to_string(std::min(iterations, LargestIterations)) +
-    " iterations: set Method to Ricci Flow, or remesh the surface (Surface To Disk, "
-    "Remesh)");
+    "Boundary First stopped at iteration " + std::to_string(std::min(iterations, LargestIterations)) +
+    " without the lengths of the boundary in the disk: set Method to Ricci Flow, or "
+    "remesh the surface (Surface To Disk, Remesh)");
 }
 
 std::vector<NeighbourWeight> cotangentWeights(const IntrinsicTriangulation& t)

@@ -428,6 +428,18 @@ TEST(BoundaryFirst, KeepsItsAccuracyOnSlivers)
   EXPECT_LT(error(map), 2.0 * error(conformalDiskMap(part.Mesh, options)));
 }
 
+// The intrinsic Delaunay triangulation of a needle of a few faces has an edge from a boundary vertex to
+// itself, around inner vertices whose harmonic images all are that vertex.
+TEST(BoundaryFirst, TooCoarseASurfaceIsANamedError)
+{
+  const TriangleMesh needle = surfaceToDisk(samples::randomSurface(250).Mesh).Surface.Mesh;
+  ASSERT_LT(needle.vertexCount(), 20);
+  const std::string message = messageOf<ConvergenceError>(
+    [&] { conformalDiskMap(needle, optionsOf(ConformalMethod::BoundaryFirst)); });
+  EXPECT_TRUE(contains(message, "the surface is too coarse there; set Method to Ricci Flow")) << message;
+  expectInDisk(needle, conformalDiskMap(needle, optionsOf(ConformalMethod::RicciFlow)));
+}
+
 // Tutte's theorem, on disks of random shape with random defects and at least as many boundary vertices
 // as vtkSurfaceToDiskFilter makes by default.
 TEST(MeanValue, FlipsNoFaceOfRandomDisks)
