@@ -8,35 +8,51 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace flattening
 {
 namespace
 {
 
-// How far from the circle a boundary vertex of the input may lie, relative to the radius.
-constexpr double CircleTolerance = 1e-6;
+// How far from the boundary a boundary vertex of the input may lie: of a length 1, the disk's radius.
+constexpr double BoundaryTolerance = 1e-6;
 
-void requireDiskPositions(const Points2& positions, const std::vector<int>& loop)
+// Where the surface is mapped to, and which members of the boundary loop stay at which places.
+struct Target
 {
+  std::shared_ptr<const ConvexDomain> Domain;
+  std::string Name;
+  std::string Boundary;
+  std::vector<int> Corners;
+  std::vector<double> CornerPlaces;
+};
+
+void requirePositions(const Points2& positions, const std::vector<int>& loop, const Target& target)
+{
+  const ConvexDomain& domain = *target.Domain;
+  const std::string remedy =
+    ": the input must be a map to the " + target.Name + ", run Conformal Disk first";
   for (const int v : loop)
   {
-    if (!(std::abs(positions.row(v).norm() - 1.0) <= CircleTolerance))
-    {
-      throw InvalidInput("boundary vertex " + std::to_string(v) +
-                         " does not lie on the circle around the origin: "
-                         "the input must be a map to the disk, run Conformal Disk first");
-    }
-  }
-  for (Eigen::Index v = 0; v < positions.rows(); ++v)
-  {
-    if (!(positions.row(v).norm() <= 1.0 + CircleTolerance))
+    const Eigen::Vector2d position = positions.row(v);
+    if (!((domain.at(domain.placeOf(position)) - position).norm() <= BoundaryTolerance))
     {
       throw InvalidInput(
-        "vertex " + std::to_string(v) +
-        " lies outside of the disk: the input must be a map to the disk, run Conformal Disk first");
+        "boundary vertex " + std::to_string(v) + " does not lie on the " + target.Boundary + remedy);
+    }
+  }
+  const Eigen::Vector2d centroid = domain.centroid();
+  for (Eigen::Index v = 0; v < positions.rows(); ++v)
+  {
+    const Eigen::Vector2d position = positions.row(v);
+    if (!domain.contains(centroid + (1.0 - BoundaryTolerance) * (position - centroid)))
+    {
+      throw InvalidInput("vertex " + std::to_string(v) + " lies outside of the " + target.Name + remedy);
     }
   }
 }
@@ -111,14 +127,18 @@ Eigen::VectorXd targetAreas(const TriangleMesh& mesh, const Eigen::VectorXd& wei
   return targets * (EIGEN_PI / targets.sum());
 }
 
-AreaPreservingResult areaPreservingDiskMap(const TriangleMesh& mesh,
+namespace
+{
+
+AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
   const Points2& conformal,
+  const Target& target,
+  const std::vector<int>& loop,
   const Eigen::VectorXd& weights,
   const TransportOptions& options,
   const ProgressCallback& progress)
 {
-  const std::vector<int> loop = requireDisk(mesh);
-  requireDiskPositions(conformal, loop);
+  requirePositions(conformal, loop, target);
   AreaPreservingMap map;
   map.TargetAreas = targetAreas(mesh, weights);
 
@@ -131,7 +151,7 @@ AreaPreservingResult areaPreservingDiskMap(const TriangleMesh& mesh,
     siteTargets[sites.SiteOfVertex[v]] += map.TargetAreas[v];
   }
 
-  PowerDiagram diagram(sites.Positions);
+  PowerDiagram diagram(sites.Positions, target.Domain);
   const TransportResult transport =
     transportNewton(diagram, siteTargets, options, subrange(progress, 0.0, 0.95));
   map.NewtonIterations = transport.NewtonIterations;
@@ -149,14 +169,80 @@ AreaPreservingResult areaPreservingDiskMap(const TriangleMesh& mesh,
     map.CellAreas[v] = diagram.areas()[site] * (map.TargetAreas[v] / siteTargets[site]);
     map.PowerWeights[v] = static_cast<double>(transport.Weights[site]);
   }
-  const std::vector<double> angles = boundaryAngles(diagram, loop, sites.SiteOfVertex);
+  const std::vector<double> places =
+    target.Corners.empty()
+      ? boundaryPlaces(diagram, loop, sites.SiteOfVertex)
+      : boundaryPlaces(diagram, loop, sites.SiteOfVertex, target.Corners, target.CornerPlaces);
   for (std::size_t k = 0; k < loop.size(); ++k)
   {
-    map.Positions.row(loop[k]) << std::cos(angles[k]), std::sin(angles[k]);
+    map.Positions.row(loop[k]) = target.Domain->at(places[k]);
   }
   map.FlippedFaces = countFlippedFaces(map.Positions, mesh.Faces);
-  report(progress, 1.0, "Area-preserving disk");
+  report(progress, 1.0, "Area-preserving map");
   return { std::move(map), std::move(diagram), std::move(sites.SiteOfVertex) };
+}
+
+} // namespace
+
+AreaPreservingResult areaPreservingDiskMap(const TriangleMesh& mesh,
+  const Points2& conformal,
+  const Eigen::VectorXd& weights,
+  const TransportOptions& options,
+  const ProgressCallback& progress)
+{
+  const Target target{ std::make_shared<UnitDisk>(), "disk", "circle around the origin", {}, {} };
+  return areaPreservingMap(mesh, conformal, target, requireDisk(mesh), weights, options, progress);
+}
+
+AreaPreservingResult areaPreservingRectangleMap(const TriangleMesh& mesh,
+  const Points2& conformal,
+  double width,
+  const Eigen::VectorXd& weights,
+  const TransportOptions& options,
+  const ProgressCallback& progress)
+{
+  const std::vector<int> loop = requireDisk(mesh);
+  if (!(width > 0.0) || !std::isfinite(width))
+  {
+    throw InvalidInput("a rectangle of width " + std::to_string(width) + ": it must be positive");
+  }
+  const double x = 0.5 * width;
+  const double y = 0.5 * EIGEN_PI / width;
+  Points2 corners(4, 2);
+  corners << -x, -y, x, -y, x, y, -x, y;
+  Target target{
+    std::make_shared<ConvexPolygon>(corners), "rectangle", "sides of the rectangle", {}, {}
+  };
+  std::vector<std::pair<int, double>> fixed;
+  for (int c = 0; c < 4; ++c)
+  {
+    const auto nearest = std::min_element(loop.begin(),
+      loop.end(),
+      [&](int a, int b) {
+        return (conformal.row(a) - corners.row(c)).norm() < (conformal.row(b) - corners.row(c)).norm();
+      });
+    if (!((conformal.row(*nearest) - corners.row(c)).norm() <= BoundaryTolerance))
+    {
+      throw InvalidInput("no boundary vertex lies in corner " + std::to_string(c) +
+                         " of the rectangle: run Conformal Disk with Domain set to Rectangle first");
+    }
+    fixed.emplace_back(
+      static_cast<int>(nearest - loop.begin()), target.Domain->placeOf(corners.row(c).transpose()));
+  }
+  // In the order of the loop, the places growing over less than a turn.
+  std::sort(fixed.begin(), fixed.end());
+  for (const auto& [member, place] : fixed)
+  {
+    const double turn = target.Domain->perimeter();
+    target.Corners.push_back(member);
+    target.CornerPlaces.push_back(place < fixed.front().second ? place + turn : place);
+  }
+  if (!std::is_sorted(target.CornerPlaces.begin(), target.CornerPlaces.end()))
+  {
+    throw InvalidInput("the corners of the rectangle are not in the order of the boundary: the map is "
+                       "turned over, run Conformal Disk first");
+  }
+  return areaPreservingMap(mesh, conformal, target, loop, weights, options, progress);
 }
 
 } // namespace flattening

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The area-preserving map of a surface to the unit disk, from its conformal map (paper, section 4).
+/// The area-preserving map of a surface to the unit disk or a rectangle, from its conformal map (paper,
+/// section 4).
 #pragma once
 
 #include "PowerDiagram.h"
@@ -12,17 +13,17 @@
 namespace flattening
 {
 
-/// The area that each vertex is to have in the unit disk: a third of its incident faces' areas times its
-/// weight, scaled to the sum pi (paper, section 4.1). @p weights (n) may be empty: all 1.
+/// The area that each vertex is to have in a domain of area pi: a third of its incident faces' areas
+/// times its weight, scaled to the sum pi (paper, section 4.1). @p weights (n) may be empty: all 1.
 /// @throws InvalidInput if a weight is not a positive number or a vertex has no area.
 Eigen::VectorXd targetAreas(const TriangleMesh& mesh, const Eigen::VectorXd& weights);
 
 struct AreaPreservingMap
 {
-  Points2 Positions;            ///< n x 2, unit disk; boundary vertices on the circle
+  Points2 Positions;            ///< n x 2; boundary vertices on the boundary of the domain
   Eigen::VectorXd TargetAreas;  ///< n, sum pi
   Eigen::VectorXd CellAreas;    ///< n, sum pi; coincident vertices share their cell by target area
-  Eigen::VectorXd PowerWeights; ///< n, squared lengths of the unit disk
+  Eigen::VectorXd PowerWeights; ///< n, squared lengths in the domain
   int NewtonIterations = 0;
   int PowerDiagrams = 0;
   int CoincidentVertices = 0; ///< vertices that shared the conformal position of another
@@ -33,7 +34,7 @@ struct AreaPreservingMap
 struct AreaPreservingResult
 {
   AreaPreservingMap Map;
-  PowerDiagram Diagram;          ///< of the distinct conformal positions, unit disk
+  PowerDiagram Diagram;          ///< of the distinct conformal positions
   std::vector<int> SiteOfVertex; ///< n
 };
 
@@ -44,6 +45,16 @@ struct AreaPreservingResult
 /// not such a map, ConvergenceError, Cancelled.
 AreaPreservingResult areaPreservingDiskMap(const TriangleMesh& mesh,
   const Points2& conformal,
+  const Eigen::VectorXd& weights = {},
+  const TransportOptions& options = {},
+  const ProgressCallback& progress = {});
+
+/// The same to a rectangle of area pi around the origin with sides along the axes: @p conformal has the
+/// boundary on its sides and a vertex in each of its corners, where these stay.
+/// @p width > 0 along x; the height is pi / width.
+AreaPreservingResult areaPreservingRectangleMap(const TriangleMesh& mesh,
+  const Points2& conformal,
+  double width,
   const Eigen::VectorXd& weights = {},
   const TransportOptions& options = {},
   const ProgressCallback& progress = {});

@@ -16,12 +16,15 @@ struct Pool
   double mean() const { return this->Sum / this->Count; }
 };
 
-double preferredAngle(const PowerDiagram& diagram, int site)
+double preferredPlace(const PowerDiagram& diagram, int site)
 {
-  const PowerDiagram::BoundaryPart arc = diagram.boundaryPart(site);
-  const Eigen::RowVector2d centroid = diagram.centroids().row(site);
-  return arc.Length > 0.0 ? arc.Middle : std::atan2(centroid.y(), centroid.x());
+  const PowerDiagram::BoundaryPart part = diagram.boundaryPart(site);
+  return part.Length > 0.0 ? part.Middle
+                           : diagram.domain().placeOf(diagram.centroids().row(site).transpose());
 }
+
+// Of the mean gap between neighbours: how near a vertex may come to a corner.
+constexpr double LeastGap = 0.1;
 
 } // namespace
 
@@ -55,23 +58,23 @@ std::vector<double> strictlyIncreasingFit(const std::vector<double>& values)
   return fit;
 }
 
-std::vector<double> boundaryAngles(const PowerDiagram& diagram,
+std::vector<double> boundaryPlaces(const PowerDiagram& diagram,
   const std::vector<int>& loop,
   const std::vector<int>& siteOfVertex)
 {
-  constexpr double turn = 2.0 * EIGEN_PI;
+  const double turn = diagram.domain().perimeter();
   const int n = static_cast<int>(loop.size());
-  std::vector<double> angles(n);
+  std::vector<double> places(n);
   for (int k = 0; k < n; ++k)
   {
-    angles[k] = preferredAngle(diagram, siteOfVertex[loop[k]]);
+    places[k] = preferredPlace(diagram, siteOfVertex[loop[k]]);
   }
-  // Unroll the circle where the widest gap is, so that the order can break nowhere near the cut.
+  // Unroll the boundary where the widest gap is, so that the order can break nowhere near the cut.
   int cut = 0;
   double widest = -1.0;
   for (int k = 0; k < n; ++k)
   {
-    const double gap = std::remainder(angles[k] - angles[(k + n - 1) % n], turn);
+    const double gap = std::remainder(places[k] - places[(k + n - 1) % n], turn);
     if (gap > widest)
     {
       widest = gap;
@@ -81,20 +84,55 @@ std::vector<double> boundaryAngles(const PowerDiagram& diagram,
   std::vector<double> unrolled(n);
   for (int k = 0; k < n; ++k)
   {
-    const double angle = angles[(cut + k) % n];
-    unrolled[k] = k == 0 ? angle : unrolled[k - 1] + std::remainder(angle - unrolled[k - 1], turn);
+    const double place = places[(cut + k) % n];
+    unrolled[k] = k == 0 ? place : unrolled[k - 1] + std::remainder(place - unrolled[k - 1], turn);
   }
   const std::vector<double> fit = strictlyIncreasingFit(unrolled);
   for (int k = 0; k < n; ++k)
   {
-    angles[(cut + k) % n] = fit[k];
+    places[(cut + k) % n] = fit[k];
   }
   for (int k = n - cut; k < n; ++k)
   {
     // Members before the cut follow one turn later: keep the loop increasing from its first vertex.
-    angles[(cut + k) % n] -= turn;
+    places[(cut + k) % n] -= turn;
   }
-  return angles;
+  return places;
+}
+
+std::vector<double> boundaryPlaces(const PowerDiagram& diagram,
+  const std::vector<int>& loop,
+  const std::vector<int>& siteOfVertex,
+  const std::vector<int>& corners,
+  const std::vector<double>& cornerPlaces)
+{
+  const double turn = diagram.domain().perimeter();
+  const int n = static_cast<int>(loop.size());
+  std::vector<double> places(n);
+  for (std::size_t c = 0; c < corners.size(); ++c)
+  {
+    const bool isLast = c + 1 == corners.size();
+    const int first = corners[c];
+    const int count = (isLast ? corners[0] + n : corners[c + 1]) - first; // sides of the loop
+    const double start = cornerPlaces[c];
+    const double end = isLast ? cornerPlaces[0] + turn : cornerPlaces[c + 1];
+    const double margin = LeastGap * (end - start) / count;
+    std::vector<double> between{ start };
+    for (int k = 1; k < count; ++k)
+    {
+      const double place = preferredPlace(diagram, siteOfVertex[loop[(first + k) % n]]);
+      const double middle = 0.5 * (start + end);
+      const double unrolled = middle + std::remainder(place - middle, turn);
+      between.push_back(std::clamp(unrolled, start + margin, end - margin));
+    }
+    between.push_back(end);
+    const std::vector<double> fit = strictlyIncreasingFit(between);
+    for (int k = 0; k < count; ++k)
+    {
+      places[(first + k) % n] = fit[k];
+    }
+  }
+  return places;
 }
 
 } // namespace flattening

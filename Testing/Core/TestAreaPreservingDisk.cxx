@@ -299,4 +299,102 @@ TEST(AreaPreservingDisk, SameBitsWhateverTheThreads)
   }
 }
 
+// A grid on a rectangle of this width and area pi, vertex j * columns + i in column i and row j.
+TriangleMesh rectangleGrid(int columns, int rows, double width)
+{
+  TriangleMesh mesh;
+  mesh.Vertices.resize(columns * rows, 3);
+  mesh.Faces.resize(2 * (columns - 1) * (rows - 1), 3);
+  int face = 0;
+  for (int j = 0; j < rows; ++j)
+  {
+    for (int i = 0; i < columns; ++i)
+    {
+      const int v = j * columns + i;
+      mesh.Vertices.row(v) << width * (i / (columns - 1.0) - 0.5), Pi / width * (j / (rows - 1.0) - 0.5),
+        0.0;
+      if (i + 1 < columns && j + 1 < rows)
+      {
+        mesh.Faces.row(face++) << v, v + 1, v + columns + 1;
+        mesh.Faces.row(face++) << v, v + columns + 1, v + columns;
+      }
+    }
+  }
+  return mesh;
+}
+
+// A density that grows along the rectangle spreads along it: x goes to the share of mass before x.
+TEST(AreaPreservingRectangle, DensityAlongTheRectangle)
+{
+  constexpr int columns = 81;
+  constexpr int rows = 31;
+  constexpr double width = 3.0;
+  const TriangleMesh mesh = rectangleGrid(columns, rows, width);
+  const Points2 conformal = mesh.Vertices.leftCols<2>();
+  Eigen::VectorXd weights(mesh.vertexCount());
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    weights[v] = 1.0 + 0.6 * conformal(v, 0) / (0.5 * width);
+  }
+  const AreaPreservingResult result = areaPreservingRectangleMap(mesh, conformal, width, weights);
+  EXPECT_LE(result.Map.MaxCellError, 1e-6);
+  EXPECT_EQ(result.Map.FlippedFaces, 0);
+  EXPECT_NEAR(result.Map.CellAreas.sum(), Pi, 1e-11);
+  double largest = 0.0;
+  for (int j = 0; j < rows; ++j)
+  {
+    for (int i = 0; i < columns; ++i)
+    {
+      const int v = j * columns + i;
+      const double s = conformal(v, 0) / (0.5 * width);
+      const double share = 0.5 * (s + 1.0) + 0.15 * (s * s - 1.0);
+      const Eigen::RowVector2d expected(width * (share - 0.5), conformal(v, 1));
+      largest = std::max(largest, (result.Map.Positions.row(v) - expected).norm());
+      if (i == 0 || i == columns - 1)
+      {
+        ASSERT_EQ(result.Map.Positions(v, 0), conformal(v, 0)) << "stays on its side";
+      }
+      if (j == 0 || j == rows - 1)
+      {
+        ASSERT_EQ(result.Map.Positions(v, 1), conformal(v, 1)) << "stays on its side";
+      }
+    }
+  }
+  std::cout << "greatest distance from the exact map: " << largest << '\n';
+  EXPECT_LT(largest, 0.5 * width / columns);
+  for (const int corner : { 0, columns - 1, columns * (rows - 1), columns * rows - 1 })
+  {
+    EXPECT_EQ(result.Map.Positions.row(corner), conformal.row(corner));
+  }
+}
+
+TEST(AreaPreservingRectangle, RefusesWhatIsNoMapToARectangle)
+{
+  const TriangleMesh mesh = rectangleGrid(11, 6, 2.0);
+  const Points2 conformal = mesh.Vertices.leftCols<2>();
+  const auto message = [&](const Points2& positions, double width) -> std::string
+  {
+    try
+    {
+      areaPreservingRectangleMap(mesh, positions, width);
+    }
+    catch (const InvalidInput& error)
+    {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_TRUE(contains(message(conformal, 2.1), "no boundary vertex lies in corner 0"));
+  EXPECT_TRUE(contains(message(conformal, 0.0), "must be positive"));
+  Points2 wrong = conformal;
+  wrong(5, 1) += 0.01;
+  EXPECT_TRUE(contains(message(wrong, 2.0), "vertex 5 does not lie on the sides of the rectangle"));
+  wrong = conformal;
+  wrong(15, 1) = 5.0;
+  EXPECT_TRUE(contains(message(wrong, 2.0), "vertex 15 lies outside of the rectangle"));
+  wrong = conformal;
+  wrong.col(0) *= -1.0;
+  EXPECT_TRUE(contains(message(wrong, 2.0), "turned over"));
+}
+
 } // namespace
