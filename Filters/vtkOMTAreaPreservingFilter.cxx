@@ -19,6 +19,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -76,7 +77,54 @@ double diskRadius(const flattening::Points2& positions, const std::vector<int>& 
   return radius;
 }
 
-void fillPowerDiagram(vtkPolyData* output, const flattening::AreaPreservingResult& result, double radius)
+// What the flat surface covers: a disk around the origin, or the rectangle whose sides its boundary lies
+// on.
+struct FlatDomain
+{
+  bool IsRectangle = false;
+  Eigen::RowVector2d Centre = Eigen::RowVector2d::Zero();
+  double Width = 0.0; // of the rectangle
+  double Height = 0.0;
+  double Scale = 1.0; // of the input over that of a domain of area pi
+};
+
+FlatDomain domainOf(const flattening::Points2& positions, const std::vector<int>& loop)
+{
+  constexpr double tolerance = 1e-6;
+  Eigen::RowVector2d low = positions.row(loop.front());
+  Eigen::RowVector2d high = low;
+  for (const int v : loop)
+  {
+    low = low.cwiseMin(positions.row(v));
+    high = high.cwiseMax(positions.row(v));
+  }
+  const double slack = tolerance * (high - low).norm();
+  FlatDomain domain;
+  domain.IsRectangle = std::all_of(loop.begin(),
+    loop.end(),
+    [&](int v)
+    {
+      const Eigen::RowVector2d fromLow = positions.row(v) - low;
+      const Eigen::RowVector2d fromHigh = high - positions.row(v);
+      return std::min(fromLow.minCoeff(), fromHigh.minCoeff()) <= slack;
+    });
+  if (domain.IsRectangle && (high - low).minCoeff() > slack)
+  {
+    domain.Centre = 0.5 * (low + high);
+    domain.Width = high.x() - low.x();
+    domain.Height = high.y() - low.y();
+    domain.Scale = std::sqrt(domain.Width * domain.Height / EIGEN_PI);
+    return domain;
+  }
+  domain.IsRectangle = false;
+  domain.Scale = diskRadius(positions, loop);
+  return domain;
+}
+
+void fillPowerDiagram(vtkPolyData* output,
+  const flattening::AreaPreservingResult& result,
+  double scale,
+  const Eigen::RowVector2d& centre)
 {
   constexpr double oneDegree = EIGEN_PI / 180.0;
   const flattening::PowerDiagram& diagram = result.Diagram;
@@ -104,11 +152,12 @@ void fillPowerDiagram(vtkPolyData* output, const flattening::AreaPreservingResul
     polygons->InsertNextCell(static_cast<int>(outline.size()));
     for (const Eigen::Vector2d& corner : outline)
     {
-      polygons->InsertCellPoint(points->InsertNextPoint(radius * corner.x(), radius * corner.y(), 0.0));
+      polygons->InsertCellPoint(
+        points->InsertNextPoint(centre.x() + scale * corner.x(), centre.y() + scale * corner.y(), 0.0));
     }
     siteIds->InsertNextValue(pointOfSite[site]);
-    cellAreas->InsertNextValue(radius * radius * diagram.areas()[site]);
-    targetAreas->InsertNextValue(radius * radius * targets[site]);
+    cellAreas->InsertNextValue(scale * scale * diagram.areas()[site]);
+    targetAreas->InsertNextValue(scale * scale * targets[site]);
   }
   output->SetPoints(points);
   output->SetPolys(polygons);
@@ -148,7 +197,7 @@ int vtkOMTAreaPreservingFilter::RequestData(vtkInformation* vtkNotUsed(request),
       const flattening::TriangleMesh surface = flattening::surfaceOfFlattened(input);
       const std::vector<int> loop = flattening::requireDisk(surface);
       const flattening::Points2 flat = flattening::toPlanarPositions(input);
-      const double inputRadius = diskRadius(flat, loop);
+      const FlatDomain domain = domainOf(flat, loop);
       Eigen::VectorXd weights;
       if (this->UseAreaWeight)
       {
@@ -158,22 +207,34 @@ int vtkOMTAreaPreservingFilter::RequestData(vtkInformation* vtkNotUsed(request),
       flattening::TransportOptions options;
       options.Tolerance = this->Tolerance;
 
-      const flattening::AreaPreservingResult result = flattening::areaPreservingDiskMap(
-        surface, flat / inputRadius, weights, options, flattening::progressOf(this));
+      const flattening::Points2 conformal = (flat.rowwise() - domain.Centre) / domain.Scale;
+      const auto progress = flattening::progressOf(this);
+      const flattening::AreaPreservingResult result =
+        domain.IsRectangle
+          ? flattening::areaPreservingRectangleMap(
+              surface, conformal, domain.Width / domain.Scale, weights, options, progress)
+          : flattening::areaPreservingDiskMap(surface, conformal, weights, options, progress);
       const flattening::AreaPreservingMap& map = result.Map;
 
-      const double radius =
-        this->NormalizeTo == SURFACE_AREA
-          ? std::sqrt(flattening::faceAreas(surface.Vertices, surface.Faces).sum() / EIGEN_PI)
-          : 1.0;
-      const double area = radius * radius;
+      // From a domain of area pi to the surface's area, or to radius 1 or height 1.
+      const double surfaceArea = flattening::faceAreas(surface.Vertices, surface.Faces).sum();
+      const double scale = this->NormalizeTo == SURFACE_AREA ? std::sqrt(surfaceArea / EIGEN_PI)
+                           : domain.IsRectangle              ? domain.Scale / domain.Height
+                                                             : 1.0;
+      const double area = scale * scale;
+      Eigen::RowVector2d centre(0.0, 0.0);
+      if (domain.IsRectangle)
+      {
+        centre = 0.5 * scale / domain.Scale * Eigen::RowVector2d(domain.Width, domain.Height);
+      }
       output->ShallowCopy(input);
-      output->SetPoints(vtk::TakeSmartPointer(flattening::newPlanarPoints(radius * map.Positions)));
+      output->SetPoints(
+        vtk::TakeSmartPointer(flattening::newPlanarPoints((scale * map.Positions).rowwise() + centre)));
       flattening::deactivateNormals(output);
       flattening::addPointArray(output, "TargetArea", area * map.TargetAreas);
       flattening::addPointArray(output, "CellArea", area * map.CellAreas);
       flattening::addPointArray(output, "PowerWeight", area * map.PowerWeights);
-      fillPowerDiagram(cells, result, radius);
+      fillPowerDiagram(cells, result, scale, centre);
 
       vtkFieldData* figures = output->GetFieldData();
       flattening::setFigure(figures, "NewtonIterations", static_cast<long long>(map.NewtonIterations));

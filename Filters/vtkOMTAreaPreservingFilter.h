@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkOMTAreaPreservingFilter
- * @brief   moves the points of a conformal disk map so that every point keeps its share of the area
+ * @brief   moves the points of a conformal map so that every point keeps its share of the area
  *
  * The input is the output of vtkConformalDiskFilter. Each of its points is a site that carries a third
  * of the surface area of its triangles, times the point's weight. The filter finds power weights for
- * which the power cell of every site, clipped exactly to the disk, has the area that the site carries:
- * the optimal transport of the surface's area to the uniform disk (Monge-Brenier). Interior points then
- * go to the centroids of their cells, boundary points to the middle of their cells' arcs on the circle.
+ * which the power cell of every site, clipped exactly to the domain, has the area that the site carries:
+ * the optimal transport of the surface's area to the uniform domain (Monge-Brenier). Interior points
+ * then go to the centroids of their cells, boundary points to the middle of their cells' part of the
+ * boundary. The domain is the disk around the origin, or the rectangle with sides along the axes if the
+ * boundary lies on them; points in its corners stay there.
  *
  * The areas of the *cells* are exact to Tolerance. Areas of *triangles* follow only as well as the
  * triangulation allows: measure them with vtkDistortionMetrics.
  *
  * Output port 0 has the input's points and cells, one to one and with all of their arrays (among them
- * `SurfacePoints`), in the disk around the origin of z = 0, and adds the point arrays (double)
+ * `SurfacePoints`), in the plane z = 0, in the disk around the origin or in the rectangle with its lower
+ * left corner there, and adds the point arrays (double)
  * - `TargetArea`, the area asked for, and `CellArea`, the area of the point's power cell (output units
- *   squared; both sum to the area of the disk)
+ *   squared; both sum to the area of the domain)
  * - `PowerWeight` (output units squared), the weight w_i of the power diagram of the input points,
  * scaled to the size of the output
  *
@@ -33,8 +36,9 @@
  * is the optimal transport of the conformal map all the same.
  *
  * An empty input gives empty outputs. Errors, each with empty outputs: no array `SurfacePoints`, a
- * boundary that is not a circle around the origin, weights that are not positive and finite, a weight
- * array that does not exist, what vtkConformalDiskFilter refuses, no convergence to Tolerance.
+ * boundary that is neither a circle around the origin nor a rectangle with a point in each corner,
+ * weights that are not positive and finite, a weight array that does not exist, what
+ * vtkConformalDiskFilter refuses, no convergence to Tolerance.
  *
  * Sources: Zhao et al., "Area-Preservation Mapping using Optimal Mass Transport", TVCG 2013, section 4
  * and Algorithm 1; Kitagawa, Merigot, Thibert, "Convergence of a Newton algorithm for semi-discrete
@@ -56,16 +60,16 @@ public:
   vtkTypeMacro(vtkOMTAreaPreservingFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What the size of the disk is.
+  /// What the size of the disk or rectangle is.
   enum Normalization
   {
-    SURFACE_AREA = 0, ///< area of the disk = area of the surface, in input units
-    UNIT_DOMAIN = 1   ///< radius 1
+    SURFACE_AREA = 0, ///< its area = area of the surface, in input units
+    UNIT_DOMAIN = 1   ///< radius 1, or height 1
   };
 
   ///@{
   /**
-   * Size of the disk: SURFACE_AREA (0) or UNIT_DOMAIN (1). Default: SURFACE_AREA, so that areas can be
+   * Size of the domain: SURFACE_AREA (0) or UNIT_DOMAIN (1). Default: SURFACE_AREA, so that areas can be
    * measured on the flat picture in input units.
    */
   vtkSetClampMacro(NormalizeTo, int, SURFACE_AREA, UNIT_DOMAIN);

@@ -145,7 +145,7 @@ Eigen::Vector2d ConvexPolygon::at(double place) const
   const auto after = std::upper_bound(this->Along.begin() + 1, this->Along.end() - 1, place);
   const int k = static_cast<int>(after - this->Along.begin()) - 1;
   const double t = (place - this->Along[k]) / (this->Along[k + 1] - this->Along[k]);
-  return (1.0 - t) * this->corner(k) + t * this->corner(k + 1);
+  return this->corner(k) + t * (this->corner(k + 1) - this->corner(k)); // exact along the axes
 }
 
 double ConvexPolygon::placeOf(const Eigen::Vector2d& point) const

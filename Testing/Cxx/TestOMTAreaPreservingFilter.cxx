@@ -4,6 +4,7 @@
 #include "FilterTest.h"
 
 #include <vtkConformalDiskFilter.h>
+#include <vtkDistortionMetrics.h>
 #include <vtkOMTAreaPreservingFilter.h>
 
 #include <vtkCellData.h>
@@ -377,6 +378,77 @@ TEST(OMTAreaPreservingFilter, Abort)
   {
     expectAbort(filter.Get(), input, fraction);
   }
+}
+
+// A dented half cylinder, its corners where they are.
+TEST(OMTAreaPreservingFilter, ARectangleStaysARectangle)
+{
+  constexpr int columns = 41;
+  constexpr int rows = 61;
+  TriangleMesh mesh;
+  mesh.Vertices.resize(columns * rows, 3);
+  mesh.Faces.resize(2 * (columns - 1) * (rows - 1), 3);
+  int face = 0;
+  for (int j = 0; j < rows; ++j)
+  {
+    for (int i = 0; i < columns; ++i)
+    {
+      const int v = j * columns + i;
+      const double angle = Pi * j / (rows - 1);
+      const double dent = std::exp(-0.02 * std::pow(i - 15.0, 2.0) - 0.01 * std::pow(j - 25.0, 2.0));
+      const double radius = 10.0 - 6.0 * dent;
+      mesh.Vertices.row(v) << i, radius * std::cos(angle), radius * std::sin(angle);
+      if (i + 1 < columns && j + 1 < rows)
+      {
+        mesh.Faces.row(face++) << v, v + 1, v + columns + 1;
+        mesh.Faces.row(face++) << v, v + columns + 1, v + columns;
+      }
+    }
+  }
+  vtkNew<vtkConformalDiskFilter> conformal;
+  conformal->SetInputData(polyDataOf(mesh));
+  conformal->SetDomainToRectangle();
+  vtkNew<vtkOMTAreaPreservingFilter> transport;
+  transport->SetInputConnection(conformal->GetOutputPort());
+  transport->Update();
+  vtkPolyData* output = transport->GetOutput();
+  ASSERT_EQ(output->GetNumberOfPoints(), columns * rows);
+  const double surfaceArea = faceAreas(mesh.Vertices, mesh.Faces).sum();
+  EXPECT_NEAR(sum(output->GetPointData()->GetArray("CellArea")) / surfaceArea, 1.0, 1e-11);
+  EXPECT_LE(figure(output, "MaxCellAreaError"), 1e-6);
+  EXPECT_EQ(figure(output, "FlippedFaces"), 0.0);
+  double bounds[6];
+  output->GetBounds(bounds);
+  EXPECT_NEAR(bounds[0], 0.0, 1e-12);
+  EXPECT_NEAR(bounds[2], 0.0, 1e-12);
+  EXPECT_NEAR(bounds[1] * bounds[3] / surfaceArea, 1.0, 1e-12);
+  EXPECT_NEAR(bounds[1] / bounds[3], figure(output, "Modulus"), 1e-12);
+  vtkDataArray* corners = output->GetFieldData()->GetArray("CornerPointIds");
+  ASSERT_TRUE(corners);
+  for (int c = 0; c < 4; ++c)
+  {
+    double x[3];
+    output->GetPoint(static_cast<vtkIdType>(corners->GetTuple1(c)), x);
+    EXPECT_NEAR(x[0], c == 1 || c == 2 ? bounds[1] : 0.0, 1e-12);
+    EXPECT_NEAR(x[1], c >= 2 ? bounds[3] : 0.0, 1e-12);
+  }
+  double cellBounds[6];
+  transport->GetPowerDiagram()->GetBounds(cellBounds);
+  for (int k = 0; k < 4; ++k)
+  {
+    EXPECT_NEAR(cellBounds[k], bounds[k], 1e-9) << "the power cells fill the rectangle";
+  }
+
+  vtkNew<vtkDistortionMetrics> metrics;
+  metrics->SetInputConnection(transport->GetOutputPort());
+  metrics->Update();
+  EXPECT_NEAR(figure(metrics->GetOutput(), "FlatArea") / surfaceArea, 1.0, 1e-12);
+  EXPECT_EQ(figure(metrics->GetOutput(), "FlippedFaces"), 0.0);
+
+  transport->SetNormalizeToUnitDomain();
+  transport->Update();
+  output->GetBounds(bounds);
+  EXPECT_NEAR(bounds[3], 1.0, 1e-12);
 }
 
 } // namespace
