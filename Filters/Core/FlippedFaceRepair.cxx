@@ -15,6 +15,8 @@ namespace
 // Newton steps times vertices, in vain: what cannot be repaired should not take longer than the map did.
 constexpr double LeastWork = 5e4;
 constexpr double WorkPerVertex = 1.0;
+// Over all flipped faces, moving single vertices.
+constexpr int LargestSweeps = 10;
 
 std::vector<int> flippedFaces(const FlatMesh& mesh)
 {
@@ -29,11 +31,12 @@ std::vector<int> flippedFaces(const FlatMesh& mesh)
   return flipped;
 }
 
-// Until no single vertex turns any more faces over.
+// Until no single vertex turns any more faces over, or nearly so.
 void moveSingleVertices(FlatMesh& mesh)
 {
   std::vector<int> flipped = flippedFaces(mesh);
-  for (std::size_t left = flipped.size() + 1; flipped.size() < left;)
+  std::size_t left = flipped.size() + 1;
+  for (int sweep = 0; sweep < LargestSweeps && flipped.size() < left; ++sweep)
   {
     left = flipped.size();
     std::vector<int> remaining;
@@ -66,7 +69,7 @@ public:
     {
       return;
     }
-    FreedPatch patch(this->Mesh, face);
+    FreedPatch patch(this->Mesh, face, this->Options.LargestPatch);
     const std::vector<int> first = patch.faces();
     bool grows = true;
     for (int ring = 0, next = 0; grows && this->Work > 0.0 && this->promising(patch); ++ring)
@@ -105,7 +108,7 @@ private:
   bool promising(const FreedPatch& patch) const
   {
     const std::vector<int>& faces = patch.faces();
-    return static_cast<int>(patch.vertices().size()) <= this->Options.LargestPatch &&
+    return !patch.tooLarge() &&
            std::none_of(faces.begin(), faces.end(), [this](int f) { return this->Hopeless[f]; });
   }
 

@@ -17,8 +17,9 @@ void sortUnique(std::vector<int>& numbers)
 
 } // namespace
 
-FreedPatch::FreedPatch(const FlatMesh& mesh, int face)
+FreedPatch::FreedPatch(const FlatMesh& mesh, int face, int mostVertices)
   : Mesh(mesh)
+  , MostVertices(mostVertices)
 {
   this->free(face);
   this->includeFlippedFaces();
@@ -51,7 +52,7 @@ void FreedPatch::includeFlippedFaces()
 {
   sortUnique(this->Vertices);
   std::size_t known = 0;
-  while (this->Vertices.size() > known)
+  while (this->Vertices.size() > known && !this->tooLarge())
   {
     known = this->Vertices.size();
     this->Faces.clear();

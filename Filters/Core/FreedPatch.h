@@ -16,7 +16,8 @@ class FreedPatch
 {
 public:
   /// Frees the vertices of face @p face but the fixed ones. @p mesh must live as long as the patch does.
-  FreedPatch(const FlatMesh& mesh, int face);
+  /// With more than @p mostVertices free it is of no use, and grows no further.
+  FreedPatch(const FlatMesh& mesh, int face, int mostVertices);
 
   /// Both in ascending order.
   const std::vector<int>& vertices() const { return this->Vertices; }
@@ -24,6 +25,8 @@ public:
 
   /// Frees the vertices of all its faces. Returns false if there is none to free.
   bool grow();
+
+  bool tooLarge() const { return static_cast<int>(this->Vertices.size()) > this->MostVertices; }
 
   /// A copy in coordinates around its own place, of its own size: doubles resolve them however small the
   /// patch is in the map.
@@ -40,6 +43,7 @@ private:
   void includeFlippedFaces();
 
   const FlatMesh& Mesh;
+  int MostVertices;
   std::vector<int> Vertices;
   std::vector<int> Faces;
 };
