@@ -5,6 +5,7 @@
 #include "FlippedFaceRepair.h"
 #include "MeshTopology.h"
 #include "PatchRepair.h"
+#include "RandomNumbers.h"
 
 #include <gtest/gtest.h>
 
@@ -113,6 +114,35 @@ TEST_P(Twist, IsUndoneWhereItIs)
 }
 
 INSTANTIATE_TEST_SUITE_P(FlippedFaceRepair, Twist, testing::Values(1.0, 1e-9));
+
+// Every inner vertex off its place by up to an edge each way: clusters of flipped faces everywhere,
+// which touch.
+TEST(FlippedFaceRepair, TurnsFacesOverInNoise)
+{
+  const TriangleMesh mesh = ringMesh(flatDisk(), 5000).Mesh;
+  const std::vector<int> loop = requireDisk(mesh);
+  const double edge = (mesh.Vertices.row(1) - mesh.Vertices.row(0)).norm();
+  std::vector<char> onBoundary(mesh.vertexCount(), 0);
+  for (const int v : loop)
+  {
+    onBoundary[v] = 1;
+  }
+  samples::RandomNumbers random(9);
+  Points2 positions = planar(mesh);
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    const Eigen::RowVector2d noise = edge * random.point(-1.0, 1.0).head<2>();
+    if (!onBoundary[v])
+    {
+      positions.row(v) += noise;
+    }
+  }
+  ASSERT_GT(countFlippedFaces(positions, mesh.Faces), mesh.faceCount() / 10);
+  const FlippedFaceReport report = repairFlippedFaces(mesh, loop, positions);
+  EXPECT_EQ(report.FlippedFaces, 0);
+  EXPECT_EQ(countFlippedFaces(positions, mesh.Faces), 0);
+  EXPECT_LT(report.MovedVertices, mesh.vertexCount() / 2) << "most have no flipped face that needs them";
+}
 
 // Fixed vertices that have changed places: what hangs on them stays flipped, is counted, and nothing
 // moves in vain.
