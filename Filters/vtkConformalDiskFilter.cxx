@@ -147,6 +147,9 @@ void setFigures(vtkFieldData* figures, const flattening::ConformalDiskMap& map, 
     flattening::setFigure(figures, "MaxCurvatureError", map.MaxCurvatureError);
     flattening::setFigure(figures, "LayoutError", map.LayoutError);
     count("InsertedBoundaryPoints", map.InsertedBoundaryPoints);
+  }
+  if (method != vtkConformalDiskFilter::MEAN_VALUE)
+  {
     count("SpreadPoints", map.SpreadVertices);
   }
   if (method == vtkConformalDiskFilter::BOUNDARY_FIRST)

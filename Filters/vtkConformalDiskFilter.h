@@ -44,14 +44,14 @@
  * that were flipped and no longer are, as a coarse or very uneven triangulation cannot always follow the
  * map; `MovedPoints`, how many points were moved for that, and `GreatestMove`, by how much at most, in
  * mean lengths of the edges around the point; `FlippedFaces`, triangles that are still not positively
- * oriented, with a warning if there are any;
- * `BoundaryAnisotropy`, 4 pi area / boundary length^2 of the surface: along its boundary a map to the
- * disk that keeps areas must stretch so many times more in one direction than in the other. Ricci flow
- * only: `NewtonIterations`; `MaxCurvatureError` (radians), greatest error of an angle sum;
- * `LayoutError`, greatest relative error of a flat intrinsic edge; `InsertedBoundaryPoints`, intrinsic
- * points used on the way, not in the output; `SpreadPoints`, points in narrow parts of the surface whose
- * images double precision hardly tells apart, and which were moved apart. Boundary First only:
- * `BoundaryIterations`. Rectangle only: `Modulus`, width / height, and `CornerPointIds`, four tuples
+ * oriented, with a warning if there are any; `BoundaryAnisotropy`, 4 pi area / boundary length^2 of the
+ * surface: along its boundary a map to the disk that keeps areas must stretch so many times more in one
+ * direction than in the other. But for Mean Value: `SpreadPoints`, points in narrow parts of the surface
+ * whose images double precision hardly tells apart, and which were moved apart. Ricci flow only:
+ * `NewtonIterations`; `MaxCurvatureError` (radians), greatest error of an angle sum; `LayoutError`,
+ * greatest relative error of a flat intrinsic edge; `InsertedBoundaryPoints`, intrinsic points used on
+ * the way, not in the output. Boundary First only: `BoundaryIterations`.
+ * Rectangle only: `Modulus`, width / height, and `CornerPointIds`, four tuples
  * counter-clockwise from the lower left corner. Boundary First and Mean Value place vertices in the
  * plane, where every angle sum is right: they have no curvature error, and vtkDistortionMetrics tells
  * how conformal they are.

@@ -4,6 +4,7 @@
 #include "BoundaryAngles.h"
 #include "ConvexCombinationDisk.h"
 #include "Errors.h"
+#include "HornSpreading.h"
 #include "IntrinsicTriangulation.h"
 #include "SparseCholesky.h"
 #include "SpringLayout.h"
@@ -67,7 +68,8 @@ public:
     }
   }
 
-  // Logarithmic factors of the loop's vertices from the exterior angles that they are to have.
+  // Logarithmic factors, up to a constant, from the exterior angles that the loop's vertices are to
+  // have.
   Eigen::VectorXd factors(const Eigen::VectorXd& exteriorAngles) const
   {
     Eigen::VectorXd right = -this->Defects;
@@ -75,13 +77,11 @@ public:
     {
       right[this->Loop[k]] += exteriorAngles[k];
     }
-    const Eigen::VectorXd all = this->Cholesky.solve(right);
-    Eigen::VectorXd u(this->Loop.size());
-    for (std::size_t k = 0; k < this->Loop.size(); ++k)
-    {
-      u[k] = all[this->Loop[k]];
-    }
-    return u;
+    return this->Cholesky.solve(right);
+  }
+  Eigen::VectorXd boundaryFactors(const Eigen::VectorXd& exteriorAngles) const
+  {
+    return this->factors(exteriorAngles)(this->Loop);
   }
 
 private:
@@ -143,7 +143,7 @@ Eigen::VectorXd boundaryAngles(const CherrierEquation& equation,
   Eigen::VectorXd angles = anglesInProportion(lengths);
   for (iterations = 1; iterations <= LargestIterations; ++iterations)
   {
-    Eigen::VectorXd u = equation.factors(2.0 * EIGEN_PI / scaled.sum() * atVertices(scaled));
+    Eigen::VectorXd u = equation.boundaryFactors(2.0 * EIGEN_PI / scaled.sum() * atVertices(scaled));
     if (!u.allFinite() || !centre(lengths, masses, u))
     {
       break;
@@ -162,6 +162,23 @@ Eigen::VectorXd boundaryAngles(const CherrierEquation& equation,
     "Boundary First stopped at iteration " + std::to_string(std::min(iterations, LargestIterations)) +
     " without the lengths of the boundary in the disk: set Method to Ricci Flow, or "
     "remesh the surface (Surface To Disk, Remesh)");
+}
+
+// Logarithmic factors of all vertices for the boundary's place in the disk.
+IntrinsicTriangulation::Factors logFactorsOf(const CherrierEquation& equation,
+  const Eigen::VectorXd& lengths,
+  const std::vector<int>& loop,
+  const ComplexVector& disk)
+{
+  Eigen::VectorXd arcs(lengths.size());
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    const double arc = std::arg(disk[loop[(k + 1) % loop.size()]] * std::conj(disk[loop[k]]));
+    arcs[k] = arc < 0.0 ? arc + 2.0 * EIGEN_PI : arc;
+  }
+  Eigen::VectorXd u = equation.factors(atVertices(arcs));
+  u.array() += std::log(arcs.sum() / scaledLengths(lengths, u(loop)).sum()) - u(loop).maxCoeff();
+  return u.cast<long double>();
 }
 
 std::vector<NeighbourWeight> cotangentWeights(const IntrinsicTriangulation& t)
@@ -190,13 +207,16 @@ ConformalDiskMap boundaryFirstDisk(const TriangleMesh& mesh,
   map.AddedLength = triangulation.addedLength();
   report(progress, 0.2, "Cotangent Laplacian");
   const CherrierEquation equation(triangulation, loop);
-  const Eigen::VectorXd angles = boundaryAngles(equation,
-    loopLengths(mesh, loop, map.AddedLength),
-    map.BoundaryIterations,
-    subrange(progress, 0.4, 0.7));
+  const Eigen::VectorXd lengths = loopLengths(mesh, loop, map.AddedLength);
+  const Eigen::VectorXd angles =
+    boundaryAngles(equation, lengths, map.BoundaryIterations, subrange(progress, 0.4, 0.7));
   report(progress, 0.7, "Harmonic extension");
-  map.Positions = pointsOf(convexCombinationDisk(
-    cotangentWeights(triangulation), WeightSymmetry::Symmetric, loop, angles, centring));
+  ComplexVector disk = convexCombinationDisk(
+    cotangentWeights(triangulation), WeightSymmetry::Symmetric, loop, angles, centring);
+  const double area = faceAreas(mesh.Vertices, mesh.Faces).sum();
+  map.SpreadVertices = spreadHornsInOwnMetric(
+    triangulation, logFactorsOf(equation, lengths, loop, disk), 0.5 * std::log(EIGEN_PI / area), disk);
+  map.Positions = pointsOf(disk);
   return map;
 }
 

@@ -18,9 +18,8 @@ constexpr double HornLogScale = -11.512925464970229;
 // the conformal scale s = exp(-x / a), k = sqrt(1 + p^2 / 4) - p / 2.
 constexpr double SpringPower = 4.0;
 
-} // namespace
-
-int spreadHorns(const IntrinsicTriangulation& t,
+int spread(const IntrinsicTriangulation& t,
+  const IntrinsicTriangulation::Factors& metric,
   const IntrinsicTriangulation::Factors& logFactors,
   double logMeanFactor,
   ComplexVector& disk)
@@ -46,7 +45,7 @@ int spreadHorns(const IntrinsicTriangulation& t,
   }
   if (count > 0)
   {
-    std::vector<Spring> springs = springsOf(t, logFactors);
+    std::vector<Spring> springs = springsOf(t, metric);
     for (Spring& s : springs)
     {
       s.Weight *= std::exp(0.5 * SpringPower * (depth[s.From] + depth[s.To]));
@@ -54,6 +53,25 @@ int spreadHorns(const IntrinsicTriangulation& t,
     relaxSprings(springs, fixed, disk);
   }
   return count;
+}
+
+} // namespace
+
+int spreadHorns(const IntrinsicTriangulation& t,
+  const IntrinsicTriangulation::Factors& logFactors,
+  double logMeanFactor,
+  ComplexVector& disk)
+{
+  return spread(t, logFactors, logFactors, logMeanFactor, disk);
+}
+
+int spreadHornsInOwnMetric(const IntrinsicTriangulation& t,
+  const IntrinsicTriangulation::Factors& logFactors,
+  double logMeanFactor,
+  ComplexVector& disk)
+{
+  const IntrinsicTriangulation::Factors none = IntrinsicTriangulation::Factors::Zero(t.vertexCount());
+  return spread(t, none, logFactors, logMeanFactor, disk);
 }
 
 } // namespace flattening

@@ -23,4 +23,11 @@ int spreadHorns(const IntrinsicTriangulation& triangulation,
   double logMeanFactor,
   ComplexVector& disk);
 
+/// The same with the springs' cotangents in the triangulation's own metric: for factors that do not make
+/// it flat to rounding, and under which a triangle may degenerate.
+int spreadHornsInOwnMetric(const IntrinsicTriangulation& triangulation,
+  const IntrinsicTriangulation::Factors& logFactors,
+  double logMeanFactor,
+  ComplexVector& disk);
+
 } // namespace flattening

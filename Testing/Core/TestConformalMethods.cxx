@@ -428,6 +428,26 @@ TEST(BoundaryFirst, KeepsItsAccuracyOnSlivers)
   EXPECT_LT(error(map), 2.0 * error(conformalDiskMap(part.Mesh, options)));
 }
 
+// On a tube of 14 radii the conformal scale falls to 1e-6 of what it is at the boundary: its end is
+// spread where and as the Ricci flow's is.
+TEST(BoundaryFirst, SpreadsTheEndOfATube)
+{
+  const RevolutionMesh tube = ringMesh(capsule(14.0), 10000);
+  const ConformalDiskMap map =
+    conformalDiskMap(tube.Mesh, optionsOf(ConformalMethod::BoundaryFirst, -1, tube.FirstBoundaryVertex));
+  const ConformalDiskMap expected =
+    conformalDiskMap(tube.Mesh, optionsOf(ConformalMethod::RicciFlow, -1, tube.FirstBoundaryVertex));
+  ASSERT_GT(expected.SpreadVertices, 100);
+  EXPECT_NEAR(map.SpreadVertices, expected.SpreadVertices, 0.02 * expected.SpreadVertices);
+  EXPECT_EQ(map.FlippedFaces, 0);
+  EXPECT_EQ(map.Repair.RepairedFaces, 0);
+  EXPECT_LT(largestDifference(map.Positions, expected.Positions), 1e-3);
+  // Next to the pole, where the positions themselves are small.
+  EXPECT_NEAR(std::log((map.Positions.row(1) - map.Positions.row(0)).norm()),
+    std::log((expected.Positions.row(1) - expected.Positions.row(0)).norm()),
+    0.2);
+}
+
 // The intrinsic Delaunay triangulation of a needle of a few faces has an edge from a boundary vertex to
 // itself, around inner vertices whose harmonic images all are that vertex.
 TEST(BoundaryFirst, TooCoarseASurfaceIsANamedError)

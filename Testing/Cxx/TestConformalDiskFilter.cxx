@@ -214,17 +214,15 @@ TEST(ConformalDiskFilter, EveryMethodHasItsOwnFigures)
     filter->SetMethod(method);
     filter->Update();
     const bool isFlow = method == vtkConformalDiskFilter::RICCI_FLOW;
-    for (const char* name : { "NewtonIterations",
-           "MaxCurvatureError",
-           "LayoutError",
-           "InsertedBoundaryPoints",
-           "SpreadPoints" })
+    for (const char* name :
+      { "NewtonIterations", "MaxCurvatureError", "LayoutError", "InsertedBoundaryPoints" })
     {
       EXPECT_EQ(hasFigure(output, name), isFlow) << name;
     }
     EXPECT_EQ(hasFigure(output, "BoundaryIterations"), method == vtkConformalDiskFilter::BOUNDARY_FIRST);
     EXPECT_EQ(figure(output, "FlippedFaces"), 0.0);
     EXPECT_EQ(figure(output, "AddedLength"), 0.0);
+    EXPECT_EQ(hasFigure(output, "SpreadPoints"), method != vtkConformalDiskFilter::MEAN_VALUE);
     EXPECT_TRUE(hasFigure(output, "IntrinsicFlips"));
     // The stereographic projection halves lengths at the pole of a unit sphere; the disk of the
     // hemisphere's area has radius sqrt(2).
