@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, times Surface To Disk on surfaces of real scans with up to 600 handles and
 # every stage of the flattening on a hemisphere, a Gaussian bump and a real brain, compares the methods of the
-# conformal disk on the same, and prints the figures as Markdown tables. The JSON output of Google Benchmark
-# stays in the build folder. Safe to run again. Let nothing else run meanwhile.
+# conformal disk on the same, and prints the figures as Markdown tables; draws the conformal disk's error on surfaces
+# with known maps. The JSON output of Google Benchmark and the picture stay in the build folder. Safe to run again. Let nothing else run meanwhile.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -14,3 +14,9 @@ for benchmark in BenchmarkSurfaceToDisk BenchmarkFlattening BenchmarkConformal; 
   "$build/Testing/bin/$benchmark" --benchmark_out="${results[-1]}" --benchmark_out_format=json "$@" >/dev/null
 done
 python3 Testing/Benchmarks/markdown_table.py "${results[@]}"
+
+convergence=$build/Testing/BenchmarkConvergence.json
+"$build/Testing/bin/BenchmarkConvergence" --benchmark_out="$convergence" --benchmark_out_format=json >/dev/null
+xvfb-run -a -s "-screen 0 1280x1024x24" pvpython Utilities/convergence_picture.py \
+  "$convergence" "$build/Testing/convergence.png"
+echo "Picture of the convergence: $build/Testing/convergence.png"
