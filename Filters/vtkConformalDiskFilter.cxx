@@ -47,7 +47,7 @@ int nearestVertex(const flattening::Points3& vertices,
   return nearest;
 }
 
-// Of the points that had to be moved apart: more than these are a tube.
+// Of the points: if more than these had to be moved apart, the map is conformal in part only.
 constexpr double SpreadShare = 0.01;
 
 double boundaryAnisotropy(const flattening::TriangleMesh& mesh, const std::vector<int>& loop)
