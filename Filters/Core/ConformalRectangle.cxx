@@ -123,6 +123,7 @@ struct Rectangle
 Rectangle layOut(const IntrinsicTriangulation& t,
   const IntrinsicTriangulation::Factors& u,
   const std::vector<int>& corners,
+  const EliminationOrder& order,
   ComplexVector& position)
 {
   std::array<double, 4> lengths{};
@@ -135,7 +136,7 @@ Rectangle layOut(const IntrinsicTriangulation& t,
     position[place.Vertex] = rectangle.at(place.Side, place.Along / lengths[place.Side], place.Inside);
     placed[place.Vertex] = 1;
   }
-  relaxSprings(springsOf(t, u), placed, position);
+  relaxSprings(springsOf(t, u), placed, position, order);
   return rectangle;
 }
 
@@ -186,7 +187,7 @@ ConformalRectangleMap conformalRectangleMap(const TriangleMesh& mesh,
 
   report(progress, 0.9, "Laying out the rectangle");
   ComplexVector position;
-  const Rectangle rectangle = layOut(t, flow.LogFactors, result.Corners, position);
+  const Rectangle rectangle = layOut(t, flow.LogFactors, result.Corners, flow.Elimination, position);
   result.Map.LayoutError = layoutError(t, flow.LogFactors, position);
   requireLayout(result.Map.LayoutError);
   result.Modulus = rectangle.Width / rectangle.Height;

@@ -35,6 +35,12 @@ public:
   /// The lower half of the Hessian, half the cotangent Laplacian.
   SparseMatrix hessian() const;
 
+  /// The vertices of unknowns.
+  std::vector<int> vertices(const std::vector<int>& unknowns) const;
+
+  /// Of the factors at the ends of an edge, that @p step changes.
+  double greatestDifference(const Eigen::VectorXd& step) const;
+
   void addTo(IntrinsicTriangulation::Factors& u, const Eigen::VectorXd& step, double length) const;
 
 private:

@@ -79,7 +79,8 @@ std::vector<char> layOutBoundary(const IntrinsicTriangulation& t,
 
 ComplexVector layOutInHalfPlane(const IntrinsicTriangulation& t,
   const IntrinsicTriangulation::Factors& u,
-  int firstEdge)
+  int firstEdge,
+  const EliminationOrder& order)
 {
   ComplexVector position(t.vertexCount(), Infinity);
   std::vector<char> placed = layOutBoundary(t, u, firstEdge, position);
@@ -99,7 +100,7 @@ ComplexVector layOutInHalfPlane(const IntrinsicTriangulation& t,
       placed[v] = 1;
     }
   }
-  relaxSprings(springsOf(t, u), placed, position);
+  relaxSprings(springsOf(t, u), placed, position, order);
   return position;
 }
 

@@ -4,6 +4,7 @@
 
 #include "IntrinsicTriangulation.h"
 #include "MoebiusNormalisation.h"
+#include "SparseCholesky.h"
 
 namespace flattening
 {
@@ -14,10 +15,12 @@ namespace flattening
 /// the boundary known one linear solve gives them all; laying out face by face from the boundary would
 /// be a Cauchy problem, whose rounding errors grow exponentially. Vertices that are neither on the
 /// boundary nor on a face get (infinity, 0).
+/// @param order  as for relaxSprings
 /// @throws ConvergenceError if the linear system cannot be factored.
 ComplexVector layOutInHalfPlane(const IntrinsicTriangulation& triangulation,
   const IntrinsicTriangulation::Factors& u,
-  int firstEdge);
+  int firstEdge,
+  const EliminationOrder& order = {});
 
 /// Greatest error of an edge's length in @p position, relative to that length or to 1e-11 of the
 /// layout's extent, whichever is longer: no shorter edge is resolved by positions in double precision.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "HornSpreading.h"
 
+#include "FaceOrientation.h"
 #include "SpringLayout.h"
 
 #include <algorithm>
@@ -18,41 +19,105 @@ constexpr double HornLogScale = -11.512925464970229;
 // the conformal scale s = exp(-x / a), k = sqrt(1 + p^2 / 4) - p / 2.
 constexpr double SpringPower = 4.0;
 
+// Vertices whose scale is less than exp(3) = 20 times that of a horn's beginning may move as well. What
+// reaches farther falls with the square of the scale: it is less than 1/400 of the scale there.
+constexpr double NeckDepth = 3.0;
+
+// Horns of a map to a convex region whose boundary stays.
+class Horns
+{
+public:
+  Horns(const IntrinsicTriangulation& t,
+    const IntrinsicTriangulation::Factors& logFactors,
+    double logMeanFactor)
+    : Triangulation(t)
+    , Depth(t.vertexCount())
+    , Fixed(t.vertexCount(), 1)
+  {
+    for (int h = 0; h < t.halfedgeCount(); ++h)
+    {
+      this->Fixed[t.origin(h)] = 0;
+    }
+    for (const auto& edge : t.boundaryEdges())
+    {
+      if (edge.Origin >= 0)
+      {
+        this->Fixed[edge.Origin] = 1;
+      }
+    }
+    for (int v = 0; v < t.vertexCount(); ++v)
+    {
+      this->Depth[v] = static_cast<double>(logFactors[v]) - logMeanFactor - HornLogScale;
+      this->Count += !this->Fixed[v] && this->Depth[v] < 0.0;
+    }
+  }
+
+  int vertexCount() const { return this->Count; }
+
+  void spread(const IntrinsicTriangulation::Factors& metric, ComplexVector& disk) const
+  {
+    std::vector<Spring> springs = springsOf(this->Triangulation, metric);
+    for (Spring& s : springs)
+    {
+      const double depth = std::min(this->Depth[s.From], 0.0) + std::min(this->Depth[s.To], 0.0);
+      s.Weight *= std::exp(0.5 * SpringPower * depth);
+    }
+    std::vector<char> fixed = this->Fixed;
+    for (std::size_t v = 0; v < fixed.size(); ++v)
+    {
+      fixed[v] |= this->Depth[v] > NeckDepth;
+    }
+    ComplexVector spread = disk;
+    relaxSprings(springs, fixed, spread);
+    // The rim of the necks need not be convex, as the boundary of the whole is.
+    if (this->flippedFaces(fixed, spread) > 0)
+    {
+      spread = disk;
+      relaxSprings(springs, this->Fixed, spread);
+    }
+    disk = spread;
+  }
+
+private:
+  // With a vertex that is not fixed.
+  int flippedFaces(const std::vector<char>& fixed, const ComplexVector& disk) const
+  {
+    const IntrinsicTriangulation& t = this->Triangulation;
+    std::vector<Eigen::RowVector3i> moved;
+    for (int f = 0; f < t.faceCount(); ++f)
+    {
+      const Eigen::RowVector3i face(t.origin(3 * f), t.origin(3 * f + 1), t.origin(3 * f + 2));
+      if (!fixed[face[0]] || !fixed[face[1]] || !fixed[face[2]])
+      {
+        moved.push_back(face);
+      }
+    }
+    FaceMatrix faces(moved.size(), 3);
+    for (std::size_t i = 0; i < moved.size(); ++i)
+    {
+      faces.row(i) = moved[i];
+    }
+    return countFlippedFaces(pointsOf(disk), faces);
+  }
+
+  const IntrinsicTriangulation& Triangulation;
+  std::vector<double> Depth; // below 0 in horns
+  std::vector<char> Fixed;
+  int Count = 0;
+};
+
 int spread(const IntrinsicTriangulation& t,
   const IntrinsicTriangulation::Factors& metric,
   const IntrinsicTriangulation::Factors& logFactors,
   double logMeanFactor,
   ComplexVector& disk)
 {
-  std::vector<double> depth(t.vertexCount(), 0.0);
-  std::vector<char> fixed(t.vertexCount(), 1);
-  for (int h = 0; h < t.halfedgeCount(); ++h)
+  const Horns horns(t, logFactors, logMeanFactor);
+  if (horns.vertexCount() > 0)
   {
-    fixed[t.origin(h)] = 0;
+    horns.spread(metric, disk);
   }
-  for (const auto& edge : t.boundaryEdges())
-  {
-    if (edge.Origin >= 0)
-    {
-      fixed[edge.Origin] = 1;
-    }
-  }
-  int count = 0;
-  for (int v = 0; v < t.vertexCount(); ++v)
-  {
-    depth[v] = std::min(0.0, static_cast<double>(logFactors[v]) - logMeanFactor - HornLogScale);
-    count += !fixed[v] && depth[v] < 0.0;
-  }
-  if (count > 0)
-  {
-    std::vector<Spring> springs = springsOf(t, metric);
-    for (Spring& s : springs)
-    {
-      s.Weight *= std::exp(0.5 * SpringPower * (depth[s.From] + depth[s.To]));
-    }
-    relaxSprings(springs, fixed, disk);
-  }
-  return count;
+  return horns.vertexCount();
 }
 
 } // namespace

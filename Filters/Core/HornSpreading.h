@@ -13,9 +13,9 @@ namespace flattening
 /// surface length, one per vertex) falls below 1e-5 of exp(@p logMeanFactor), it is made to fall a
 /// quarter as fast: the positions @p disk of the vertices within are moved to the equilibrium of
 /// cotangent springs that weaken with the fourth power of the scale, which turns no triangle of @p
-/// triangulation over (see relaxSprings) and moves nothing where the scale is larger, but for what the
-/// horns' necks do. The map is no longer conformal in the horns, where no double could say so. Boundary
-/// vertices stay.
+/// triangulation over (see relaxSprings) and moves nothing where the scale is more than 20 times as
+/// large. The map is no longer conformal in the horns, where no double could say so. Boundary vertices
+/// stay.
 /// @returns how many vertices lie in horns; with 0 nothing is moved.
 /// @throws ConvergenceError as relaxSprings
 int spreadHorns(const IntrinsicTriangulation& triangulation,

@@ -18,6 +18,8 @@ namespace
 
 constexpr int HalfedgesPerTask = 4096;
 constexpr double FlipTolerance = 1e-12;
+// Two opposite angles whose cosines have a larger sum need not be looked at more closely.
+constexpr double CertainlyDelaunay = 1e-3;
 // Relative to the mean edge length. The angles of a shorter edge's needles would lose more digits of the
 // logarithms than the flow's tolerance allows.
 constexpr double LeastExcess = 1e-10;
@@ -54,6 +56,7 @@ struct FlatMetric
   const IntrinsicTriangulation& Triangulation;
   std::function<long double(int)> OtherDiagonal;
 
+  long double logLength(int h) const { return this->Triangulation.logLength(h); }
   double cosine(int h) const
   {
     const IntrinsicTriangulation& t = this->Triangulation;
@@ -77,6 +80,7 @@ struct ConformalMetric
   const IntrinsicTriangulation& Triangulation;
   const IntrinsicTriangulation::Factors& U;
 
+  long double logLength(int h) const { return this->Triangulation.scaledLogLength(h, this->U); }
   double cosine(int h) const
   {
     const IntrinsicTriangulation& t = this->Triangulation;
@@ -378,6 +382,34 @@ int IntrinsicTriangulation::closeBoundaryVertex(int b, long double logAcross)
   return f;
 }
 
+// Of the angles opposite to all half-edges, by one exponential per side: not to the last digit.
+template <typename Metric>
+std::vector<double> IntrinsicTriangulation::cosines(const Metric& metric) const
+{
+  std::vector<double> cosines(this->halfedgeCount());
+  tbb::parallel_for(tbb::blocked_range<int>(0, this->faceCount(), HalfedgesPerTask / 3),
+    [&](const tbb::blocked_range<int>& faces)
+    {
+      for (int f = faces.begin(); f < faces.end(); ++f)
+      {
+        double length[3];
+        for (int k = 0; k < 3; ++k)
+        {
+          length[k] =
+            std::exp(static_cast<double>(metric.logLength(3 * f + k) - metric.logLength(3 * f)));
+        }
+        for (int k = 0; k < 3; ++k)
+        {
+          const double a = length[k];
+          const double b = length[(k + 1) % 3];
+          const double c = length[(k + 2) % 3];
+          cosines[3 * f + k] = ((b - a) * (b + a) + c * c) / (2.0 * b * c);
+        }
+      }
+    });
+  return cosines;
+}
+
 template <typename Metric>
 int IntrinsicTriangulation::flipAll(const Metric& metric)
 {
@@ -397,13 +429,16 @@ int IntrinsicTriangulation::flipAll(const Metric& metric)
   };
   const auto mayFlip = [&](int h)
   { return this->Origins[h] >= 0 && this->Twins[h] >= 0 && face(this->Twins[h]) != face(h); };
+  const std::vector<double> cosines = this->cosines(metric);
   std::vector<char> mustFlip(this->halfedgeCount(), 0);
   tbb::parallel_for(tbb::blocked_range<int>(0, this->halfedgeCount(), HalfedgesPerTask),
     [&](const tbb::blocked_range<int>& halfedges)
     {
       for (int h = halfedges.begin(); h < halfedges.end(); ++h)
       {
-        mustFlip[h] = this->Twins[h] > h && mayFlip(h) && metric.mustFlip(h);
+        mustFlip[h] = this->Twins[h] > h &&
+                      !(cosines[h] + cosines[this->Twins[h]] > CertainlyDelaunay) && mayFlip(h) &&
+                      metric.mustFlip(h);
       }
     });
   for (int h = 0; h < this->halfedgeCount(); ++h)

@@ -144,6 +144,8 @@ private:
   int closeBoundaryVertex(int b, long double logAcross);
   long double otherDiagonal(int h) const;
   template <typename Metric>
+  std::vector<double> cosines(const Metric& metric) const;
+  template <typename Metric>
   int flipAll(const Metric& metric);
 
   int VertexCount = 0;

@@ -23,13 +23,19 @@ constexpr double GreatestError = 1e-10;
 // Radians; vertices that are farther off, if they are few, are settled before the others move on: in
 // horns the energy is far from quadratic when it is nearly so elsewhere.
 constexpr double OutlierError = 0.2;
-constexpr int MostOutliersPerMille = 2;
+constexpr int MostOutliersPerMille = 8;
 constexpr int LeastMostOutliers = 20;
 constexpr int OutlierRings = 4;
 constexpr double OutlierTolerance = 0.02;
 constexpr int MostLocalSteps = 20;
-// Greatest change of a factor in one step.
+// Greatest change in one step of the difference of two neighbours' factors: a triangle whose sides
+// differ by more than a thousand million has no angles in the precision at hand.
 constexpr double LongestStep = 8.0;
+// Radians; below, convergence is quadratic, and the iterations of all systems to come are those that
+// reduce a residual as much as the error is to fall. If they are more than these, a new factor is
+// cheaper.
+constexpr double QuadraticError = 0.1;
+constexpr double WorthAFactor = 30.0;
 // A ridge on the Hessian, whose entries are cotangents, where the energy is flat.
 constexpr double Ridge = 1e-3;
 // Radians; what is degenerate next to infinity when no angle is farther off will stay so.
@@ -122,6 +128,11 @@ public:
               << " degenerate triangles: remesh the surface (Surface To Disk, Remesh)";
       throw ConvergenceError(message.str());
     }
+    const EliminationOrder& order = this->Solver.order();
+    if (static_cast<int>(order.Unknowns.size()) == this->System.unknowns())
+    {
+      this->Result.Elimination = { this->System.vertices(order.Unknowns), order.Fill };
+    }
     return this->Result;
   }
 
@@ -169,6 +180,10 @@ private:
       hessian.diagonal().array() += Ridge;
     }
     const double error = this->System.error();
+    if (error<QuadraticError&& this->Solver.iterationsFor(this->Options.Tolerance / error)> WorthAFactor)
+    {
+      this->Solver.forgetFactor();
+    }
     const double tolerance =
       std::max(std::min(LinearTolerance, error), 0.1 * this->Options.Tolerance / error);
     Eigen::VectorXd step;
@@ -189,7 +204,7 @@ private:
     const double slope = this->System.gradient().dot(step);
     const double previous = this->System.error();
     const IntrinsicTriangulation::Factors origin = this->Result.LogFactors;
-    double length = std::min(1.0, LongestStep / std::max(step.lpNorm<Eigen::Infinity>(), 1e-300));
+    double length = std::min(1.0, LongestStep / std::max(this->System.greatestDifference(step), 1e-300));
     for (int trial = 0; trial < MostTrials; ++trial)
     {
       this->Result.LogFactors = origin;

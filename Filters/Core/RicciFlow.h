@@ -4,6 +4,7 @@
 
 #include "IntrinsicTriangulation.h"
 #include "Progress.h"
+#include "SparseCholesky.h"
 
 #include <vector>
 
@@ -23,6 +24,7 @@ struct RicciFlowResult
   int NewtonIterations = 0;
   int Flips = 0;
   double MaxCurvatureError = 0.0; ///< radians
+  EliminationOrder Elimination;   ///< of vertices, by the last factorization, for the layout to use
 };
 
 /// Minimises the convex energy whose gradient is (target angle sum - angle sum) by Newton's method with

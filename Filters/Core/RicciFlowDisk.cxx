@@ -86,7 +86,8 @@ HalfPlaneMap mapToHalfPlane(Workpiece& piece,
   map.Flips += flow.Flips;
   map.MaxCurvatureError = flow.MaxCurvatureError;
 
-  const ComplexVector positions = layOutInHalfPlane(t, flow.LogFactors, star.FirstBoundaryEdge);
+  const ComplexVector positions =
+    layOutInHalfPlane(t, flow.LogFactors, star.FirstBoundaryEdge, flow.Elimination);
   map.LayoutError = layoutError(t, flow.LogFactors, positions);
   requireLayout(map.LayoutError);
   return { std::move(t), positions, flow.LogFactors, atInfinity };

@@ -20,7 +20,7 @@ std::mutex& SparseCholesky::blas()
 // Analyses the pattern in the order that is known. False if that order does not serve.
 bool SparseCholesky::reuseOrder(const SparseMatrix& matrix)
 {
-  if (static_cast<Eigen::Index>(this->Order.size()) != matrix.rows())
+  if (static_cast<Eigen::Index>(this->Order.Unknowns.size()) != matrix.rows())
   {
     return false;
   }
@@ -28,9 +28,9 @@ bool SparseCholesky::reuseOrder(const SparseMatrix& matrix)
   cholmod_sparse view = Eigen::viewAsCholmod(matrix.selfadjointView<Eigen::Lower>());
   const int methods = common.nmethods;
   common.nmethods = 1; // of which the first is the given order
-  cholmod_factor* factor = cholmod_analyze_p(&view, this->Order.data(), nullptr, 0, &common);
+  cholmod_factor* factor = cholmod_analyze_p(&view, this->Order.Unknowns.data(), nullptr, 0, &common);
   common.nmethods = methods;
-  if (!factor || common.lnz > GreatestGrowth * this->FirstFill)
+  if (!factor || common.lnz > GreatestGrowth * this->Order.Fill)
   {
     cholmod_free_factor(&factor, &common);
     return false;
@@ -58,8 +58,8 @@ void SparseCholesky::findOrder(const SparseMatrix& matrix)
   common.nmethods = methods;
   common.method[0].ordering = first;
   const auto* order = static_cast<const int*>(this->m_cholmodFactor->Perm);
-  this->Order.assign(order, order + matrix.rows());
-  this->FirstFill = common.lnz;
+  this->Order.Unknowns.assign(order, order + matrix.rows());
+  this->Order.Fill = common.lnz;
 }
 
 SparseCholesky& SparseCholesky::compute(const SparseMatrix& matrix)

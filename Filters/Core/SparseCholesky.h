@@ -6,12 +6,20 @@
 #include <Eigen/SparseCore>
 
 #include <mutex>
+#include <utility>
 #include <vector>
 
 namespace flattening
 {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
+
+/// In which order the unknowns of a matrix are eliminated, and what came of it.
+struct EliminationOrder
+{
+  std::vector<int> Unknowns;
+  double Fill = 0.0; ///< entries of the factor
+};
 
 /// CHOLMOD's. A matrix of the same size as the one before is taken for the next of a sequence whose
 /// patterns change little, as Newton's method makes them: the order of elimination, which takes about as
@@ -40,7 +48,18 @@ public:
   }
   ~SparseCholesky() = default;
 
+  /// An order to begin with, that of a matrix of nearly the same pattern. Rows and fill are this
+  /// matrix's.
+  explicit SparseCholesky(EliminationOrder order)
+    : Search(Ordering::Quick)
+    , Order(std::move(order))
+  {
+  }
+
   SparseCholesky& compute(const SparseMatrix& matrix);
+
+  /// Of the last matrix.
+  const EliminationOrder& order() const { return this->Order; }
 
   template <typename Derived>
   typename Derived::PlainObject solve(const Eigen::MatrixBase<Derived>& rightSide) const
@@ -58,8 +77,7 @@ private:
   void findOrder(const SparseMatrix& matrix);
 
   Ordering Search;
-  std::vector<int> Order;
-  double FirstFill = 0.0; // entries of the factor when the order was found
+  EliminationOrder Order; // with the fill of the matrix that it was found for
 };
 
 } // namespace flattening

@@ -2,7 +2,6 @@
 #include "SpringLayout.h"
 
 #include "Errors.h"
-#include "SparseCholesky.h"
 
 #include <algorithm>
 #include <iterator>
@@ -14,6 +13,36 @@ namespace
 
 using Complex = std::complex<double>;
 constexpr int Refinements = 2;
+
+// The order of the points' rows; points that it does not name come last.
+EliminationOrder orderOfRows(const EliminationOrder& order,
+  const std::vector<int>& row,
+  const std::vector<int>& vertex)
+{
+  EliminationOrder result;
+  if (order.Unknowns.empty())
+  {
+    return result;
+  }
+  result.Fill = order.Fill;
+  std::vector<char> named(vertex.size(), 0);
+  for (const int v : order.Unknowns)
+  {
+    if (row[v] >= 0)
+    {
+      named[row[v]] = 1;
+      result.Unknowns.push_back(row[v]);
+    }
+  }
+  for (std::size_t r = 0; r < vertex.size(); ++r)
+  {
+    if (!named[r])
+    {
+      result.Unknowns.push_back(static_cast<int>(r));
+    }
+  }
+  return result;
+}
 
 } // namespace
 
@@ -41,7 +70,8 @@ std::vector<Spring> springsOf(const IntrinsicTriangulation& t, const IntrinsicTr
 
 void relaxSprings(const std::vector<Spring>& springs,
   const std::vector<char>& fixed,
-  ComplexVector& position)
+  ComplexVector& position,
+  const EliminationOrder& order)
 {
   std::vector<int> row(fixed.size(), -1);
   std::vector<int> vertex;
@@ -77,7 +107,8 @@ void relaxSprings(const std::vector<Spring>& springs,
   }
   SparseMatrix laplacian(vertex.size(), vertex.size());
   laplacian.setFromTriplets(entries.begin(), entries.end());
-  const SparseCholesky cholesky(laplacian);
+  SparseCholesky cholesky(orderOfRows(order, row, vertex));
+  cholesky.compute(laplacian);
   if (cholesky.info() != Eigen::Success)
   {
     throw ConvergenceError(

@@ -4,6 +4,7 @@
 
 #include "IntrinsicTriangulation.h"
 #include "MoebiusNormalisation.h"
+#include "SparseCholesky.h"
 
 #include <vector>
 
@@ -25,9 +26,12 @@ std::vector<Spring> springsOf(const IntrinsicTriangulation& triangulation,
 /// Moves all points but the @p fixed ones (per point; the others must hang on these by springs) to where
 /// the springs are in equilibrium. Around a convex boundary no triangle is turned over (Tutte 1963,
 /// Floater 1997).
+/// @param order  of elimination, of points that need not be all; where it does not serve another one is
+///               found, which takes time
 /// @throws ConvergenceError if the linear system cannot be factored.
 void relaxSprings(const std::vector<Spring>& springs,
   const std::vector<char>& fixed,
-  ComplexVector& position);
+  ComplexVector& position,
+  const EliminationOrder& order = {});
 
 } // namespace flattening

@@ -58,12 +58,17 @@ bool StaleFactorSolver::iterate(const SparseMatrix& lower,
   return false;
 }
 
+double StaleFactorSolver::iterationsFor(double reduction) const
+{
+  return std::log(reduction) / this->LogReduction;
+}
+
 bool StaleFactorSolver::solve(const SparseMatrix& lower,
   const Eigen::VectorXd& rightSide,
   double tolerance,
   Eigen::VectorXd& solution)
 {
-  if (this->Size == lower.rows() && std::log(tolerance) >= ManyIterations * this->LogReduction &&
+  if (this->Size == lower.rows() && this->iterationsFor(tolerance) <= ManyIterations &&
       this->iterate(lower, rightSide, tolerance, solution))
   {
     return true;

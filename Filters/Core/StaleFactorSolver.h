@@ -20,6 +20,15 @@ public:
     double tolerance,
     Eigen::VectorXd& solution);
 
+  /// How many iterations would reduce a residual so much, judged by the last system; 0 right after a
+  /// factorization.
+  double iterationsFor(double reduction) const;
+  /// The next system's matrix will be factored.
+  void forgetFactor() { this->Size = -1; }
+
+  /// Of the last factorization.
+  const EliminationOrder& order() const { return this->Factor.order(); }
+
   int factorizations() const { return this->Factorizations; }
   int iterations() const { return this->Iterations; }
 

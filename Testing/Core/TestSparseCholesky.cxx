@@ -66,6 +66,27 @@ TEST(SparseCholesky, SolvesEverySystemOfASequence)
   }
 }
 
+// One that serves is kept, one that fills the factor is not.
+TEST(SparseCholesky, BeginsWithAGivenOrder)
+{
+  const SparseMatrix matrix = laplacian(60, 0);
+  const SparseCholesky found(matrix);
+  EliminationOrder rows{ {}, found.order().Fill };
+  for (int r = 0; r < matrix.rows(); ++r)
+  {
+    rows.Unknowns.push_back(r);
+  }
+  SparseCholesky refused(rows);
+  EXPECT_LT(residual(refused, matrix), 1e-11);
+  EXPECT_NE(refused.order().Unknowns, rows.Unknowns) << "row by row, the factor is twice as large";
+  EXPECT_EQ(refused.order().Fill, rows.Fill);
+  std::vector<int> similar = found.order().Unknowns;
+  std::swap(similar[0], similar[1]);
+  SparseCholesky kept(EliminationOrder{ similar, rows.Fill });
+  EXPECT_LT(residual(kept, matrix), 1e-11);
+  EXPECT_EQ(kept.order().Unknowns, similar);
+}
+
 // With BLAS libraries that do not lock their buffers, some of these factorizations fail.
 TEST(SparseCholesky, MayBeUsedInSeveralThreadsAtOnce)
 {

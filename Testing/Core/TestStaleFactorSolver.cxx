@@ -73,6 +73,22 @@ TEST(StaleFactorSolver, AnotherMatrixIsFactored)
   EXPECT_EQ(solver.factorizations(), 5);
 }
 
+TEST(StaleFactorSolver, ForetellsIterationsAndForgets)
+{
+  StaleFactorSolver solver;
+  relativeResidual(solver, springs(50, 0.5, 1), 1e-8);
+  EXPECT_EQ(solver.iterationsFor(1e-8), 0.0);
+  relativeResidual(solver, springs(50, 0.5, 2), 1e-4);
+  const double foretold = solver.iterationsFor(1e-8);
+  const int before = solver.iterations();
+  relativeResidual(solver, springs(50, 0.5, 3), 1e-8);
+  EXPECT_EQ(solver.factorizations(), 1);
+  EXPECT_NEAR(solver.iterations() - before, foretold, 0.3 * foretold);
+  solver.forgetFactor();
+  relativeResidual(solver, springs(50, 0.5, 3), 1e-2);
+  EXPECT_EQ(solver.factorizations(), 2);
+}
+
 TEST(StaleFactorSolver, SaysThatAMatrixIsIndefinite)
 {
   StaleFactorSolver solver;
