@@ -204,8 +204,10 @@ int vtkOMTAreaPreservingFilter::RequestData(vtkInformation* vtkNotUsed(request),
         weights =
           readWeights(input, this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME()));
       }
-      flattening::TransportOptions options;
-      options.Tolerance = this->Tolerance;
+      flattening::AreaPreservingOptions options;
+      options.Transport.Tolerance = this->Tolerance;
+      options.RefineFaces = this->FaceRefinement;
+      options.Refinement.AngleWeight = this->AngleWeight;
 
       const flattening::Points2 conformal = (flat.rowwise() - domain.Centre) / domain.Scale;
       const auto progress = flattening::progressOf(this);
@@ -242,6 +244,21 @@ int vtkOMTAreaPreservingFilter::RequestData(vtkInformation* vtkNotUsed(request),
       flattening::setFigure(figures, "MaxCellAreaError", map.MaxCellError);
       flattening::setFigure(figures, "CoincidentPoints", static_cast<long long>(map.CoincidentVertices));
       flattening::setFigure(figures, "FlippedFaces", static_cast<long long>(map.FlippedFaces));
+      flattening::setFigure(figures, "Bijective", static_cast<long long>(map.Bijective ? 1 : 0));
+      flattening::setFigure(figures, "RefinementRounds", static_cast<long long>(map.RefinementRounds));
+      flattening::setFigure(figures, "RefinementRepairs", static_cast<long long>(map.RepairedFaces));
+      if (this->FaceRefinement && !map.Bijective)
+      {
+        vtkWarningMacro(<< map.FlippedFaces
+                        << " triangles of the area-preserving map are flipped and could not be turned "
+                           "over: remesh the surface (Surface To Disk, Remesh)");
+      }
+      if (map.StartShare < 1.0)
+      {
+        vtkWarningMacro("the face refinement had to begin with a map between the conformal and the "
+                        "transported one, as triangles of the latter could not be turned over: expect "
+                        "area errors; remesh the surface or cut a larger hole (Surface To Disk)");
+      }
     });
 }
 
@@ -252,4 +269,6 @@ void vtkOMTAreaPreservingFilter::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "UseAreaWeight: " << this->UseAreaWeight << "\n";
+  os << indent << "FaceRefinement: " << this->FaceRefinement << "\n";
+  os << indent << "AngleWeight: " << this->AngleWeight << "\n";
 }

@@ -11,8 +11,10 @@
  * boundary. The domain is the disk around the origin, or the rectangle with sides along the axes if the
  * boundary lies on them; points in its corners stay there.
  *
- * The areas of the *cells* are exact to Tolerance. Areas of *triangles* follow only as well as the
- * triangulation allows: measure them with vtkDistortionMetrics.
+ * The areas of the *cells* are exact to Tolerance. Areas of *triangles* follow the cells only as well as
+ * the triangulation allows, so the points are then moved, those of the boundary along it, until the
+ * triangles are exact too and none is flipped (FaceRefinement). What error is left is measured with
+ * vtkDistortionMetrics; near a boundary that was a hole too small for its number of points it is large.
  *
  * Output port 0 has the input's points and cells, one to one and with all of their arrays (among them
  * `SurfacePoints`), in the plane z = 0, in the disk around the origin or in the rectangle with its lower
@@ -28,7 +30,10 @@
  *
  * Field data of port 0 (one tuple each): `NewtonIterations`; `PowerDiagrams` computed;
  * `MaxCellAreaError`, max_i |CellArea - TargetArea| / TargetArea; `CoincidentPoints`, points that shared
- * the position of another; `FlippedFaces`, triangles not positively oriented.
+ * the position of another; `FlippedFaces`, triangles not positively oriented; `Bijective`, 1 if the map
+ * is one-to-one: there are none, and the boundary points are in order; `RefinementRounds`, one
+ * factorization each; `RefinementRepairs`, triangles that had flipped on the way. A warning tells when
+ * Bijective is 0.
  *
  * Newton's method on the convex energy is damped by the rule of Kitagawa, Merigot and Thibert, which
  * converges from any start without empty cells. Where the conformal map puts the points of a long
@@ -99,6 +104,25 @@ public:
   vtkBooleanMacro(UseAreaWeight, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether triangles are made as exact as cells. If off, the output has the centroids of the cells.
+   * Default: on.
+   */
+  vtkSetMacro(FaceRefinement, bool);
+  vtkGetMacro(FaceRefinement, bool);
+  vtkBooleanMacro(FaceRefinement, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What angles count against areas in the refinement, dimensionless. 0: areas alone. Larger values give
+   * up some area for shape, continuously. Range [0, 0.99]. Default: 0.
+   */
+  vtkSetClampMacro(AngleWeight, double, 0.0, 0.99);
+  vtkGetMacro(AngleWeight, double);
+  ///@}
+
   /**
    * The power diagram of output port 1.
    */
@@ -115,6 +139,8 @@ protected:
   int NormalizeTo = SURFACE_AREA;
   double Tolerance = 1e-6;
   bool UseAreaWeight = true;
+  bool FaceRefinement = true;
+  double AngleWeight = 0.0;
 
 private:
   vtkOMTAreaPreservingFilter(const vtkOMTAreaPreservingFilter&) = delete;

@@ -127,15 +127,46 @@ Eigen::VectorXd targetAreas(const TriangleMesh& mesh, const Eigen::VectorXd& wei
   return targets * (EIGEN_PI / targets.sum());
 }
 
+Eigen::VectorXd faceTargets(const TriangleMesh& mesh, const Eigen::VectorXd& weights)
+{
+  Eigen::VectorXd targets = faceAreas(mesh.Vertices, mesh.Faces);
+  if (weights.size() > 0)
+  {
+    for (int f = 0; f < mesh.faceCount(); ++f)
+    {
+      targets[f] *=
+        (weights[mesh.Faces(f, 0)] + weights[mesh.Faces(f, 1)] + weights[mesh.Faces(f, 2)]) / 3.0;
+    }
+  }
+  return targets;
+}
+
 namespace
 {
+
+void refine(AreaPreservingMap& map,
+  const TriangleMesh& mesh,
+  const TransportedMap& transported,
+  const Eigen::VectorXd& weights,
+  const FaceRefinementOptions& options,
+  const ProgressCallback& progress)
+{
+  FaceRefinementResult refined =
+    refineFaces(mesh, transported, faceTargets(mesh, weights), map.TargetAreas, options, progress);
+  map.Positions = std::move(refined.Positions);
+  map.FlippedFaces = refined.FlippedFaces;
+  map.Bijective = refined.Bijective;
+  map.RefinementRounds = refined.Rounds;
+  map.RepairedFaces = refined.RepairedFaces;
+  map.StartShare = refined.StartShare;
+}
 
 AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
   const Points2& conformal,
   const Target& target,
   const std::vector<int>& loop,
   const Eigen::VectorXd& weights,
-  const TransportOptions& options,
+  const AreaPreservingOptions& options,
   const ProgressCallback& progress)
 {
   requirePositions(conformal, loop, target);
@@ -152,13 +183,14 @@ AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
   }
 
   PowerDiagram diagram(sites.Positions, target.Domain);
+  const double transportEnd = options.RefineFaces ? 0.5 : 0.95;
   const TransportResult transport =
-    transportNewton(diagram, siteTargets, options, subrange(progress, 0.0, 0.95));
+    transportNewton(diagram, siteTargets, options.Transport, subrange(progress, 0.0, transportEnd));
   map.NewtonIterations = transport.NewtonIterations;
   map.PowerDiagrams = diagram.updates();
   map.MaxCellError = transport.MaxCellError;
 
-  report(progress, 0.97, "Flat positions");
+  report(progress, transportEnd + 0.01, "Flat positions");
   map.Positions.resize(n, 2);
   map.CellAreas.resize(n);
   map.PowerWeights.resize(n);
@@ -178,6 +210,16 @@ AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
     map.Positions.row(loop[k]) = target.Domain->at(places[k]);
   }
   map.FlippedFaces = countFlippedFaces(map.Positions, mesh.Faces);
+  map.Bijective = map.FlippedFaces == 0; // boundaryPlaces() are in order
+  if (options.RefineFaces)
+  {
+    refine(map,
+      mesh,
+      { target.Domain, loop, target.Corners, conformal, Points2(map.Positions) },
+      weights,
+      options.Refinement,
+      subrange(progress, transportEnd + 0.02, 1.0));
+  }
   report(progress, 1.0, "Area-preserving map");
   return { std::move(map), std::move(diagram), std::move(sites.SiteOfVertex) };
 }
@@ -187,7 +229,7 @@ AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
 AreaPreservingResult areaPreservingDiskMap(const TriangleMesh& mesh,
   const Points2& conformal,
   const Eigen::VectorXd& weights,
-  const TransportOptions& options,
+  const AreaPreservingOptions& options,
   const ProgressCallback& progress)
 {
   const Target target{ std::make_shared<UnitDisk>(), "disk", "circle around the origin", {}, {} };
@@ -198,7 +240,7 @@ AreaPreservingResult areaPreservingRectangleMap(const TriangleMesh& mesh,
   const Points2& conformal,
   double width,
   const Eigen::VectorXd& weights,
-  const TransportOptions& options,
+  const AreaPreservingOptions& options,
   const ProgressCallback& progress)
 {
   const std::vector<int> loop = requireDisk(mesh);

@@ -3,6 +3,7 @@
 /// section 4).
 #pragma once
 
+#include "FaceRefinement.h"
 #include "PowerDiagram.h"
 #include "Progress.h"
 #include "Transport.h"
@@ -18,6 +19,17 @@ namespace flattening
 /// @throws InvalidInput if a weight is not a positive number or a vertex has no area.
 Eigen::VectorXd targetAreas(const TriangleMesh& mesh, const Eigen::VectorXd& weights);
 
+/// What a face's area should become, from the weights of its corners: its area times their mean (m).
+/// @p weights (n) may be empty: all 1.
+Eigen::VectorXd faceTargets(const TriangleMesh& mesh, const Eigen::VectorXd& weights);
+
+struct AreaPreservingOptions
+{
+  TransportOptions Transport;
+  bool RefineFaces = true; ///< from exact cells to exact faces (refineFaces)
+  FaceRefinementOptions Refinement;
+};
+
 struct AreaPreservingMap
 {
   Points2 Positions;            ///< n x 2; boundary vertices on the boundary of the domain
@@ -29,6 +41,10 @@ struct AreaPreservingMap
   int CoincidentVertices = 0; ///< vertices that shared the conformal position of another
   double MaxCellError = 0.0;  ///< max_i |A_i - nu_i| / nu_i
   int FlippedFaces = 0;       ///< faces not positively oriented (exact)
+  bool Bijective = false;     ///< whether none is, and the boundary vertices are in order
+  int RefinementRounds = 0;
+  int RepairedFaces = 0;   ///< that were flipped between the stages of the refinement
+  double StartShare = 1.0; ///< see FaceRefinementResult
 };
 
 struct AreaPreservingResult
@@ -40,13 +56,14 @@ struct AreaPreservingResult
 
 /// Optimal transport of the surface's area, concentrated at @p conformal (n x 2, unit disk, the boundary
 /// on the circle), to the uniform measure of the disk. Interior vertices go to the centroids of their
-/// power cells, boundary vertices to the circle.
+/// power cells, boundary vertices to the circle; from there the refinement moves them until the faces
+/// are exact as well.
 /// @throws InvalidInput, TopologyError (see requireDisk, targetAreas), InvalidInput if @p conformal is
 /// not such a map, ConvergenceError, Cancelled.
 AreaPreservingResult areaPreservingDiskMap(const TriangleMesh& mesh,
   const Points2& conformal,
   const Eigen::VectorXd& weights = {},
-  const TransportOptions& options = {},
+  const AreaPreservingOptions& options = {},
   const ProgressCallback& progress = {});
 
 /// The same to a rectangle of area pi around the origin with sides along the axes: @p conformal has the
@@ -56,7 +73,7 @@ AreaPreservingResult areaPreservingRectangleMap(const TriangleMesh& mesh,
   const Points2& conformal,
   double width,
   const Eigen::VectorXd& weights = {},
-  const TransportOptions& options = {},
+  const AreaPreservingOptions& options = {},
   const ProgressCallback& progress = {});
 
 } // namespace flattening

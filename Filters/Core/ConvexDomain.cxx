@@ -24,6 +24,11 @@ Eigen::Vector2d UnitDisk::at(double place) const
   return { std::cos(place), std::sin(place) };
 }
 
+Eigen::Vector2d UnitDisk::tangentAt(double place) const
+{
+  return { -std::sin(place), std::cos(place) };
+}
+
 double UnitDisk::placeOf(const Eigen::Vector2d& point) const
 {
   return std::atan2(point.y(), point.x());
@@ -139,11 +144,22 @@ bool ConvexPolygon::contains(const Eigen::Vector2d& point) const
   return true;
 }
 
-Eigen::Vector2d ConvexPolygon::at(double place) const
+int ConvexPolygon::sideAt(double& place) const
 {
   place -= this->perimeter() * std::floor(place / this->perimeter());
   const auto after = std::upper_bound(this->Along.begin() + 1, this->Along.end() - 1, place);
-  const int k = static_cast<int>(after - this->Along.begin()) - 1;
+  return static_cast<int>(after - this->Along.begin()) - 1;
+}
+
+Eigen::Vector2d ConvexPolygon::tangentAt(double place) const
+{
+  const int k = this->sideAt(place);
+  return (this->corner(k + 1) - this->corner(k)) / (this->Along[k + 1] - this->Along[k]);
+}
+
+Eigen::Vector2d ConvexPolygon::at(double place) const
+{
+  const int k = this->sideAt(place);
   const double t = (place - this->Along[k]) / (this->Along[k + 1] - this->Along[k]);
   return this->corner(k) + t * (this->corner(k + 1) - this->corner(k)); // exact along the axes
 }

@@ -17,12 +17,15 @@ public:
   virtual ~ConvexDomain() = default;
 
   virtual double area() const = 0;
+  virtual bool isRound() const = 0; ///< whether its boundary is curved
   virtual Eigen::Vector2d centroid() const = 0;
   virtual double perimeter() const = 0;
   virtual bool contains(const Eigen::Vector2d& point) const = 0; ///< its boundary belongs to it
 
   /// The point at a place on the boundary.
   virtual Eigen::Vector2d at(double place) const = 0;
+  /// Its derivative by the place, of length 1; in a corner that of the side which begins there.
+  virtual Eigen::Vector2d tangentAt(double place) const = 0;
   /// The place where the ray from the centroid through @p point meets the boundary.
   virtual double placeOf(const Eigen::Vector2d& point) const = 0;
 
@@ -60,10 +63,12 @@ class UnitDisk : public ConvexDomain
 {
 public:
   double area() const override { return EIGEN_PI; }
+  bool isRound() const override { return true; }
   Eigen::Vector2d centroid() const override { return Eigen::Vector2d::Zero(); }
   double perimeter() const override { return 2.0 * EIGEN_PI; }
   bool contains(const Eigen::Vector2d& point) const override { return point.squaredNorm() <= 1.0; }
   Eigen::Vector2d at(double place) const override;
+  Eigen::Vector2d tangentAt(double place) const override;
   double placeOf(const Eigen::Vector2d& point) const override;
   bool cross(const Eigen::Vector2d& point,
     const Eigen::Vector2d& direction,
@@ -87,10 +92,12 @@ public:
   explicit ConvexPolygon(const Points2& corners);
 
   double area() const override { return this->Area; }
+  bool isRound() const override { return false; }
   Eigen::Vector2d centroid() const override { return this->Centroid; }
   double perimeter() const override { return this->Along.back(); }
   bool contains(const Eigen::Vector2d& point) const override;
   Eigen::Vector2d at(double place) const override;
+  Eigen::Vector2d tangentAt(double place) const override;
   double placeOf(const Eigen::Vector2d& point) const override;
   bool cross(const Eigen::Vector2d& point,
     const Eigen::Vector2d& direction,
@@ -108,6 +115,7 @@ private:
   int count() const { return static_cast<int>(this->Corners.rows()); }
   Eigen::Vector2d corner(int k) const { return this->Corners.row(k % this->count()); }
   double height(int side, const Eigen::Vector2d& point) const;
+  int sideAt(double& place) const; ///< takes whole turns off the place
 
   Points2 Corners;
   Points2 Inwards;           // normals of the sides

@@ -12,9 +12,8 @@ namespace flattening
 namespace
 {
 
-// Newton steps times vertices, in vain: what cannot be repaired should not take longer than the map did.
+// Newton steps times vertices, in vain, however small the map is.
 constexpr double LeastWork = 5e4;
-constexpr double WorkPerVertex = 1.0;
 // Over all flipped faces, moving single vertices.
 constexpr int LargestSweeps = 10;
 
@@ -57,7 +56,7 @@ public:
   PatchRepairs(FlatMesh& mesh, const FlippedFaceOptions& options)
     : Mesh(mesh)
     , Options(options)
-    , Work(LeastWork + WorkPerVertex * mesh.Positions.rows())
+    , Work(LeastWork + options.WorkPerVertex * mesh.Positions.rows())
     , Hopeless(mesh.Faces.rows(), 0)
   {
   }

@@ -16,6 +16,9 @@ struct FlippedFaceOptions
   double AreaWeight = 0.1;
   /// Most vertices that are moved together; flipped faces that would take more are left.
   int LargestPatch = 2000;
+  /// Newton steps times vertices that may be in vain, per vertex of the map: what cannot be repaired
+  /// should not take much longer than the map did.
+  double WorkPerVertex = 1.0;
 };
 
 struct FlippedFaceReport

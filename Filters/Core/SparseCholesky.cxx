@@ -62,6 +62,20 @@ void SparseCholesky::findOrder(const SparseMatrix& matrix)
   this->Order.Fill = common.lnz;
 }
 
+EliminationOrder SparseCholesky::orderOf(const SparseMatrix& pattern, Ordering ordering)
+{
+  SparseCholesky cholesky(ordering);
+  cholesky.findOrder(pattern);
+  return cholesky.order();
+}
+
+SparseCholesky& SparseCholesky::recompute(const SparseMatrix& matrix)
+{
+  const std::lock_guard<std::mutex> lock(this->blas());
+  this->factorize(matrix);
+  return *this;
+}
+
 SparseCholesky& SparseCholesky::compute(const SparseMatrix& matrix)
 {
   if (!this->reuseOrder(matrix))

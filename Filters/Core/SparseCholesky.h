@@ -58,6 +58,12 @@ public:
 
   SparseCholesky& compute(const SparseMatrix& matrix);
 
+  /// The same for a matrix of exactly the pattern of the one before.
+  SparseCholesky& recompute(const SparseMatrix& matrix);
+
+  /// An order for matrices of the pattern of @p pattern (lower triangle).
+  static EliminationOrder orderOf(const SparseMatrix& pattern, Ordering ordering);
+
   /// Of the last matrix.
   const EliminationOrder& order() const { return this->Order; }
 

@@ -77,4 +77,24 @@ TargetTriangles similarTriangles(const TriangleMesh& surface, const Points2& pos
   };
 }
 
+TargetTriangles trianglesOfArea(const TriangleMesh& surface, const Eigen::VectorXd& areas)
+{
+  const auto kept = std::make_shared<const Eigen::VectorXd>(areas);
+  return [&surface, kept](int face)
+  {
+    double squaredSides[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      const int a = surface.Faces(face, k);
+      const int b = surface.Faces(face, (k + 1) % 3);
+      squaredSides[k] = (surface.Vertices.row(b) - surface.Vertices.row(a)).squaredNorm();
+    }
+    const TargetTriangle triangle = triangleOfSides(squaredSides);
+    const double area =
+      0.5 * (triangle.Second.x() * triangle.Third.y() - triangle.Second.y() * triangle.Third.x());
+    const double scale = std::sqrt((*kept)[face] / area);
+    return TargetTriangle{ scale * triangle.Second, scale * triangle.Third };
+  };
+}
+
 } // namespace flattening

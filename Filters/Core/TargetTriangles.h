@@ -27,4 +27,8 @@ using TargetTriangles = std::function<TargetTriangle(int face)>;
 /// Valid whatever becomes of @p positions, while @p surface lives.
 TargetTriangles similarTriangles(const TriangleMesh& surface, const Points2& positions);
 
+/// Triangles similar to those of @p surface of the areas @p areas (m, > 0). They are the targets of an
+/// area-preserving map. Slivers are opened as above. Valid while @p surface lives.
+TargetTriangles trianglesOfArea(const TriangleMesh& surface, const Eigen::VectorXd& areas);
+
 } // namespace flattening

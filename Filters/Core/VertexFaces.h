@@ -23,6 +23,8 @@ public:
     const int* end() const { return this->Last; }
     int size() const { return static_cast<int>(this->Last - this->First); }
   };
+  int vertexCount() const { return static_cast<int>(this->Starts.size()) - 1; }
+
   Range operator[](int vertex) const
   {
     const int* rows = this->Rows.data();

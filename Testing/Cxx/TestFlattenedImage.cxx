@@ -128,6 +128,7 @@ protected:
       this->Bump.Mesh.Vertices.row(this->Bump.FirstBoundaryVertex).data());
     this->AreaPreserving->SetInputConnection(this->Conformal->GetOutputPort());
     this->AreaPreserving->SetNormalizeToUnitDomain();
+    this->AreaPreserving->FaceRefinementOff(); // of the transport alone the exact map is known
     this->AreaPreserving->Update();
   }
   vtkPolyData* flat() { return this->AreaPreserving->GetOutput(); }

@@ -13,6 +13,7 @@
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkTriangle.h>
 
 #include <algorithm>
 #include <cmath>
@@ -172,6 +173,51 @@ TEST(OMTAreaPreservingFilter, FiguresOfTheSolver)
   EXPECT_GT(figure(output, "PowerDiagrams"), figure(output, "NewtonIterations"));
   EXPECT_EQ(figure(output, "CoincidentPoints"), 0.0);
   EXPECT_EQ(figure(output, "FlippedFaces"), 0.0);
+  EXPECT_EQ(figure(output, "Bijective"), 1.0);
+  EXPECT_GE(figure(output, "RefinementRounds"), 1.0);
+  EXPECT_EQ(figure(output, "RefinementRepairs"), 0.0);
+}
+
+// Share of the faces whose area in the flat is within 2 % of that on the surface, percent.
+double facesWithin2Percent(vtkPolyData* flattened)
+{
+  vtkDataArray* surface = flattened->GetPointData()->GetArray("SurfacePoints");
+  vtkNew<vtkIdList> corners;
+  vtkIdType within = 0;
+  for (vtkIdType c = 0; c < flattened->GetNumberOfCells(); ++c)
+  {
+    flattened->GetCellPoints(c, corners);
+    double flat[3][3];
+    double curved[3][3];
+    for (int k = 0; k < 3; ++k)
+    {
+      flattened->GetPoint(corners->GetId(k), flat[k]);
+      surface->GetTuple(corners->GetId(k), curved[k]);
+    }
+    const double ratio = vtkTriangle::TriangleArea(flat[0], flat[1], flat[2]) /
+                         vtkTriangle::TriangleArea(curved[0], curved[1], curved[2]);
+    within += std::abs(ratio - 1.0) <= 0.02;
+  }
+  return 100.0 * static_cast<double>(within) / static_cast<double>(flattened->GetNumberOfCells());
+}
+
+TEST(OMTAreaPreservingFilter, FacesAreExactUnlessRefinementIsOff)
+{
+  vtkNew<vtkOMTAreaPreservingFilter> filter;
+  filter->SetInputData(conformalHemisphere(2000));
+  EXPECT_TRUE(filter->GetFaceRefinement()) << "the default";
+  filter->Update();
+  const double refined = facesWithin2Percent(filter->GetOutput());
+  EXPECT_GE(refined, 99.6);
+  filter->FaceRefinementOff();
+  filter->Update();
+  EXPECT_LT(facesWithin2Percent(filter->GetOutput()), refined);
+  EXPECT_EQ(figure(filter->GetOutput(), "RefinementRounds"), 0.0);
+  filter->FaceRefinementOn();
+  filter->SetAngleWeight(0.8);
+  filter->Update();
+  EXPECT_LT(facesWithin2Percent(filter->GetOutput()), 90.0) << "shape has its price";
+  EXPECT_EQ(figure(filter->GetOutput(), "Bijective"), 1.0);
 }
 
 // Port 1: one polygon per site, with the site's id and area. Arcs are polylines of steps of a degree at
@@ -182,6 +228,7 @@ TEST(OMTAreaPreservingFilter, PowerDiagramIsTheCells)
   const auto input = conformalHemisphere(1000);
   const double radius = std::sqrt(surfaceArea(input) / Pi);
   filter->SetInputData(input);
+  filter->FaceRefinementOff();
   filter->Update();
   vtkPolyData* output = filter->GetOutput();
   vtkPolyData* cells = filter->GetPowerDiagram();

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "FaceRefinement.h"
+
+#include "FaceOrientation.h"
+#include "FlippedFaceRepair.h"
+#include "RefinementDescent.h"
+#include "RefinementEnergy.h"
+#include "ResolvableAreas.h"
+#include "TransportField.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace flattening
+{
+namespace
+{
+
+// Of the mean target: a face without area on the surface asks for so much.
+constexpr double LeastTarget = 1e-6;
+// Of the target area: how far the first stage lets faces flip.
+constexpr double FirstEpsilon = 0.1;
+constexpr int FirstStageRounds = 10;
+constexpr int SecondStageRounds = 5;
+// A stage ends when so few faces are off by more than the tolerance, or when a round neither makes them
+// fewer nor the energy smaller by these shares.
+constexpr double AreaTolerance = 0.02;
+constexpr double EnoughShare = 0.003;
+constexpr double LeastProgress = 0.1;
+constexpr double LeastGain = 0.1;
+// The shape weight without and with AngleWeight (times AngleWeight / (1 - AngleWeight)).
+constexpr double LeastShapeWeight = 1e-3;
+constexpr double ShapeWeightScale = 0.03;
+// Of flipped faces after the first stage: patches may be a share of the mesh, as those around a small
+// hole are, and take a share of the time that the stage took.
+constexpr double LargestPatchShare = 0.25;
+constexpr double RepairWork = 30.0;
+constexpr double RepairAreaWeight = 1.0;
+// Where to look for a start without flipped faces between the conformal and the transported map.
+constexpr double StartShares[] = { 0.97, 0.9, 0.7, 0.4, 0.0 };
+
+class Refinement
+{
+public:
+  Refinement(const TriangleMesh& surface,
+    const TransportedMap& map,
+    const Eigen::VectorXd& faceTargets,
+    const FaceRefinementOptions& options)
+    : Surface(surface)
+    , Map(map)
+    , FacesOf(surface.Faces, surface.vertexCount())
+    , Unknowns(surface.vertexCount(), map.Domain, map.Loop, map.Corners)
+    , Targets(faceTargets.cwiseMax(LeastTarget * faceTargets.mean()))
+    , Energy(surface, this->FacesOf, this->Unknowns, shapeWeight(options))
+    , Descent(this->Energy, this->Unknowns, surface.Faces)
+    , OnBoundary(surface.vertexCount(), 0)
+  {
+    this->Targets *= map.Domain->area() / this->Targets.sum();
+    for (const int v : map.Loop)
+    {
+      this->OnBoundary[v] = 1;
+    }
+  }
+
+  FaceRefinementResult run(const Eigen::VectorXd& masses, const ProgressCallback& progress)
+  {
+    const Points2 field = transportField(this->Surface.Faces,
+      this->FacesOf,
+      this->Map.Conformal,
+      this->Map.Positions,
+      masses,
+      this->OnBoundary);
+    FlatState state = this->stateAt(field);
+    this->firstStage(state, subrange(progress, 0.0, 0.6));
+    if (!this->turnOver(state, subrange(progress, 0.6, 0.65)))
+    {
+      this->startOver(state, field, subrange(progress, 0.65, 0.7));
+    }
+    if (this->Result.FlippedFaces == 0)
+    {
+      this->secondStage(state, subrange(progress, 0.7, 1.0));
+    }
+    this->Result.FlippedFaces = countFlippedFaces(state.Positions, this->Surface.Faces);
+    this->Result.Bijective = this->Result.FlippedFaces == 0 && this->inOrder(state);
+    this->Result.Positions = std::move(state.Positions);
+    return std::move(this->Result);
+  }
+
+private:
+  static double shapeWeight(const FaceRefinementOptions& options)
+  {
+    return LeastShapeWeight + ShapeWeightScale * options.AngleWeight / (1.0 - options.AngleWeight);
+  }
+
+  // The places of the boundary vertices grow over less than a turn from that of the first.
+  FlatState stateAt(const Points2& positions) const
+  {
+    const ConvexDomain& domain = this->Unknowns.domain();
+    const std::vector<int>& loop = this->Map.Loop;
+    FlatState state{ positions, Eigen::VectorXd(static_cast<Eigen::Index>(loop.size())) };
+    const double turn = domain.perimeter();
+    const double first = domain.placeOf(positions.row(loop.front()).transpose());
+    for (std::size_t k = 0; k < loop.size(); ++k)
+    {
+      const double along = domain.placeOf(positions.row(loop[k]).transpose()) - first;
+      state.Places[k] = first + along - turn * std::floor(along / turn);
+    }
+    return state;
+  }
+
+  bool inOrder(const FlatState& state) const
+  {
+    const Eigen::Index last = state.Places.size() - 1;
+    for (Eigen::Index k = 0; k < last; ++k)
+    {
+      if (!(state.Places[k] < state.Places[k + 1]))
+      {
+        return false;
+      }
+    }
+    return state.Places[last] - state.Places[0] < this->Unknowns.domain().perimeter();
+  }
+
+  // Of the faces: those whose area is off by more than the tolerance.
+  double offShare(const FlatState& state)
+  {
+    this->Energy.setEnclosed(state);
+    const auto errors = (this->Energy.areaRatios(state).array() - 1.0).abs();
+    return static_cast<double>((errors > AreaTolerance).count()) / this->Surface.faceCount();
+  }
+
+  void rounds(FlatState& state, int most, const ProgressCallback& progress)
+  {
+    double off = this->offShare(state);
+    for (int round = 0; round < most && off > EnoughShare; ++round)
+    {
+      ++this->Result.Rounds;
+      const double gain = this->Descent.round(state, progress, static_cast<double>(round) / most);
+      const double next = this->offShare(state);
+      if (next > (1.0 - LeastProgress) * off && gain < LeastGain)
+      {
+        return;
+      }
+      off = next;
+    }
+  }
+
+  void firstStage(FlatState& state, const ProgressCallback& progress)
+  {
+    const bool isRound = this->Unknowns.domain().isRound();
+    this->Energy.setTargets(
+      isRound
+        ? resolvableAreas(this->Surface.Faces, this->Map.Conformal, this->Map.Positions, this->Targets)
+        : this->Targets);
+    this->Energy.setEpsilon(FirstEpsilon);
+    this->Descent.keepOrientation(false);
+    this->rounds(state, FirstStageRounds, progress);
+  }
+
+  void secondStage(FlatState& state, const ProgressCallback& progress)
+  {
+    this->Energy.setTargets(this->Targets);
+    this->Energy.setEpsilon(0.0);
+    this->Descent.keepOrientation(true);
+    this->rounds(state, SecondStageRounds, progress);
+  }
+
+  bool turnOver(FlatState& state, const ProgressCallback& progress)
+  {
+    FlippedFaceOptions options;
+    options.AreaWeight = RepairAreaWeight;
+    options.LargestPatch =
+      std::max(options.LargestPatch, static_cast<int>(LargestPatchShare * this->Surface.vertexCount()));
+    options.WorkPerVertex = RepairWork;
+    const FlippedFaceReport report = repairFlippedFaces(this->Surface.Faces,
+      this->OnBoundary,
+      trianglesOfArea(this->Surface, this->Targets),
+      state.Positions,
+      options,
+      progress);
+    this->Result.RepairedFaces = report.RepairedFaces;
+    this->Result.FlippedFaces = report.FlippedFaces;
+    return report.FlippedFaces == 0;
+  }
+
+  // The points between two monotone maps are a monotone map: what is flipped is so by a little only, and
+  // less the nearer to the conformal map.
+  void startOver(FlatState& state, const Points2& field, const ProgressCallback& progress)
+  {
+    const FlatState conformal = this->stateAt(this->Map.Conformal);
+    const FlatState transported = this->stateAt(field);
+    const double turn = this->Unknowns.domain().perimeter();
+    const double apart = transported.Places[0] - conformal.Places[0];
+    const double shift = -turn * std::round(apart / turn);
+    double fraction = 0.0;
+    for (const double share : StartShares)
+    {
+      const double begin = fraction;
+      fraction += 1.0 / std::size(StartShares);
+      FlatState between;
+      between.Positions = (1.0 - share) * conformal.Positions + share * transported.Positions;
+      between.Places =
+        (1.0 - share) * conformal.Places.array() + share * (transported.Places.array() + shift);
+      for (std::size_t k = 0; k < this->Map.Loop.size(); ++k)
+      {
+        between.Positions.row(this->Map.Loop[k]) = this->Unknowns.domain().at(between.Places[k]);
+      }
+      if (this->turnOver(between, subrange(progress, begin, fraction)))
+      {
+        state = std::move(between);
+        this->Result.StartShare = share;
+        return;
+      }
+    }
+  }
+
+  const TriangleMesh& Surface;
+  const TransportedMap& Map;
+  VertexFaces FacesOf;
+  FlatUnknowns Unknowns;
+  Eigen::VectorXd Targets;
+  RefinementEnergy Energy;
+  RefinementDescent Descent;
+  std::vector<char> OnBoundary;
+  FaceRefinementResult Result;
+};
+
+} // namespace
+
+FaceRefinementResult refineFaces(const TriangleMesh& surface,
+  const TransportedMap& map,
+  const Eigen::VectorXd& faceTargets,
+  const Eigen::VectorXd& masses,
+  const FaceRefinementOptions& options,
+  const ProgressCallback& progress)
+{
+  Refinement refinement(surface, map, faceTargets, options);
+  return refinement.run(masses, progress);
+}
+
+} // namespace flattening

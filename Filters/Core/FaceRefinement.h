@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// From exact cells to exact faces: moves the vertices of a transported map until every face has its
+/// area and none is flipped.
+#pragma once
+
+#include "ConvexDomain.h"
+#include "Progress.h"
+#include "TriangleMesh.h"
+
+#include <memory>
+#include <vector>
+
+namespace flattening
+{
+
+struct FaceRefinementOptions
+{
+  /// What angles count against areas, in [0, 1): 0 asks for areas, with just enough care for angles to
+  /// make the map unique.
+  double AngleWeight = 0.0;
+};
+
+/// The map to be refined, and what it came from.
+struct TransportedMap
+{
+  std::shared_ptr<const ConvexDomain> Domain;
+  std::vector<int> Loop;    ///< of the boundary, counter-clockwise
+  std::vector<int> Corners; ///< members of the loop that stay
+  const Points2& Conformal; ///< n x 2; boundary vertices on the domain's boundary
+  const Points2& Positions; ///< n x 2, the same after the transport
+};
+
+struct FaceRefinementResult
+{
+  Points2 Positions;
+  int Rounds = 0;        ///< each is one factorization and a few steps
+  int RepairedFaces = 0; ///< that were flipped between the two stages, and no longer are
+  /// Share of the way from the conformal to the transported map at which a map without flipped faces was
+  /// found to begin with again; 1: that was not necessary.
+  double StartShare = 1.0;
+  int FlippedFaces = 0; ///< not positively oriented (exact)
+  /// Whether the map is one-to-one: no face is flipped, and the boundary vertices are in order on the
+  /// boundary of a convex domain.
+  bool Bijective = false;
+};
+
+/// Starts from the smooth map through the transported centroids (transportField). The first stage
+/// minimises the energy (RefinementEnergy) with faces free to flip, which converges fast. Then the few
+/// flipped faces are turned over (repairFlippedFaces); the second stage ends every step before a face
+/// flips. Should faces be left that cannot be turned over, the second stage starts from as far along the
+/// way from the conformal map as no face is flipped.
+/// @p faceTargets (m, >= 0) are the areas that the faces should have, up to a common factor; @p masses
+/// (n, > 0) those of the vertices. The errors that are left are not in the result: see
+/// measureDistortion().
+/// @throws ConvergenceError, Cancelled.
+FaceRefinementResult refineFaces(const TriangleMesh& surface,
+  const TransportedMap& map,
+  const Eigen::VectorXd& faceTargets,
+  const Eigen::VectorXd& masses,
+  const FaceRefinementOptions& options = {},
+  const ProgressCallback& progress = {});
+
+} // namespace flattening

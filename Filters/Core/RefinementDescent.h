@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// One round of the minimisation of the refinement energy.
+#pragma once
+
+#include "Progress.h"
+#include "RefinementEnergy.h"
+
+#include <utility>
+#include <vector>
+
+namespace flattening
+{
+
+/// A Newton step with the energy's Hessian, and quasi-Newton steps (L-BFGS) from there that have its
+/// factor as their first metric: each costs one solution of the factored system where another Newton
+/// step would cost a factorization.
+class RefinementDescent
+{
+public:
+  RefinementDescent(RefinementEnergy& energy, const FlatUnknowns& unknowns, const FaceMatrix& faces);
+
+  /// Whether steps end before the first face is flipped. All faces must be positive then.
+  void keepOrientation(bool keep) { this->KeepsOrientation = keep; }
+
+  /// Makes the steps. Returns the share of the energy that it fell by; 0 if no step could be made.
+  /// @throws Cancelled, ConvergenceError if the system cannot be factored.
+  double round(FlatState& state, const ProgressCallback& progress, double fraction);
+
+private:
+  void factorise(const FlatState& state);
+  Eigen::VectorXd direction(const Eigen::VectorXd& gradient) const;
+  double lengthToFlip(const FlatState& state, const Eigen::VectorXd& step) const;
+
+  RefinementEnergy& Energy;
+  const FlatUnknowns& Unknowns;
+  const FaceMatrix& Faces;
+  SparseCholesky Cholesky;
+  bool Analysed = false;
+  bool KeepsOrientation = false;
+  double Damping; // of the Hessian's diagonal
+  struct Update
+  {
+    Eigen::VectorXd Step;
+    Eigen::VectorXd Change; // of the gradient
+    double Product;
+  };
+  std::vector<Update> Updates; // since the last factorization
+};
+
+} // namespace flattening

@@ -1,0 +1,401 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "RefinementEnergy.h"
+
+#include <Eigen/Geometry>
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flattening
+{
+namespace
+{
+
+constexpr int PerTask = 2048;
+// Altitude over the longest side below which a face's angles count less, and where they are opened to.
+constexpr double SliverAltitude = 0.1;
+constexpr double LeastAltitude = 1e-4;
+// Of the bound of the areas' second derivative: half of it converges twice as fast and is enough.
+constexpr double BoundShare = 0.5;
+// What the order of the boundary counts against areas, by the square of a gap.
+constexpr double GapWeight = 1e-3;
+
+// Sums task by task, in the same order whatever the number of threads.
+template <typename Function>
+double orderedSum(int count, const Function& function)
+{
+  const int tasks = (count + PerTask - 1) / PerTask;
+  std::vector<double> parts(tasks, 0.0);
+  tbb::parallel_for(0,
+    tasks,
+    [&](int task)
+    {
+      double sum = 0.0;
+      for (int i = task * PerTask; i < std::min(count, (task + 1) * PerTask); ++i)
+      {
+        sum += function(i);
+      }
+      parts[task] = sum;
+    });
+  double sum = 0.0;
+  for (const double part : parts)
+  {
+    sum += part;
+  }
+  return sum;
+}
+
+Eigen::Vector2d quarterTurn(const Eigen::Vector2d& v)
+{
+  return { -v.y(), v.x() };
+}
+
+} // namespace
+
+struct RefinementEnergy::FlatFace
+{
+  Eigen::Vector2d Sides[3]; // opposite to each corner, counter-clockwise
+  double Area;
+  double Dirichlet;
+
+  // Of the area, by the place of a corner.
+  Eigen::Vector2d areaSlope(int corner) const { return 0.5 * quarterTurn(this->Sides[corner]); }
+};
+
+RefinementEnergy::RefinementEnergy(const TriangleMesh& surface,
+  const VertexFaces& facesOf,
+  const FlatUnknowns& unknowns,
+  double shapeWeight)
+  : Faces(surface.Faces)
+  , FacesOf(facesOf)
+  , Unknowns(unknowns)
+  , Energy(FaceAreaEnergy::Options())
+  , Cotangents(surface.faceCount(), 3)
+  , ShapeWeights(surface.faceCount())
+  , GapShares(static_cast<Eigen::Index>(unknowns.loop().size()))
+  , Values(surface.faceCount())
+{
+  for (int f = 0; f < surface.faceCount(); ++f)
+  {
+    Eigen::Vector3d corners[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[k] = surface.Vertices.row(surface.Faces(f, k));
+    }
+    double longest2 = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      longest2 = std::max(longest2, (corners[(k + 1) % 3] - corners[k]).squaredNorm());
+    }
+    const double twiceArea = (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
+    const double altitude = longest2 > 0.0 ? twiceArea / longest2 : 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const double cosine = (corners[(k + 1) % 3] - corners[k]).dot(corners[(k + 2) % 3] - corners[k]);
+      this->Cotangents(f, k) =
+        longest2 > 0.0 ? cosine / std::max(twiceArea, LeastAltitude * longest2) : 0.0;
+    }
+    const double share = std::min(1.0, altitude / SliverAltitude);
+    this->ShapeWeights[f] = shapeWeight * share * share;
+  }
+  const std::vector<int>& loop = unknowns.loop();
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    const int next = loop[(k + 1) % loop.size()];
+    this->GapShares[k] = (surface.Vertices.row(next) - surface.Vertices.row(loop[k])).norm();
+  }
+  // A gap of no length on the surface gets a little all the same.
+  const double least = 1e-3 * this->GapShares.mean();
+  this->GapShares = this->GapShares.cwiseMax(least);
+  this->GapShares *= unknowns.domain().perimeter() / this->GapShares.sum();
+  this->findPattern();
+}
+
+void RefinementEnergy::setEpsilon(double epsilon)
+{
+  FaceAreaEnergy::Options options;
+  options.Epsilon = epsilon;
+  this->Energy = FaceAreaEnergy(options);
+}
+
+void RefinementEnergy::setEnclosed(const FlatState& state)
+{
+  const std::vector<int>& loop = this->Unknowns.loop();
+  double twice = 0.0;
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    const Eigen::RowVector2d a = state.Positions.row(loop[k]);
+    const Eigen::RowVector2d b = state.Positions.row(loop[(k + 1) % loop.size()]);
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  this->Scale = 0.5 * twice / this->Targets.sum();
+}
+
+RefinementEnergy::FlatFace RefinementEnergy::flatFace(const Points2& positions, int face) const
+{
+  Eigen::Vector2d corners[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    corners[k] = positions.row(this->Faces(face, k));
+  }
+  FlatFace flat;
+  flat.Dirichlet = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    flat.Sides[k] = corners[(k + 2) % 3] - corners[(k + 1) % 3];
+    flat.Dirichlet += 0.25 * this->Cotangents(face, k) * flat.Sides[k].squaredNorm();
+  }
+  flat.Area = 0.5 * (flat.Sides[2].y() * flat.Sides[1].x() - flat.Sides[2].x() * flat.Sides[1].y());
+  return flat;
+}
+
+FaceAreaEnergy::Value RefinementEnergy::faceValue(const FlatFace& flat, int face) const
+{
+  return this->Energy.value(
+    flat.Area, this->Scale * this->Targets[face], flat.Dirichlet, this->ShapeWeights[face]);
+}
+
+double RefinementEnergy::gapValue(const FlatState& state,
+  std::size_t member,
+  double& slope,
+  double& curvature) const
+{
+  const std::size_t next = (member + 1) % this->Unknowns.loop().size();
+  const double gap =
+    state.Places[next] - state.Places[member] + (next == 0 ? this->Unknowns.domain().perimeter() : 0.0);
+  const double share = this->GapShares[member];
+  const double weight = GapWeight * share * share;
+  const double rho = gap / share;
+  if (!(rho > 0.0))
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  slope = weight * (1.0 - 1.0 / rho) / share;
+  curvature = weight / (rho * rho * share * share);
+  return weight * (rho - 1.0 - std::log(rho));
+}
+
+double RefinementEnergy::value(const FlatState& state) const
+{
+  double sum = orderedSum(static_cast<int>(this->Faces.rows()),
+    [&](int f) { return this->faceValue(this->flatFace(state.Positions, f), f).Energy; });
+  for (std::size_t k = 0; k < this->Unknowns.loop().size(); ++k)
+  {
+    double slope;
+    double curvature;
+    sum += this->gapValue(state, k, slope, curvature);
+  }
+  return sum;
+}
+
+double RefinementEnergy::gradient(const FlatState& state, Eigen::VectorXd& gradient)
+{
+  double sum = orderedSum(static_cast<int>(this->Faces.rows()),
+    [&](int f)
+    {
+      this->Values[f] = this->faceValue(this->flatFace(state.Positions, f), f);
+      return this->Values[f].Energy;
+    });
+  gradient.setZero(this->Unknowns.count());
+  tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(state.Positions.rows()), PerTask),
+    [&](const tbb::blocked_range<int>& range)
+    {
+      for (int v = range.begin(); v < range.end(); ++v)
+      {
+        Eigen::Vector2d slope = Eigen::Vector2d::Zero();
+        for (const int f : this->FacesOf[v])
+        {
+          const FlatFace flat = this->flatFace(state.Positions, f);
+          const int k = this->Faces(f, 0) == v ? 0 : this->Faces(f, 1) == v ? 1 : 2;
+          const int next = (k + 1) % 3;
+          const int last = (k + 2) % 3;
+          const Eigen::Vector2d byDirichlet = 0.5 * (this->Cotangents(f, next) * flat.Sides[next] -
+                                                      this->Cotangents(f, last) * flat.Sides[last]);
+          slope +=
+            this->Values[f].ByArea * flat.areaSlope(k) + this->Values[f].ByDirichlet * byDirichlet;
+        }
+        const Eigen::Vector2d own = this->Unknowns.directions(state, v).transpose() * slope;
+        gradient.segment(this->Unknowns.first(v), this->Unknowns.countOf(v)) =
+          own.head(this->Unknowns.countOf(v));
+      }
+    });
+  const std::size_t members = this->Unknowns.loop().size();
+  for (std::size_t k = 0; k < members; ++k)
+  {
+    double slope = 0.0;
+    double curvature;
+    sum += this->gapValue(state, k, slope, curvature);
+    const int own = this->Unknowns.unknownOfMember(static_cast<int>(k));
+    const int next = this->Unknowns.unknownOfMember(static_cast<int>((k + 1) % members));
+    if (own >= 0)
+    {
+      gradient[own] -= slope;
+    }
+    if (next >= 0)
+    {
+      gradient[next] += slope;
+    }
+  }
+  return sum;
+}
+
+Eigen::VectorXd RefinementEnergy::areaRatios(const FlatState& state) const
+{
+  return signedFaceAreas(state.Positions, this->Faces).array() / (this->Scale * this->Targets.array());
+}
+
+// The columns of a vertex hold its own block and those of its neighbours of higher number.
+void RefinementEnergy::findPattern()
+{
+  const int n = static_cast<int>(this->Unknowns.count());
+  const Eigen::Index vertices = this->FacesOf.vertexCount();
+  std::vector<int> starts(n + 1, 0);
+  std::vector<int> rows;
+  this->Rows.assign(9 * this->Faces.rows(), -1);
+  std::vector<int> neighbours;
+  for (int v = 0; v < vertices; ++v)
+  {
+    neighbours.clear();
+    for (const int f : this->FacesOf[v])
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        neighbours.push_back(this->Faces(f, k));
+      }
+    }
+    std::sort(neighbours.begin(), neighbours.end());
+    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+    neighbours.erase(neighbours.begin(), std::lower_bound(neighbours.begin(), neighbours.end(), v));
+
+    const auto before = [&](int u)
+    {
+      int count = 0;
+      for (const int w : neighbours)
+      {
+        if (w == u)
+        {
+          break;
+        }
+        count += this->Unknowns.countOf(w);
+      }
+      return count;
+    };
+    for (const int f : this->FacesOf[v])
+    {
+      const int k = this->Faces(f, 0) == v ? 0 : this->Faces(f, 1) == v ? 1 : 2;
+      for (int j = 0; j < 3; ++j)
+      {
+        if (this->Faces(f, j) >= v)
+        {
+          this->Rows[9 * f + 3 * k + j] = before(this->Faces(f, j));
+        }
+      }
+    }
+    for (int own = 0; own < this->Unknowns.countOf(v); ++own)
+    {
+      const int column = this->Unknowns.first(v) + own;
+      for (const int u : neighbours)
+      {
+        for (int k = 0; k < this->Unknowns.countOf(u); ++k)
+        {
+          if (this->Unknowns.first(u) + k >= column)
+          {
+            rows.push_back(this->Unknowns.first(u) + k);
+          }
+        }
+      }
+      starts[column + 1] = static_cast<int>(rows.size());
+    }
+  }
+  this->Hessian.resize(n, n);
+  this->Hessian.resizeNonZeros(static_cast<Eigen::Index>(rows.size()));
+  std::copy(starts.begin(), starts.end(), this->Hessian.outerIndexPtr());
+  std::copy(rows.begin(), rows.end(), this->Hessian.innerIndexPtr());
+}
+
+// Of one face, by the places of two of its corners.
+Eigen::Matrix2d RefinementEnergy::block(const FlatFace& flat, int face, int a, int b) const
+{
+  const FaceAreaEnergy::Value& value = this->Values[face];
+  const auto positive = [&](int corner) { return std::max(0.0, this->Cotangents(face, corner)); };
+  const double laplacian =
+    a == b ? 0.5 * (positive((a + 1) % 3) + positive((a + 2) % 3)) : -0.5 * positive(3 - a - b);
+  const double spread = value.ByDirichlet + BoundShare * std::abs(value.ByArea);
+  return value.Curvature * flat.areaSlope(a) * flat.areaSlope(b).transpose() +
+         spread * laplacian * Eigen::Matrix2d::Identity();
+}
+
+void RefinementEnergy::addVertexBlocks(const FlatState& state, int vertex)
+{
+  const int own = this->Unknowns.countOf(vertex);
+  const Eigen::Matrix2d directions = this->Unknowns.directions(state, vertex);
+  const int* starts = this->Hessian.outerIndexPtr();
+  double* values = this->Hessian.valuePtr();
+  const int first = this->Unknowns.first(vertex);
+  if (own > 0)
+  {
+    std::fill(values + starts[first], values + starts[first + own], 0.0);
+  }
+  for (const int f : this->FacesOf[vertex])
+  {
+    const FlatFace flat = this->flatFace(state.Positions, f);
+    const int k = this->Faces(f, 0) == vertex ? 0 : this->Faces(f, 1) == vertex ? 1 : 2;
+    for (int j = 0; j < 3; ++j)
+    {
+      const int row = this->Rows[9 * f + 3 * k + j];
+      const int other = this->Faces(f, j);
+      if (row < 0)
+      {
+        continue;
+      }
+      const Eigen::Matrix2d entries =
+        this->Unknowns.directions(state, other).transpose() * this->block(flat, f, j, k) * directions;
+      for (int c = 0; c < own; ++c)
+      {
+        double* column = values + starts[first + c] - c; // row 0 of the column's vertex is cut off
+        for (int r = other == vertex ? c : 0; r < this->Unknowns.countOf(other); ++r)
+        {
+          column[row + r] += entries(r, c);
+        }
+      }
+    }
+  }
+}
+
+const SparseMatrix& RefinementEnergy::hessian(const FlatState& state)
+{
+  tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(state.Positions.rows()), PerTask),
+    [&](const tbb::blocked_range<int>& range)
+    {
+      for (int v = range.begin(); v < range.end(); ++v)
+      {
+        this->addVertexBlocks(state, v);
+      }
+    });
+  const std::size_t members = this->Unknowns.loop().size();
+  for (std::size_t k = 0; k < members; ++k)
+  {
+    double slope = 0.0;
+    double curvature = 0.0;
+    this->gapValue(state, k, slope, curvature);
+    const int a = this->Unknowns.unknownOfMember(static_cast<int>(k));
+    const int b = this->Unknowns.unknownOfMember(static_cast<int>((k + 1) % members));
+    for (const int own : { a, b })
+    {
+      if (own >= 0)
+      {
+        this->Hessian.coeffRef(own, own) += curvature;
+      }
+    }
+    if (a >= 0 && b >= 0)
+    {
+      this->Hessian.coeffRef(std::max(a, b), std::min(a, b)) -= curvature;
+    }
+  }
+  return this->Hessian;
+}
+
+} // namespace flattening

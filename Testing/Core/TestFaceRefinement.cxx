@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "AnalyticSurfaces.h"
+#include "AreaPreservingDisk.h"
+#include "ConformalDisk.h"
+#include "DistortionSummary.h"
+#include "FaceOrientation.h"
+#include "MeshTopology.h"
+#include "SampleSurfaces.h"
+#include "SliverRefinement.h"
+
+#include <gtest/gtest.h>
+
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <iostream>
+
+namespace
+{
+
+using namespace flattening;
+using namespace flattening::analytic;
+using samples::Pi;
+
+Points2 conformal(const TriangleMesh& mesh)
+{
+  return conformalDiskMap(mesh).Positions;
+}
+
+DistortionSummary measured(const TriangleMesh& mesh,
+  const AreaPreservingMap& map,
+  const Eigen::VectorXd& weights = {})
+{
+  const DistortionSummary summary = summariseDistortion(measureDistortion(mesh, map.Positions, weights));
+  std::cout << "faces within 2 %: " << summary.FacesWithin2Percent
+            << ", mean angle error: " << summary[Measure::AngleError].Mean
+            << ", rounds: " << map.RefinementRounds << ", repaired: " << map.RepairedFaces << "\n";
+  return summary;
+}
+
+void expectBijective(const TriangleMesh& mesh, const AreaPreservingMap& map)
+{
+  EXPECT_TRUE(map.Bijective);
+  EXPECT_EQ(map.FlippedFaces, 0);
+  EXPECT_EQ(countFlippedFaces(map.Positions, mesh.Faces), 0);
+  for (const int v : requireDisk(mesh))
+  {
+    EXPECT_NEAR(map.Positions.row(v).norm(), 1.0, 1e-14);
+  }
+}
+
+struct Case
+{
+  const char* Name;
+  SurfaceOfRevolution Surface;
+  double Within;
+};
+
+void PrintTo(const Case& value, std::ostream* stream)
+{
+  *stream << value.Name;
+}
+
+class FaceRefinementOf : public testing::TestWithParam<Case>
+{
+};
+
+TEST_P(FaceRefinementOf, NearlyAllFacesKeepTheirAreaAndNoneFlips)
+{
+  const TriangleMesh mesh = sunflowerMesh(GetParam().Surface, 10000).Mesh;
+  const AreaPreservingMap map = areaPreservingDiskMap(mesh, conformal(mesh)).Map;
+  expectBijective(mesh, map);
+  EXPECT_GE(measured(mesh, map).FacesWithin2Percent, GetParam().Within);
+}
+
+INSTANTIATE_TEST_SUITE_P(FaceRefinement,
+  FaceRefinementOf,
+  testing::Values(Case{ "FlatDisk", flatDisk(), 99.6 },
+    Case{ "Hemisphere", sphericalCap(0.5 * EIGEN_PI), 99.6 },
+    Case{ "GaussianBump", gaussianBump(1.0, 0.3), 99.6 },
+    Case{ "Capsule", capsule(3.0), 99.6 },
+    Case{ "NearlyASphere", sphericalCap(0.95 * EIGEN_PI), 99.0 }),
+  [](const auto& info) { return info.param.Name; });
+
+// The transport alone does not do it: what the refinement is there for.
+TEST(FaceRefinement, IsWhatMakesFacesExact)
+{
+  const TriangleMesh mesh = sunflowerMesh(gaussianBump(1.0, 0.3), 10000).Mesh;
+  AreaPreservingOptions options;
+  options.RefineFaces = false;
+  const AreaPreservingMap map = areaPreservingDiskMap(mesh, conformal(mesh), {}, options).Map;
+  EXPECT_EQ(map.RefinementRounds, 0);
+  EXPECT_LT(measured(mesh, map).FacesWithin2Percent, 95.0);
+}
+
+// Nearly half of the faces are slivers or beside one, worse than marching cubes makes them.
+TEST(FaceRefinement, SliversKeepTheirAreaToo)
+{
+  const TriangleMesh smooth = sunflowerMesh(gaussianBump(1.0, 0.3), 3000).Mesh;
+  const TriangleMesh mesh = samples::withRandomSlivers(smooth, 1000, 0.1, 5);
+  const AreaPreservingMap map = areaPreservingDiskMap(mesh, conformal(mesh)).Map;
+  expectBijective(mesh, map);
+  EXPECT_GE(measured(mesh, map).FacesWithin2Percent, 95.0);
+}
+
+// A hole that no boundary of straight sides can resolve: the map is one-to-one all the same.
+TEST(FaceRefinement, ATinyHoleIsStillOneToOne)
+{
+  const TriangleMesh mesh = sunflowerMesh(sphericalCap(0.99 * EIGEN_PI), 5000).Mesh;
+  const AreaPreservingMap map = areaPreservingDiskMap(mesh, conformal(mesh)).Map;
+  expectBijective(mesh, map);
+  measured(mesh, map);
+}
+
+TEST(FaceRefinement, AngleWeightTradesAreaForShape)
+{
+  const TriangleMesh mesh = sunflowerMesh(gaussianBump(1.0, 0.3), 5000).Mesh;
+  const Points2 flat = conformal(mesh);
+  double area = 0.0;
+  double angle = 90.0;
+  for (const double weight : { 0.0, 0.3, 0.6, 0.9 })
+  {
+    AreaPreservingOptions options;
+    options.Refinement.AngleWeight = weight;
+    const AreaPreservingMap map = areaPreservingDiskMap(mesh, flat, {}, options).Map;
+    expectBijective(mesh, map);
+    const DistortionSummary summary = measured(mesh, map);
+    EXPECT_GT(summary[Measure::AreaError].AreaWeightedMean, area);
+    EXPECT_LT(summary[Measure::AngleError].Mean, angle);
+    area = summary[Measure::AreaError].AreaWeightedMean;
+    angle = summary[Measure::AngleError].Mean;
+  }
+}
+
+TEST(FaceRefinement, WeightsCountForFacesAsForCells)
+{
+  const TriangleMesh mesh = sunflowerMesh(gaussianBump(1.0, 0.3), 5000).Mesh;
+  Eigen::VectorXd weights(mesh.vertexCount());
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    weights[v] = mesh.Vertices.row(v).head<2>().norm() < 0.4 ? 4.0 : 1.0;
+  }
+  const AreaPreservingMap map = areaPreservingDiskMap(mesh, conformal(mesh), weights).Map;
+  expectBijective(mesh, map);
+  EXPECT_GE(measured(mesh, map, weights).FacesWithin2Percent, 99.0);
+  // The region's faces have four times the share: recomputed here from the positions alone.
+  const Eigen::VectorXd flat = signedFaceAreas(map.Positions, mesh.Faces);
+  const Eigen::VectorXd surface = faceAreas(mesh.Vertices, mesh.Faces);
+  double ratios[2] = { 0.0, 0.0 };
+  double areas[2] = { 0.0, 0.0 };
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    const double sum = weights[mesh.Faces(f, 0)] + weights[mesh.Faces(f, 1)] + weights[mesh.Faces(f, 2)];
+    if (sum == 3.0 || sum == 12.0)
+    {
+      ratios[sum == 12.0] += flat[f];
+      areas[sum == 12.0] += surface[f];
+    }
+  }
+  EXPECT_NEAR((ratios[1] / areas[1]) / (ratios[0] / areas[0]), 4.0, 0.02);
+}
+
+TEST(FaceRefinement, SameBitsWhateverTheThreads)
+{
+  const TriangleMesh mesh = sunflowerMesh(sphericalCap(2.5), 10000).Mesh;
+  const Points2 flat = conformal(mesh);
+  const Points2 expected = areaPreservingDiskMap(mesh, flat).Map.Positions;
+  for (const std::size_t threads : { 1, 2, 4 })
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    EXPECT_TRUE((areaPreservingDiskMap(mesh, flat).Map.Positions.array() == expected.array()).all())
+      << threads;
+  }
+}
+
+TEST(FaceRefinement, CornersOfARectangleStay)
+{
+  // A square with a bump, in place of its conformal map the square itself.
+  constexpr int n = 41;
+  const double width = std::sqrt(Pi);
+  TriangleMesh mesh;
+  mesh.Vertices.resize(n * n, 3);
+  mesh.Faces.resize(2 * (n - 1) * (n - 1), 3);
+  int face = 0;
+  for (int j = 0; j < n; ++j)
+  {
+    for (int i = 0; i < n; ++i)
+    {
+      const double x = width * (i / (n - 1.0) - 0.5);
+      const double y = width * (j / (n - 1.0) - 0.5);
+      mesh.Vertices.row(j * n + i) << x, y, 0.5 * std::exp(-8.0 * (x * x + y * y));
+      if (i + 1 < n && j + 1 < n)
+      {
+        const int v = j * n + i;
+        mesh.Faces.row(face++) << v, v + 1, v + n + 1;
+        mesh.Faces.row(face++) << v, v + n + 1, v + n;
+      }
+    }
+  }
+  const Points2 flat = mesh.Vertices.leftCols<2>();
+  const AreaPreservingMap map = areaPreservingRectangleMap(mesh, flat, width).Map;
+  EXPECT_TRUE(map.Bijective);
+  EXPECT_GE(measured(mesh, map).FacesWithin2Percent, 99.6);
+  EXPECT_NEAR(signedFaceAreas(map.Positions, mesh.Faces).sum(), Pi, 1e-12);
+  for (const int corner : { 0, n - 1, n * (n - 1), n * n - 1 })
+  {
+    EXPECT_LT((map.Positions.row(corner) - flat.row(corner)).norm(), 1e-15);
+  }
+}
+
+} // namespace
