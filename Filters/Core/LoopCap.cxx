@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <random>
 #include <utility>
 
 namespace flattening
@@ -51,6 +52,16 @@ void orientAlongLoop(Faces& faces, int n)
   }
 }
 
+double perimeter(const Polyline& loop)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    sum += (loop[(i + 1) % loop.size()] - loop[i]).norm();
+  }
+  return sum;
+}
+
 TriangleMesh meshOf(const Polyline& points, const Faces& faces)
 {
   TriangleMesh mesh;
@@ -82,15 +93,12 @@ void refine(SurfaceMesh& mesh)
 // Does so too where edges to an inner vertex let refine() take the disk for a sparse one.
 void remesh(SurfaceMesh& mesh, const Polyline& loop)
 {
-  double sum = 0.0;
   double longest = 0.0;
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
-    const double length = (loop[(i + 1) % loop.size()] - loop[i]).norm();
-    sum += length;
-    longest = std::max(longest, length);
+    longest = std::max(longest, (loop[(i + 1) % loop.size()] - loop[i]).norm());
   }
-  const double mean = sum / static_cast<double>(loop.size());
+  const double mean = perimeter(loop) / static_cast<double>(loop.size());
   // CGAL splits edges above 4/3 of the target. Were an edge of the loop, which stays, longer than that,
   // those beside it would be as well, and splitting would not end.
   constexpr double LongestOfLoop = 1.2;
@@ -167,17 +175,31 @@ void visitLeft(const HalfedgeSurface& surface, int before, int after, const Visi
   visit(h);
 }
 
+// Among triangulations that are as good as each other, as for points of a grid or of a plane, CGAL's
+// choice depends on where in memory it works. Moved by this share of a side, no two are.
+std::vector<Kernel::Point_3> inGeneralPosition(const Polyline& loop)
+{
+  constexpr double Share = 1e-5;
+  const double size = Share * perimeter(loop) / static_cast<double>(loop.size());
+  std::mt19937 random;
+  const auto shift = [&random, size]
+  { return size * (static_cast<double>(random()) / static_cast<double>(std::mt19937::max()) - 0.5); };
+  std::vector<Kernel::Point_3> points;
+  for (const Eigen::Vector3d& p : loop)
+  {
+    const double x = p.x() + shift();
+    const double y = p.y() + shift();
+    points.emplace_back(x, y, p.z() + shift());
+  }
+  return points;
+}
+
 } // namespace
 
 LoopCap spanningCap(const Polyline& loop)
 {
-  std::vector<Kernel::Point_3> polyline;
-  for (const Eigen::Vector3d& p : loop)
-  {
-    polyline.emplace_back(p.x(), p.y(), p.z());
-  }
   std::vector<CGAL::Triple<int, int, int>> triples;
-  PMP::triangulate_hole_polyline(polyline, std::back_inserter(triples));
+  PMP::triangulate_hole_polyline(inGeneralPosition(loop), std::back_inserter(triples));
   if (triples.empty())
   {
     return {};
@@ -207,7 +229,10 @@ LoopCap coneCap(const Polyline& loop)
   }
   const TriangleMesh coarse = meshOf(points, faces);
   SurfaceMesh mesh = toSurfaceMesh(coarse);
-  remesh(mesh, loop);
+  if (faceAreas(coarse.Vertices, coarse.Faces).minCoeff() > 0.0) // else CGAL's relaxation crashes
+  {
+    remesh(mesh, loop);
+  }
   return capOf(mesh, coarse, loop.size());
 }
 

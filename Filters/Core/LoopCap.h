@@ -27,7 +27,8 @@ struct LoopCap
 /// refined to the length of the loop's sides (CGAL refine). Empty if there is none.
 LoopCap spanningCap(const std::vector<Eigen::Vector3d>& loop);
 
-/// A cone over the loop, remeshed to the mean length of its sides (CGAL isotropic_remeshing).
+/// A cone over the loop, remeshed to the mean length of its sides (CGAL isotropic_remeshing) unless a
+/// face of the cone has no area.
 LoopCap coneCap(const std::vector<Eigen::Vector3d>& loop);
 
 /// Splits the edges inside the cap that join two neighbours in the surface: there would be two edges

@@ -82,4 +82,32 @@ TEST(LoopCap, HasVerticesAsCloseAsTheLoopsAre)
   }
 }
 
+// Isovalues that are values of the volume make such loops.
+TEST(LoopCap, OfALoopWithoutAreaIsADisk)
+{
+  const Eigen::Vector3d a(41.0, 32.0, 29.0);
+  const Eigen::Vector3d b(42.0, 32.0, 29.0);
+  for (const auto& loop : { std::vector<Eigen::Vector3d>(6, a),
+         std::vector<Eigen::Vector3d>{ a, b, 0.5 * (a + b) },
+         std::vector<Eigen::Vector3d>{ a, 0.25 * a + 0.75 * b, b, 0.5 * (a + b) } })
+  {
+    const LoopCap cap = coneCap(loop);
+    EXPECT_EQ(cap.Faces.size(), loop.size() - 2 + 2 * cap.Inside.size());
+    ASSERT_EQ(cap.Weights.size(), cap.Inside.size());
+    for (std::size_t i = 0; i < cap.Inside.size(); ++i)
+    {
+      EXPECT_NEAR((cap.Inside[i] - a).dot(b - a), 0.5, 0.5);
+      double weights = 0.0;
+      for (const auto& [corner, weight] : cap.Weights[i])
+      {
+        weights += weight;
+      }
+      EXPECT_NEAR(weights, 1.0, 1e-12);
+    }
+    const LoopCap spanning = spanningCap(loop); // may be empty
+    EXPECT_EQ(
+      spanning.Faces.empty() ? 0 : loop.size() - 2 + 2 * spanning.Inside.size(), spanning.Faces.size());
+  }
+}
+
 } // namespace
