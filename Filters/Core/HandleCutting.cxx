@@ -18,10 +18,11 @@ namespace flattening
 namespace
 {
 
-// Lengths of loops: first in mean edge lengths, then from one search to the next.
+// Lengths of loops: at first and for a detour in mean edge lengths, from one search to the next.
 constexpr double FirstLength = 12.0;
+constexpr double LongestDetour = 24.0;
 constexpr double LengthGrowth = 1.6;
-constexpr int TriesPerClass = 12;
+constexpr int TriesPerClass = 10;
 // Labels become fewer only when they are computed anew: once this share of the handles is left.
 constexpr double FewHandles = 0.3;
 
@@ -42,34 +43,51 @@ public:
     : Surface(surface)
     , TryCut(cutAlong)
     , Progress(std::move(progress))
+    , EdgeLength(meanLength(surface.halfedges()))
     , Labels(surface.halfedges())
     , Loops(surface.halfedges(), this->Labels)
     , HandlesAtStart(this->Labels.genus())
     , HandlesLabelled(this->Labels.genus())
+    , Refused(LongestDetour * this->EdgeLength)
   {
   }
 
   std::vector<double> run()
   {
-    double length = FirstLength * meanLength(this->Surface.halfedges());
+    double length = FirstLength * this->EdgeLength;
     while (this->Labels.genus() > 0)
     {
       const std::size_t before = this->Lengths.size();
       this->cutLoopsUpTo(length);
       const bool allSeen = this->Lengths.size() == before && !this->Loops.wasBounded();
-      this->cutRefused(allSeen ? std::numeric_limits<double>::infinity() : length);
+      constexpr double Any = std::numeric_limits<double>::infinity();
+      this->cutRefused(allSeen ? Any : length, Any);
       if (allSeen && this->Lengths.size() == before && !this->splitChords())
       {
         throw TopologyError("a handle of the surface near vertex " +
                             std::to_string(this->Loops.seeds().front()) +
                             " cannot be cut: subdivide the surface first, e.g. with Linear Subdivision");
       }
-      length *= LengthGrowth;
+      length = std::max(LengthGrowth * length, this->Refused.shortest());
     }
     return this->Lengths;
   }
 
 private:
+  struct IsLonger
+  {
+    bool operator()(const SurfaceLoop& a, const SurfaceLoop& b) const
+    {
+      return a.Length != b.Length ? a.Length > b.Length : a.Seed > b.Seed;
+    }
+  };
+  struct ClassAttempts
+  {
+    int Count = 0;
+    int Fewest = std::numeric_limits<int>::max(); // intersections
+  };
+  using Queue = std::priority_queue<SurfaceLoop, std::vector<SurfaceLoop>, IsLonger>;
+
   const HalfedgeSurface& halfedges() const { return this->Surface.halfedges(); }
 
   double fraction() const { return static_cast<double>(this->Lengths.size()) / this->HandlesAtStart; }
@@ -81,39 +99,40 @@ private:
       this->Labels = HomologyLabels(this->halfedges());
       this->HandlesLabelled = this->Labels.genus();
     }
-    if (this->Lengths.size() != this->CutsAtTries) // classes are others
-    {
-      this->CutsAtTries = this->Lengths.size();
-      this->Tries.clear();
-      this->Exhausted.clear();
-    }
+    this->countAttempts();
     this->Loops.Ignored = this->Exhausted;
     this->RefusedFrom.clear();
-    const auto longer = [](const SurfaceLoop& a, const SurfaceLoop& b)
-    { return a.Length != b.Length ? a.Length > b.Length : a.Seed > b.Seed; };
     const double here = this->fraction();
-    std::priority_queue<SurfaceLoop, std::vector<SurfaceLoop>, decltype(longer)> queue(longer,
+    this->Found = Queue({},
       this->Loops.find(this->Loops.seeds(),
         length,
         [this, here](double, const char* stage)
         { return !this->Progress || this->Progress(here, stage); }));
-    while (!queue.empty() && this->Labels.genus() > 0)
+    while (!this->Found.empty() && this->Labels.genus() > 0)
     {
-      const SurfaceLoop loop = queue.top();
-      queue.pop();
-      this->cutRefused(std::min(length, loop.Length));
-      this->tryCut(loop);
-      if (this->Labels.genus() == 0)
+      const SurfaceLoop loop = this->Found.top();
+      this->Found.pop();
+      this->cutRefused(length, loop.Length);
+      if (loop.Length > this->Refused.limit())
       {
         break;
       }
-      this->Loops.Ignored = this->RefusedFrom[loop.Seed];
-      this->Loops.Ignored.insert(this->Exhausted.begin(), this->Exhausted.end());
-      SurfaceLoop next = this->Loops.findAgain(loop.Seed);
-      if (!next.Halfedges.empty())
+      this->tryCut(loop);
+      if (loop.Seed >= 0 && this->Labels.genus() > 0)
       {
-        queue.push(std::move(next));
+        this->findAgain(loop.Seed);
       }
+    }
+  }
+
+  void findAgain(int seed)
+  {
+    this->Loops.Ignored = this->RefusedFrom[seed];
+    this->Loops.Ignored.insert(this->Exhausted.begin(), this->Exhausted.end());
+    SurfaceLoop next = this->Loops.findAgain(seed, this->Refused.limit());
+    if (!next.Halfedges.empty())
+    {
+      this->Found.push(std::move(next));
     }
   }
 
@@ -123,45 +142,71 @@ private:
     {
       return;
     }
+    if (!this->Attempts.count(this->Loops.classHash(loop)))
+    { // tightened, the others would become this one
+      this->Loops.tighten(loop);
+    }
     const std::uint64_t hash = this->Loops.classHash(loop);
     if (this->Exhausted.count(hash))
     {
       return;
-    }
-    int& tries = this->Tries[hash];
-    if (tries == 0) // tightened, the others would become this one
-    {
-      this->Loops.tighten(loop);
     }
     if (this->Refused.contains(loop))
     {
       this->RefusedFrom[loop.Seed].insert(hash);
       return;
     }
-    const int intersections = this->cut(loop, 0);
+    const auto earlier = this->Attempts.find(hash);
+    const bool isFirst = earlier == this->Attempts.end();
+    const int fewest = isFirst ? std::numeric_limits<int>::max() : earlier->second.Fewest;
+    const int intersections = this->cut(loop, 0, fewest);
     if (intersections > 0)
     {
       this->RefusedFrom[loop.Seed].insert(hash);
-      if (++tries == TriesPerClass)
+      this->Refused.add(loop, intersections > fewest ? std::numeric_limits<int>::max() : intersections);
+      this->addAttempt(hash, intersections);
+      if (isFirst && intersections > RefusedLoops::Few)
       {
-        this->Exhausted.insert(hash);
+        for (SurfaceLoop& other : this->Loops.findBeside(loop, this->Refused.limit()))
+        {
+          this->Found.push(std::move(other));
+        }
       }
-      this->Refused.add(std::move(loop), intersections);
     }
   }
 
-  // Takes the best of the refused loops, now that all others up to a length were tried.
-  void cutRefused(double length)
+  void addAttempt(std::uint64_t hash, int intersections)
+  {
+    ClassAttempts& attempts = this->Attempts[hash];
+    attempts.Fewest = std::min(attempts.Fewest, intersections);
+    if (++attempts.Count == TriesPerClass)
+    {
+      this->Exhausted.insert(hash);
+    }
+  }
+
+  // Every cut changes the classes.
+  void countAttempts()
+  {
+    this->Attempts.clear();
+    this->Exhausted.clear();
+    this->Refused.keepIf([this](const SurfaceLoop& loop) { return this->isUpToDate(loop); });
+    this->Refused.visit([this](const SurfaceLoop& loop, int intersections)
+      { this->addAttempt(this->Loops.classHash(loop), intersections); });
+  }
+
+  // Takes the best of the refused loops, see RefusedLoops::due.
+  void cutRefused(double searched, double tried)
   {
     while (true)
     {
-      this->Refused.keepIf([this](const SurfaceLoop& loop) { return this->isUpToDate(loop); });
-      const SurfaceLoop* loop = this->Refused.due(length);
+      const SurfaceLoop* loop = this->Refused.due(searched, tried);
       if (!loop)
       {
         return;
       }
-      this->cut(*loop, std::numeric_limits<int>::max());
+      constexpr int Any = std::numeric_limits<int>::max();
+      this->cut(SurfaceLoop(*loop), Any, Any);
     }
   }
 
@@ -180,7 +225,7 @@ private:
     return this->Loops.classHash(loop) != 0;
   }
 
-  int cut(const SurfaceLoop& loop, int tolerated)
+  int cut(const SurfaceLoop& loop, int tolerated, int counted)
   {
     report(this->Progress, this->fraction(), "cutting handles");
     std::vector<int> vertices;
@@ -188,11 +233,12 @@ private:
     {
       vertices.push_back(this->halfedges().origin(h));
     }
-    const CutOutcome outcome = this->TryCut(loop, tolerated);
+    const CutOutcome outcome = this->TryCut(loop, tolerated, counted);
     if (outcome.FirstCopy >= 0)
     {
       this->Labels.followCut(this->halfedges(), loop.Halfedges, vertices, outcome.FirstCopy);
       this->Lengths.push_back(loop.Length);
+      this->countAttempts();
     }
     return outcome.Intersections;
   }
@@ -218,15 +264,16 @@ private:
   TracedSurface& Surface;
   const CutAlong& TryCut;
   ProgressCallback Progress;
+  double EdgeLength;
   HomologyLabels Labels;
   ShortLoops Loops;
   int HandlesAtStart;
   int HandlesLabelled;
   std::vector<double> Lengths;
+  Queue Found; // in this search
   RefusedLoops Refused;
-  std::map<std::uint64_t, int> Tries; // per class
-  std::set<std::uint64_t> Exhausted;  // classes
-  std::size_t CutsAtTries = 0;
+  std::map<std::uint64_t, ClassAttempts> Attempts;    // of the refused loops
+  std::set<std::uint64_t> Exhausted;                  // classes
   std::map<int, std::set<std::uint64_t>> RefusedFrom; // a seed in this search: classes
 };
 

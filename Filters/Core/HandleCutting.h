@@ -19,13 +19,13 @@ struct CutOutcome
 };
 
 /// Cuts the surface along the loop and closes both sides or leaves them open. Does nothing if that would
-/// make more pairs of faces intersect than are tolerated.
-using CutAlong = std::function<CutOutcome(const SurfaceLoop& loop, int tolerated)>;
+/// make more pairs of faces intersect than are tolerated. Numbers of pairs above @p counted need not be
+/// told apart.
+using CutAlong = std::function<CutOutcome(const SurfaceLoop& loop, int tolerated, int counted)>;
 
 /// Cuts until the genus is 0, shortest loops first: among all loops up to some length, then up to a
 /// longer one. No cut disconnects. Where the cut along a loop would make faces intersect, other loops of
-/// its class and of other classes are tried, up to 1.5 times its length where many would (RefusedLoops);
-/// if it would for all of them, the loop is taken for which the fewest faces do.
+/// its class and of other classes are tried; if it would for all of them, RefusedLoops chooses.
 ///
 /// Loops avoid the boundary and what was left open. Where this is not possible, edges that join boundary
 /// vertices across the surface are split in the middle, which leaves the surface as it is.

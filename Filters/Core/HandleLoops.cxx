@@ -25,7 +25,7 @@ public:
     HandleLoops result;
     result.Lengths = cutHandles(
       this->Surface,
-      [&](const SurfaceLoop& loop, int) -> CutOutcome
+      [&](const SurfaceLoop& loop, int, int) -> CutOutcome
       {
         this->followSplits();
         std::vector<int> vertices;

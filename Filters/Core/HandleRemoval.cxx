@@ -24,7 +24,7 @@ namespace
 
 // How far the copies of a loop move apart; less where that makes faces intersect.
 constexpr double Steps[] = { 0.5, 0.25, 0.1, 0.03 };
-// More pairs than these are not counted: the cap passes through a fold, whatever the step.
+// With more pairs than these the cap passes through a fold, whatever the step.
 constexpr int Many = 64;
 
 double areaOf(const HalfedgeSurface& surface,
@@ -74,8 +74,8 @@ public:
   {
     this->Report.LoopLengths = cutHandles(
       this->Surface,
-      [this](const SurfaceLoop& loop, int tolerated)
-      { return this->cutAndCap(loop.Halfedges, tolerated); },
+      [this](const SurfaceLoop& loop, int tolerated, int counted)
+      { return this->cutAndCap(loop.Halfedges, tolerated, counted); },
       subrange(progress, 0.0, 0.95));
     this->Report.Handles = static_cast<int>(this->Report.LoopLengths.size());
     this->Report.GreatestDisplacement = this->greatestDisplacement();
@@ -89,13 +89,45 @@ public:
 private:
   const HalfedgeSurface& halfedges() const { return this->Surface.halfedges(); }
 
-  CutOutcome cutAndCap(const std::vector<int>& loop, int tolerated)
+  CutOutcome cutAndCap(const std::vector<int>& loop, int tolerated, int counted)
   {
     if (!this->Intersections || this->KnownFaces != this->halfedges().faceCount()) // edges were split
     {
       this->Intersections.emplace(this->halfedges());
       this->KnownFaces = this->halfedges().faceCount();
     }
+    BestCut best;
+    for (const auto& makeCap : { spanningCap, coneCap })
+    {
+      if (best.Cut && best.Pairs > Many && tolerated == 0) // a fold lies in the way, of a cone as well
+      {
+        break;
+      }
+      this->improve(best, loop, makeCap, counted);
+      if (best.Pairs <= 0)
+      {
+        return { this->apply(loop, *best.Cut), 0 };
+      }
+    }
+    if (best.Pairs > tolerated)
+    {
+      return { -1, best.Pairs };
+    }
+    ++this->Report.PiercingCaps;
+    this->Report.NewIntersections += best.Pairs;
+    return { this->apply(loop, *best.Cut), best.Pairs };
+  }
+
+  struct BestCut
+  {
+    std::optional<CappedCut> Cut;
+    int Pairs = std::numeric_limits<int>::max(); // of faces that would intersect besides those that do
+  };
+
+  // Numbers of pairs above `counted` are not exact.
+  template <typename MakeCap>
+  void improve(BestCut& best, const std::vector<int>& loop, const MakeCap& makeCap, int counted) const
+  {
     std::vector<int> vertices;
     std::vector<Eigen::Vector3d> points;
     for (const int h : loop)
@@ -103,54 +135,30 @@ private:
       vertices.push_back(this->halfedges().origin(h));
       points.push_back(this->halfedges().point(vertices.back()));
     }
-    std::optional<CappedCut> best;
-    int fewest = 0;
-    bool many = false; // then a fold lies in the way, of a cone as well
-    for (const auto& makeCap : { spanningCap, coneCap })
+    LoopCap cap = makeCap(points);
+    if (cap.Faces.empty())
     {
-      if (many)
+      return;
+    }
+    splitEdgesOf(this->halfedges(), vertices, points, cap);
+    constexpr int All = std::numeric_limits<int>::max();
+    for (const double step : Steps)
+    {
+      CappedCut cut = capBothSides(this->halfedges(), loop, cap, step);
+      const int before = this->Intersections->count(cut.Faces.Replaced);
+      const int enough = std::min(best.Pairs, counted);
+      const int pairs =
+        this->Intersections->countNew(cut.Faces, enough < All ? enough + before : All) - before;
+      if (!best.Cut || pairs < best.Pairs)
       {
-        break;
+        best.Cut = std::move(cut);
+        best.Pairs = pairs;
       }
-      LoopCap cap = makeCap(points);
-      if (cap.Faces.empty())
+      if (best.Pairs <= 0 || pairs > Many)
       {
-        continue;
-      }
-      splitEdgesOf(this->halfedges(), vertices, points, cap);
-      for (const double step : Steps)
-      {
-        CappedCut cut = capBothSides(this->halfedges(), loop, cap, step);
-        int pairs = this->Intersections->countNew(cut.Faces, Many);
-        many = pairs > Many;
-        if (pairs > 0)
-        {
-          pairs -= this->Intersections->count(cut.Faces.Replaced); // those the surface had before
-        }
-        if (!best || pairs < fewest)
-        {
-          best = std::move(cut);
-          fewest = pairs;
-        }
-        if (fewest <= 0)
-        {
-          return { this->apply(loop, *best), 0 };
-        }
-        if (many)
-        {
-          break;
-        }
+        return;
       }
     }
-    if (fewest > tolerated)
-    {
-      return { -1, fewest };
-    }
-    ++this->Report.PiercingCaps;
-    this->Report.NewIntersections +=
-      this->Intersections->countNew(best->Faces, std::numeric_limits<int>::max()) -
-      this->Intersections->count(best->Faces.Replaced);
-    return { this->apply(loop, *best), fewest };
   }
 
   int apply(const std::vector<int>& loop, const CappedCut& cut)

@@ -2,7 +2,7 @@
 #include "RefusedLoops.h"
 
 #include <algorithm>
-#include <tuple>
+#include <limits>
 #include <utility>
 
 namespace flattening
@@ -11,13 +11,24 @@ namespace
 {
 
 constexpr double Patience = 1.5;
-constexpr int Few = 32; // pairs; smoothing takes them apart
 
 } // namespace
 
-double RefusedLoops::Refused::longestInstead() const
+RefusedLoops::RefusedLoops(double longestDetour)
+  : LongestDetour(longestDetour)
 {
-  return (this->Intersections > Few ? Patience : 1.0) * this->Loop.Length;
+}
+
+double RefusedLoops::longestInstead(const Refused& refused) const
+{
+  const double length = refused.Loop.Length;
+  return refused.Intersections > Few ? std::min(Patience * length, length + this->LongestDetour)
+                                     : length;
+}
+
+double RefusedLoops::Refused::cost() const
+{
+  return this->Intersections * this->Loop.Length;
 }
 
 void RefusedLoops::add(SurfaceLoop loop, int intersections)
@@ -40,23 +51,54 @@ void RefusedLoops::keepIf(const std::function<bool(const SurfaceLoop&)>& stillCu
     this->All.end());
 }
 
-const SurfaceLoop* RefusedLoops::due(double length) const
+void RefusedLoops::visit(const std::function<void(const SurfaceLoop&, int intersections)>& visit) const
 {
-  const auto overdue = std::min_element(this->All.begin(),
-    this->All.end(),
-    [](const Refused& a, const Refused& b) { return a.longestInstead() < b.longestInstead(); });
-  if (overdue == this->All.end() || overdue->longestInstead() > length)
+  for (const Refused& refused : this->All)
   {
-    return nullptr;
+    visit(refused.Loop, refused.Intersections);
   }
-  const auto best = std::min_element(this->All.begin(),
+}
+
+double RefusedLoops::shortest() const
+{
+  const auto shortest = std::min_element(this->All.begin(),
     this->All.end(),
-    [longest = overdue->longestInstead()](const Refused& a, const Refused& b)
+    [](const Refused& a, const Refused& b) { return a.Loop.Length < b.Loop.Length; });
+  return shortest == this->All.end() ? 0.0 : shortest->Loop.Length;
+}
+
+double RefusedLoops::limit() const
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const Refused& refused : this->All)
+  {
+    if (refused.Intersections > Few)
     {
-      return std::make_tuple(a.Loop.Length > longest, a.Intersections, a.Loop.Length) <
-             std::make_tuple(b.Loop.Length > longest, b.Intersections, b.Loop.Length);
-    });
-  return &best->Loop;
+      least = std::min(least, this->longestInstead(refused));
+    }
+  }
+  return least;
+}
+
+const SurfaceLoop* RefusedLoops::due(double searched, double tried) const
+{
+  double longest = std::numeric_limits<double>::infinity();
+  for (const Refused& refused : this->All)
+  {
+    if (refused.Loop.Length <= searched && this->longestInstead(refused) <= tried)
+    {
+      longest = std::min(longest, this->longestInstead(refused));
+    }
+  }
+  const Refused* best = nullptr;
+  for (const Refused& refused : this->All)
+  {
+    if (refused.Loop.Length <= longest && (!best || refused.cost() < best->cost()))
+    {
+      best = &refused;
+    }
+  }
+  return longest < std::numeric_limits<double>::infinity() ? &best->Loop : nullptr;
 }
 
 } // namespace flattening

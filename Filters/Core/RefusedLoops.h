@@ -13,6 +13,11 @@ namespace flattening
 class RefusedLoops
 {
 public:
+  static constexpr int Few = 32; ///< pairs of faces that intersect; smoothing takes them apart
+
+  /// @param longestDetour see due(), input units.
+  explicit RefusedLoops(double longestDetour);
+
   /// @p intersections: pairs of faces that would intersect.
   void add(SurfaceLoop loop, int intersections);
   bool contains(const SurfaceLoop& loop) const;
@@ -20,11 +25,22 @@ public:
   /// Drops the loops that do not satisfy @p stillCuttable.
   void keepIf(const std::function<bool(const SurfaceLoop&)>& stillCuttable);
 
-  /// The loop that must be cut all the same, now that all loops up to @p length were tried; null if
-  /// there is none. Where more than 32 pairs would intersect, as where a whole fold lies in the way, a
-  /// loop is given up for one that is up to 1.5 times as long. Of the refused loops within the length
-  /// the one is taken for which the fewest faces intersect.
-  const SurfaceLoop* due(double length) const;
+  void visit(const std::function<void(const SurfaceLoop&, int intersections)>& visit) const;
+
+  /// The least length; 0 if there is none.
+  double shortest() const;
+
+  /// The length up to which loops may be cut instead of one that many faces are in the way of; infinite
+  /// if there is none.
+  double limit() const;
+
+  /// The loop that must be cut all the same; null if there is none. Where more than Few pairs would
+  /// intersect, as where a whole fold lies in the way, a loop is given up for one that is up to 1.5
+  /// times as long, but not longer by more than the longest detour. Of the refused loops within the
+  /// length the one is taken with the least product of its length and the pairs that would intersect.
+  /// @param searched length up to which loops were looked for everywhere.
+  /// @param tried length up to which all that were found were tried.
+  const SurfaceLoop* due(double searched, double tried) const;
 
 private:
   struct Refused
@@ -32,8 +48,11 @@ private:
     SurfaceLoop Loop;
     int Intersections;
 
-    double longestInstead() const;
+    double cost() const;
   };
+  double longestInstead(const Refused& refused) const;
+
+  double LongestDetour;
   std::vector<Refused> All;
 };
 

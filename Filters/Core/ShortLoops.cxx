@@ -1,14 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ShortLoops.h"
 
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include <algorithm>
-#include <functional>
-#include <limits>
-#include <queue>
+#include <numeric>
 #include <utility>
 
 namespace flattening
 {
+namespace
+{
+
+// Every search has memory for all vertices.
+constexpr int MostThreads = 8;
+
+// From a seed within this share of a length of a loop, the walk there, around, and back.
+constexpr double NearShare = 0.5;
+
+// Seeds that follow each other are near to each other; taken with a step of the golden section, they
+// are not.
+std::vector<int> spread(const std::vector<int>& seeds)
+{
+  const std::size_t n = seeds.size();
+  constexpr double GoldenSection = 0.6180339887498949;
+  auto step = std::max<std::size_t>(1, static_cast<std::size_t>(GoldenSection * n));
+  while (std::gcd(step, n) > 1)
+  {
+    ++step;
+  }
+  std::vector<int> result;
+  result.reserve(n);
+  for (std::size_t i = 0, at = 0; i < n; ++i, at = (at + step) % n)
+  {
+    result.push_back(seeds[at]);
+  }
+  return result;
+}
+
+} // namespace
+
+ShortLoops::ShortLoops(const HalfedgeSurface& surface, const HomologyLabels& labels)
+  : Surface(surface)
+  , Labels(labels)
+  , Searches([&surface, &labels] { return LoopSearch(surface, labels); })
+{
+}
 
 std::vector<int> ShortLoops::seeds() const
 {
@@ -27,27 +65,48 @@ std::vector<SurfaceLoop> ShortLoops::find(const std::vector<int>& seeds,
   double length,
   const ProgressCallback& progress)
 {
-  constexpr std::size_t ReportInterval = 256;
   this->Bounded = false;
-  ++this->Finds;
-  this->Covered.resize(this->Surface.vertexCount(), 0);
   this->Length = length;
+  const std::vector<int> order = spread(seeds);
+  std::vector<char> covered(this->Surface.vertexCount(), 0);
   std::vector<SurfaceLoop> loops;
-  for (std::size_t i = 0; i < seeds.size(); ++i)
+  std::size_t next = 0;
+  std::size_t batchSize = 2;
+  while (next < order.size())
   {
-    if (i % ReportInterval == 0)
+    report(progress, static_cast<double>(next) / order.size(), "searching for handles");
+    std::vector<int> batch;
+    for (; next < order.size() && batch.size() < batchSize; ++next)
     {
-      report(progress, static_cast<double>(i) / seeds.size(), "searching for handles");
+      if (!covered[order[next]])
+      {
+        batch.push_back(order[next]);
+      }
     }
-    if (this->Covered[seeds[i]] == this->Finds)
+    std::vector<LoopSearch::Result> results =
+      this->searchAll(batch, (1.0 + 2.0 * NearShare) * length, NearShare * length);
+    // As if there had been one thread: what the search before it covers has none.
+    std::size_t wasted = 0;
+    for (std::size_t i = 0; i < batch.size(); ++i)
     {
-      continue;
+      if (covered[batch[i]])
+      {
+        ++wasted;
+        continue;
+      }
+      for (const int v : results[i].Near)
+      {
+        covered[v] = 1;
+      }
+      this->Bounded = this->Bounded || results[i].WasBounded;
+      if (!results[i].Loop.Halfedges.empty())
+      {
+        loops.push_back(std::move(results[i].Loop));
+      }
     }
-    SurfaceLoop loop = this->findAgain(seeds[i]);
-    if (!loop.Halfedges.empty())
-    {
-      loops.push_back(std::move(loop));
-    }
+    constexpr std::size_t LargestBatch = 256;
+    batchSize =
+      wasted == 0 ? std::min(LargestBatch, 2 * batchSize) : std::max<std::size_t>(2, batchSize / 2);
   }
   std::sort(loops.begin(),
     loops.end(),
@@ -56,15 +115,93 @@ std::vector<SurfaceLoop> ShortLoops::find(const std::vector<int>& seeds,
   return loops;
 }
 
-SurfaceLoop ShortLoops::findAgain(int seed)
+SurfaceLoop ShortLoops::findAgain(int seed, double length)
 {
-  if (this->Surface.onBoundary(seed))
+  LoopSearch::Result result =
+    this->search(seed, std::min(length, this->Length) + 2.0 * NearShare * this->Length, -1.0);
+  this->Bounded = this->Bounded || result.WasBounded;
+  return std::move(result.Loop);
+}
+
+std::vector<SurfaceLoop> ShortLoops::findBeside(const SurfaceLoop& loop, double length)
+{
+  std::vector<SurfaceLoop> loops;
+  for (LoopSearch::Result& result : this->searchAll(this->verticesBeside(loop), length, -1.0))
   {
-    return {};
+    if (!result.Loop.Halfedges.empty())
+    {
+      result.Loop.Seed = -1;
+      loops.push_back(std::move(result.Loop));
+    }
   }
-  // From a seed within `near` of a loop, the walk there, around, and back.
-  const double near = 0.5 * this->Length;
-  return this->shortestFrom(seed, this->Length + 2.0 * near, near);
+  return loops;
+}
+
+// Some of those that are up to half of its edges away, more of the nearer ones.
+std::vector<int> ShortLoops::verticesBeside(const SurfaceLoop& loop) const
+{
+  constexpr std::size_t Chosen = 10;
+  std::set<int> reached;
+  std::vector<int> order;
+  const auto reach = [&](int v)
+  {
+    if (reached.insert(v).second)
+    {
+      order.push_back(v);
+    }
+  };
+  for (const int h : loop.Halfedges)
+  {
+    reach(this->Surface.origin(h));
+  }
+  std::size_t begin = 0;
+  for (std::size_t ring = 0; ring < 1 + loop.Halfedges.size() / 2; ++ring)
+  {
+    const std::size_t end = order.size();
+    for (; begin < end; ++begin)
+    {
+      const int first = this->Surface.outgoing(order[begin]);
+      for (int h = first; !this->Surface.onBoundary(order[begin]);)
+      {
+        reach(this->Surface.tip(h));
+        h = this->Surface.rotated(h);
+        if (h == first)
+        {
+          break;
+        }
+      }
+    }
+  }
+  const std::size_t n = loop.Halfedges.size();
+  std::vector<int> result;
+  for (std::size_t i = 1; i <= Chosen && order.size() > n; ++i)
+  {
+    result.push_back(order[n - 1 + i * i * (order.size() - n) / (Chosen * Chosen)]);
+  }
+  return result;
+}
+
+std::vector<LoopSearch::Result> ShortLoops::searchAll(const std::vector<int>& seeds,
+  double walk,
+  double near)
+{
+  std::vector<LoopSearch::Result> results(seeds.size());
+  tbb::task_arena arena(std::min(MostThreads, tbb::this_task_arena::max_concurrency()));
+  arena.execute(
+    [&]
+    {
+      tbb::parallel_for(std::size_t(0),
+        seeds.size(),
+        [&](std::size_t i) { results[i] = this->search(seeds[i], walk, near); });
+    });
+  return results;
+}
+
+LoopSearch::Result ShortLoops::search(int seed, double walk, double near)
+{
+  return this->Surface.onBoundary(seed)
+           ? LoopSearch::Result{}
+           : this->Searches.local().shortestFrom(seed, walk, near, this->Ignored);
 }
 
 std::uint64_t ShortLoops::classHash(const SurfaceLoop& loop) const
@@ -75,98 +212,6 @@ std::uint64_t ShortLoops::classHash(const SurfaceLoop& loop) const
     hash ^= this->Labels.hash(h);
   }
   return hash;
-}
-
-SurfaceLoop ShortLoops::shortestFrom(int seed, double walk, double near)
-{
-  const HalfedgeSurface& surface = this->Surface;
-  using Entry = std::pair<double, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  const int search = ++this->Searches;
-  this->Vertices.resize(surface.vertexCount(), { 0.0, 0, -1, 0, false });
-  this->Covered.resize(surface.vertexCount(), 0);
-  this->Vertices[seed] = { 0.0, 0, -1, search, false };
-  queue.emplace(0.0, seed);
-  double best = walk;
-  int closing = -1;
-  while (!queue.empty())
-  {
-    const auto [distance, v] = queue.top();
-    queue.pop();
-    if (2.0 * distance > best)
-    {
-      this->Bounded = this->Bounded || closing < 0;
-      break;
-    }
-    Reached& here = this->Vertices[v];
-    if (here.Settled)
-    {
-      continue;
-    }
-    here.Settled = true;
-    if (distance <= near)
-    {
-      this->Covered[v] = this->Finds;
-    }
-    const int first = surface.outgoing(v);
-    int h = first;
-    do
-    {
-      const int w = surface.tip(h);
-      const double there = distance + surface.length(h);
-      const std::uint64_t hash = here.Hash ^ this->Labels.hash(h);
-      Reached& next = this->Vertices[w];
-      if (next.Search == search && next.Settled)
-      {
-        if (next.Hash != hash && there + next.Distance < best && !this->Ignored.count(next.Hash ^ hash))
-        {
-          best = there + next.Distance;
-          closing = h;
-        }
-      }
-      else if ((next.Search != search || there < next.Distance) && !surface.onBoundary(w))
-      {
-        next = { there, hash, h, search, false };
-        queue.emplace(there, w);
-      }
-      h = surface.rotated(h);
-    } while (h != first);
-  }
-  return closing < 0 ? SurfaceLoop{} : this->loopThrough(closing, seed);
-}
-
-SurfaceLoop ShortLoops::loopThrough(int closing, int seed) const
-{
-  const auto pathTo = [this](int v)
-  {
-    std::vector<int> path;
-    for (int h = this->Vertices[v].Edge; h >= 0; h = this->Vertices[this->Surface.origin(h)].Edge)
-    {
-      path.push_back(h);
-    }
-    std::reverse(path.begin(), path.end());
-    return path;
-  };
-  const std::vector<int> out = pathTo(this->Surface.origin(closing));
-  const std::vector<int> back = pathTo(this->Surface.tip(closing));
-  std::size_t common = 0;
-  while (common < out.size() && common < back.size() && out[common] == back[common])
-  {
-    ++common;
-  }
-  SurfaceLoop loop;
-  loop.Seed = seed;
-  loop.Halfedges.assign(out.begin() + static_cast<std::ptrdiff_t>(common), out.end());
-  loop.Halfedges.push_back(closing);
-  for (std::size_t i = back.size(); i-- > common;)
-  {
-    loop.Halfedges.push_back(this->Surface.twin(back[i]));
-  }
-  for (const int h : loop.Halfedges)
-  {
-    loop.Length += this->Surface.length(h);
-  }
-  return loop;
 }
 
 void ShortLoops::tighten(SurfaceLoop& loop)
@@ -180,7 +225,7 @@ void ShortLoops::tighten(SurfaceLoop& loop)
     for (int i = 0; i < Places && !shorter; ++i)
     {
       const int v = this->Surface.origin(loop.Halfedges[i * loop.Halfedges.size() / Places]);
-      SurfaceLoop other = this->shortestFrom(v, Gain * loop.Length, -1.0);
+      SurfaceLoop other = this->search(v, Gain * loop.Length, -1.0).Loop;
       if (!other.Halfedges.empty() && other.Length < Gain * loop.Length)
       {
         other.Seed = loop.Seed;

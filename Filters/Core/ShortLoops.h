@@ -2,9 +2,10 @@
 /// Short closed loops of edges that do not separate a surface.
 #pragma once
 
-#include "HalfedgeSurface.h"
-#include "HomologyLabels.h"
+#include "LoopSearch.h"
 #include "Progress.h"
+
+#include <tbb/enumerable_thread_specific.h>
 
 #include <cstdint>
 #include <set>
@@ -13,27 +14,14 @@
 namespace flattening
 {
 
-struct SurfaceLoop
-{
-  double Length = 0.0;        ///< input units
-  std::vector<int> Halfedges; ///< each starts where the one before it ends; no vertex twice
-  int Seed = -1;              ///< the vertex from which it was found
-};
-
-/// Finds loops by Dijkstra searches that carry the homology label of the path (compare Erickson,
-/// Har-Peled 2004, "Optimally cutting a surface into a disk"; Dey, Fan, Wang 2013, "An efficient
-/// computation of handle and tunnel loops via Reeb graphs"): an edge that joins two reached vertices
-/// whose labels and its own do not cancel closes a loop that does not bound. Loops avoid the boundary.
+/// Searches a surface for loops from many vertices, in several threads (oneTBB); what it finds does not
+/// depend on their number.
 ///
 /// The surface and its labels may change between calls.
 class ShortLoops
 {
 public:
-  ShortLoops(const HalfedgeSurface& surface, const HomologyLabels& labels)
-    : Surface(surface)
-    , Labels(labels)
-  {
-  }
+  ShortLoops(const HalfedgeSurface& surface, const HomologyLabels& labels);
 
   /// Loops whose class has one of these hashes are passed over.
   std::set<std::uint64_t> Ignored;
@@ -49,8 +37,12 @@ public:
     double length,
     const ProgressCallback& progress = {});
 
-  /// The same from one vertex, for the same length as the last find(). No half-edges if there is none.
-  SurfaceLoop findAgain(int seed);
+  /// The same from one vertex, for @p length or that of the last find() if it was less. No half-edges if
+  /// there is none.
+  SurfaceLoop findAgain(int seed, double length);
+
+  /// Loops from some vertices near to @p loop, not longer than @p length, without a seed.
+  std::vector<SurfaceLoop> findBeside(const SurfaceLoop& loop, double length);
 
   /// Whether some search since the last find() ended only because its loop would have been too long.
   bool wasBounded() const { return this->Bounded; }
@@ -62,26 +54,13 @@ public:
   void tighten(SurfaceLoop& loop);
 
 private:
-  struct Reached
-  {
-    double Distance;
-    std::uint64_t Hash; // of the path's labels
-    int Edge;           // the last half-edge of the path, -1 at the seed
-    int Search;         // the search that wrote this
-    bool Settled;
-  };
-
-  // The shortest closed walk from the seed, at most of that length; its path to the loop itself is left
-  // out. No half-edges if there is none. Vertices nearer than `near` are covered.
-  SurfaceLoop shortestFrom(int seed, double walk, double near);
-  SurfaceLoop loopThrough(int closing, int seed) const;
+  LoopSearch::Result search(int seed, double walk, double near);
+  std::vector<LoopSearch::Result> searchAll(const std::vector<int>& seeds, double walk, double near);
+  std::vector<int> verticesBeside(const SurfaceLoop& loop) const;
 
   const HalfedgeSurface& Surface;
   const HomologyLabels& Labels;
-  std::vector<Reached> Vertices;
-  std::vector<int> Covered; // the find() in which the vertex was
-  int Searches = 0;
-  int Finds = 0;
+  tbb::enumerable_thread_specific<LoopSearch> Searches;
   double Length = 0.0; // of the last find()
   bool Bounded = false;
 };
