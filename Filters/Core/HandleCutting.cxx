@@ -36,6 +36,24 @@ double meanLength(const HalfedgeSurface& surface)
   return sum / surface.halfedgeCount();
 }
 
+// Of classes given by their hashes, which are linear.
+int rankOf(const std::set<std::uint64_t>& hashes)
+{
+  std::vector<std::uint64_t> basis;
+  for (std::uint64_t hash : hashes)
+  {
+    for (const std::uint64_t b : basis)
+    {
+      hash = std::min(hash, hash ^ b);
+    }
+    if (hash != 0)
+    {
+      basis.push_back(hash);
+    }
+  }
+  return static_cast<int>(basis.size());
+}
+
 class HandleCutter
 {
 public:
@@ -100,7 +118,13 @@ private:
       this->HandlesLabelled = this->Labels.genus();
     }
     this->countAttempts();
-    this->Loops.Ignored = this->Exhausted;
+    if (rankOf(this->Known) == 2 * this->Labels.genus()) // no more are to be expected
+    {
+      constexpr double Any = std::numeric_limits<double>::infinity();
+      this->cutRefused(Any, Any);
+      return;
+    }
+    this->Loops.Ignored = this->Known;
     this->RefusedFrom.clear();
     const double here = this->fraction();
     this->Found = Queue({},
@@ -128,7 +152,7 @@ private:
   void findAgain(int seed)
   {
     this->Loops.Ignored = this->RefusedFrom[seed];
-    this->Loops.Ignored.insert(this->Exhausted.begin(), this->Exhausted.end());
+    this->Loops.Ignored.insert(this->Known.begin(), this->Known.end());
     SurfaceLoop next = this->Loops.findAgain(seed, this->Refused.limit());
     if (!next.Halfedges.empty())
     {
@@ -147,7 +171,9 @@ private:
       this->Loops.tighten(loop);
     }
     const std::uint64_t hash = this->Loops.classHash(loop);
-    if (this->Exhausted.count(hash))
+    const auto earlier = this->Attempts.find(hash);
+    const bool isFirst = earlier == this->Attempts.end();
+    if (!isFirst && earlier->second.Count >= TriesPerClass)
     {
       return;
     }
@@ -156,8 +182,6 @@ private:
       this->RefusedFrom[loop.Seed].insert(hash);
       return;
     }
-    const auto earlier = this->Attempts.find(hash);
-    const bool isFirst = earlier == this->Attempts.end();
     const int fewest = isFirst ? std::numeric_limits<int>::max() : earlier->second.Fewest;
     const int intersections = this->cut(loop, 0, fewest);
     if (intersections > 0)
@@ -179,9 +203,9 @@ private:
   {
     ClassAttempts& attempts = this->Attempts[hash];
     attempts.Fewest = std::min(attempts.Fewest, intersections);
-    if (++attempts.Count == TriesPerClass)
+    if (++attempts.Count == TriesPerClass || intersections > RefusedLoops::Few)
     {
-      this->Exhausted.insert(hash);
+      this->Known.insert(hash);
     }
   }
 
@@ -189,7 +213,7 @@ private:
   void countAttempts()
   {
     this->Attempts.clear();
-    this->Exhausted.clear();
+    this->Known.clear();
     this->Refused.keepIf([this](const SurfaceLoop& loop) { return this->isUpToDate(loop); });
     this->Refused.visit([this](const SurfaceLoop& loop, int intersections)
       { this->addAttempt(this->Loops.classHash(loop), intersections); });
@@ -273,7 +297,7 @@ private:
   Queue Found; // in this search
   RefusedLoops Refused;
   std::map<std::uint64_t, ClassAttempts> Attempts;    // of the refused loops
-  std::set<std::uint64_t> Exhausted;                  // classes
+  std::set<std::uint64_t> Known;                      // classes whose loops were found already
   std::map<int, std::set<std::uint64_t>> RefusedFrom; // a seed in this search: classes
 };
 
