@@ -7,6 +7,7 @@
 #include "FilterExecution.h"
 #include "PolyDataConversion.h"
 
+#include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
@@ -86,7 +87,20 @@ flattening::ConformalDiskOptions diskOptions(vtkConformalDiskFilter* filter,
   return options;
 }
 
+// Of the points that vtkSurfaceToDiskFilter marks.
+std::vector<char> seamOf(vtkPolyData* input)
+{
+  std::vector<char> onSeam(input->GetNumberOfPoints(), 0);
+  vtkDataArray* seam = input->GetPointData()->GetArray("Seam");
+  for (vtkIdType i = 0; seam && i < input->GetNumberOfPoints(); ++i)
+  {
+    onSeam[i] = seam->GetComponent(i, 0) != 0.0 ? 1 : 0;
+  }
+  return onSeam;
+}
+
 flattening::ConformalRectangleOptions rectangleOptions(vtkConformalDiskFilter* filter,
+  vtkPolyData* input,
   const flattening::TriangleMesh& mesh,
   const std::vector<int>& loop)
 {
@@ -106,6 +120,10 @@ flattening::ConformalRectangleOptions rectangleOptions(vtkConformalDiskFilter* f
     {
       options.Corners.push_back(nearestVertex(mesh.Vertices, loop, corner));
     }
+  }
+  else
+  {
+    options.Corners = flattening::seamCorners(mesh, loop, seamOf(input));
   }
   return options;
 }
@@ -193,7 +211,7 @@ int vtkConformalDiskFilter::RequestData(vtkInformation* vtkNotUsed(request),
       if (this->Domain == RECTANGLE)
       {
         flattening::ConformalRectangleMap rectangle = flattening::conformalRectangleMap(
-          mesh, rectangleOptions(this, mesh, loop), flattening::progressOf(this));
+          mesh, rectangleOptions(this, input, mesh, loop), flattening::progressOf(this));
         map = std::move(rectangle.Map);
         domainArea = rectangle.Modulus;
         flattening::setFigure(figures, "Modulus", rectangle.Modulus);

@@ -130,9 +130,11 @@ public:
 
   ///@{
   /**
-   * Whether the four corners of the rectangle are chosen. Default: off, they are where the boundary
-   * turns most sharply, or a quarter of its length apart if it does not turn four times by 45 degrees or
-   * more.
+   * Whether the four corners of the rectangle are chosen. Default: off, they are where the two
+   * sides of the seam of a tube, marked by the point array `Seam` of vtkSurfaceToDiskFilter, meet its
+   * ends: the lower side is the seam from the longer end to the other. Without such a seam they are
+   * where the boundary turns most sharply, or a quarter of its length apart if it does not turn four
+   * times by 45 degrees or more.
    */
   vtkSetMacro(UseCorners, bool);
   vtkGetMacro(UseCorners, bool);

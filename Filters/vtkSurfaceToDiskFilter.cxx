@@ -176,9 +176,10 @@ int vtkSurfaceToDiskFilter::RequestData(vtkInformation* vtkNotUsed(request),
       }
       if (disk.Report.SeamRegionPoints > 0)
       {
-        vtkWarningMacro("the cut of the handles runs through "
+        vtkWarningMacro("the cut of handles, or of a tube from end to end, runs through "
                         << disk.Report.SeamRegionPoints
-                        << " points of the region of interest: set Handles to Remove to keep it whole");
+                        << " points of the region of interest: set Handles to Remove, or choose points "
+                           "for the seam, to keep it whole");
       }
     });
 }

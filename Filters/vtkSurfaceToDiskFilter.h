@@ -17,7 +17,7 @@
  * - on request replaces the triangles by nearly equilateral ones (Remesh),
  * - opens the surface, if it is closed, by a small geodesic hole or along a seam (CutMode), with a
  *   boundary of at least MinimumBoundaryVertices vertices: the mesh is refined there, as a boundary of
- *   six edges cannot be that of a disk.
+ *   six edges cannot be that of a disk. A tube with two open ends is cut from end to end (CutMode SEAM).
  *
  * The output is a single component of genus 0 with one boundary loop, points in double precision, no
  * unused point. It keeps all point and cell arrays. Where new points are needed, arrays of floating
@@ -46,7 +46,7 @@
  * - `HoleCentre` (3 components), `HoleRadius` (geodesic; 0: no hole was cut), `SeamLength` (0: no seam),
  *   `RemovedArea` (of the hole, or beyond the plane), `RemovedRegionPoints` (of the region of interest,
  *   where the surface has no other place for the hole), `SeamRegionPoints` (of the region of interest,
- *   where the cut of handles runs through it),
+ *   where the cut of handles or of a tube runs through it),
  * - what came of it: `BoundaryVertices`, `BoundaryLength`, `SurfaceArea`, `SmallestAngle`,
  *   `SelfIntersectionsBefore` and `SelfIntersections` (pairs of faces of the repaired component and of
  * the disk that intersect).
@@ -228,7 +228,11 @@ public:
    * - HOLE: a surface without boundary loses a geodesic disk around a point (HolePoint,
    *   HoleAreaFraction).
    * - SEAM: the surface is cut along a geodesic path (UseSeamPoints, SeamPoints) and loses nothing. If
-   *   it has a boundary the path must start there.
+   *   it has a boundary the path must start there. Without SeamPoints, a tube with two open ends is cut
+   *   from end to end along a shortest path, ready for the rectangle of vtkConformalDiskFilter: its ends
+   *   are the longest boundary and the next one, if that is at least a quarter as long. Not if
+   *   BoundaryMode is FILL_ALL_BOUNDARIES, or HandleMode CUT_HANDLES and there are handles. The seam of
+   * a tube does not keep off a region of interest: a warning if it meets it.
    * - PLANE: what lies on the side of PlaneOrigin to which PlaneNormal points is kept, of several parts
    *   one as ComponentMode says (BY_INDEX: the largest).
    * Default: HOLE.
@@ -285,8 +289,8 @@ public:
   ///@{
   /**
    * Whether SeamPoints say where the seam runs, if CutMode is SEAM. If off, the seam of a closed surface
-   * runs between two ends of it that are far from each other, which flattens best, and an open surface
-   * stays as it is. Default: off.
+   * runs between two ends of it that are far from each other, which flattens best, that of a tube from
+   * end to end, and any other open surface stays as it is. Default: off.
    */
   vtkSetMacro(UseSeamPoints, bool);
   vtkGetMacro(UseSeamPoints, bool);
@@ -327,7 +331,8 @@ public:
   ///@{
   /**
    * A boundary that the filter cuts gets at least this many vertices: edges there are split where
-   * needed. One that the input has stays as it is. Default: 128; range: 3 and above.
+   * needed. One that the input has gets 8, or this many if these are fewer, as a polygon of three covers
+   * less than half of the disk. Default: 128; range: 3 and above.
    */
   vtkSetClampMacro(MinimumBoundaryVertices, int, 3, VTK_INT_MAX);
   vtkGetMacro(MinimumBoundaryVertices, int);

@@ -43,4 +43,13 @@ ConformalRectangleMap conformalRectangleMap(const TriangleMesh& mesh,
 /// centroid.
 std::vector<int> rectangleCorners(const TriangleMesh& mesh, const std::vector<int>& loop);
 
+/// The corners of a tube that was cut open from end to end: where the two sides of the seam, the
+/// vertices marked in @p onSeam (one flag per vertex), meet the tube's ends. The first corner begins the
+/// side of the seam that starts at the longer end: the lower side of the rectangle, so that its modulus
+/// is that of the tube, length over circumference. None if the marked vertices are not two stretches of
+/// the boundary @p loop, of two vertices at least, with others between them.
+std::vector<int> seamCorners(const TriangleMesh& mesh,
+  const std::vector<int>& loop,
+  const std::vector<char>& onSeam);
+
 } // namespace flattening

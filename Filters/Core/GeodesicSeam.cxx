@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -154,39 +153,46 @@ private:
            " of the seam coincide: a seam needs two points or more, apart from each other";
   }
 
-  // Moves the first point onto the boundary if it is near, else the last one.
+  // Moves the first point onto the boundary if it is near, and the last one if it is near to a loop that
+  // the seam does not start on.
   void startOnBoundary(std::vector<SurfacePoint>& picked)
   {
+    int taken = -1;
     for (const std::size_t i : { std::size_t(0), picked.size() - 1 })
     {
-      const SurfacePoint nearest = this->nearestOnBoundary(picked[i].Position);
-      if ((nearest.Position - picked[i].Position).norm() <=
-          this->Surface.longestEdge(Face(picked[i].Face)))
+      int loop = -1;
+      const SurfacePoint nearest = this->nearestOnBoundary(picked[i].Position, loop);
+      if (loop != taken && (nearest.Position - picked[i].Position).norm() <=
+                             this->Surface.longestEdge(Face(picked[i].Face)))
       {
         picked[i] = nearest;
-        this->BoundaryPoint = i;
-        return;
+        this->BoundaryPoints.push_back(i);
+        taken = loop;
       }
     }
-    throw TopologyError(
-      "the surface has a boundary, and the seam neither starts nor ends on it: put its "
-      "first or last point onto the boundary, or flatten the surface as it is");
+    if (this->BoundaryPoints.empty())
+    {
+      throw TopologyError(
+        "the surface has a boundary, and the seam neither starts nor ends on it: put its "
+        "first or last point onto the boundary, or flatten the surface as it is");
+    }
   }
 
   // The boundary's vertex; where the boundary is coarse, a seam from there serves as well.
-  SurfacePoint nearestOnBoundary(const Eigen::Vector3d& position) const
+  SurfacePoint nearestOnBoundary(const Eigen::Vector3d& position, int& loopNumber) const
   {
     int nearest = -1;
     double distance = HUGE_VAL;
-    for (const std::vector<int>& loop : this->Topology.BoundaryLoops)
+    for (std::size_t k = 0; k < this->Topology.BoundaryLoops.size(); ++k)
     {
-      for (const int v : loop)
+      for (const int v : this->Topology.BoundaryLoops[k])
       {
         const double d = (this->Original.Vertices.row(v).transpose() - position).squaredNorm();
         if (d < distance)
         {
           distance = d;
           nearest = v;
+          loopNumber = static_cast<int>(k);
         }
       }
     }
@@ -299,7 +305,7 @@ private:
     {
       const std::size_t wayPoint = i == 0 ? leg : leg + 1;
       const bool isWayPoint = i == 0 || i + 1 == path.size();
-      if (this->isOnBoundary(path[i]) && !(isWayPoint && this->BoundaryPoint == wayPoint))
+      if (this->isOnBoundary(path[i]) && !(isWayPoint && this->isBoundaryPoint(wayPoint)))
       {
         throw TopologyError("the seam touches the boundary " + between +
                             ": only its first or last point may lie on the boundary; lead it past with "
@@ -312,6 +318,12 @@ private:
                             "points in between");
       }
     }
+  }
+
+  bool isBoundaryPoint(std::size_t wayPoint) const
+  {
+    return std::find(this->BoundaryPoints.begin(), this->BoundaryPoints.end(), wayPoint) !=
+           this->BoundaryPoints.end();
   }
 
   bool isOnBoundary(const PathPoint& point) const
@@ -337,7 +349,7 @@ private:
   EditableSurface Surface;
   SurfaceMesh& Mesh;
   std::vector<Vertex> WayPoints;
-  std::optional<std::size_t> BoundaryPoint; // the one that lies on the boundary
+  std::vector<std::size_t> BoundaryPoints; // those that lie on the boundary: one, or both ends
   std::vector<PathPoint> FirstLeg;
   std::vector<Vertex> Seam;
   std::vector<int> PlaceInSeam; // per vertex; -1 off the seam

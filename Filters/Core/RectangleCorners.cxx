@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace flattening
 {
@@ -124,6 +125,48 @@ std::vector<int> evenCorners(const BoundaryCurve& curve, int first)
 }
 
 } // namespace
+
+std::vector<int> seamCorners(const TriangleMesh& mesh,
+  const std::vector<int>& loop,
+  const std::vector<char>& onSeam)
+{
+  const int count = static_cast<int>(loop.size());
+  const auto marked = [&](int k) { return onSeam[loop[k % count]] != 0; };
+  std::vector<std::pair<int, int>>
+    stretches; // first and last place, the last may lie beyond the loop's end
+  for (int k = 0; k < count; ++k)
+  {
+    if (marked(k + 1) && !marked(k))
+    {
+      int last = k + 1;
+      while (marked(last + 1))
+      {
+        ++last;
+      }
+      stretches.emplace_back(k + 1, last);
+    }
+  }
+  if (stretches.size() != 2 || stretches[0].first == stretches[0].second ||
+      stretches[1].first == stretches[1].second)
+  {
+    return {};
+  }
+  const BoundaryCurve curve(mesh, loop);
+  const auto lengthBefore = [&](int stretch)
+  {
+    const double length =
+      curve.at(stretches[stretch].first % count) - curve.at(stretches[1 - stretch].second % count);
+    return length < 0.0 ? length + curve.length() : length;
+  };
+  const int lower = lengthBefore(0) >= lengthBefore(1) ? 0 : 1;
+  std::vector<int> corners;
+  for (const int stretch : { lower, 1 - lower })
+  {
+    corners.push_back(loop[stretches[stretch].first % count]);
+    corners.push_back(loop[stretches[stretch].second % count]);
+  }
+  return corners;
+}
 
 std::vector<int> rectangleCorners(const TriangleMesh& mesh, const std::vector<int>& loop)
 {

@@ -18,6 +18,7 @@
 #include "SeamPlacement.h"
 #include "SelfIntersections.h"
 #include "SmallAngles.h"
+#include "TubeSeam.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,9 @@ namespace
 {
 
 constexpr double Pi = 3.14159265358979323846;
-constexpr double RemeshedAngle = 1.0;    // degrees; remeshed surfaces keep far from it but at a cut
+constexpr double RemeshedAngle = 1.0; // degrees; remeshed surfaces keep far from it but at a cut
+// A polygon of so many covers nine tenths of the disk.
+constexpr int LeastBoundaryVertices = 8;
 constexpr double FilledAreaShare = 0.05; // of a circle as long as the longest loop that is filled
 
 void requireValid(const TriangleMesh& soup, const SurfaceToDiskOptions& options)
@@ -247,7 +250,15 @@ private:
     std::vector<std::vector<int>>& loops = topology.BoundaryLoops;
     const int kept = chooseBoundary(this->mesh().Vertices, loops, this->Options.Boundary);
     this->Closed = kept < 0;
-    if (kept >= 0)
+    const std::vector<int> ends =
+      kept >= 0 && this->seamOpensTube() ? endsOfTube(this->mesh().Vertices, loops) : std::vector<int>();
+    this->IsTube = !ends.empty();
+    if (this->IsTube)
+    {
+      loops.erase(loops.begin() + std::max(ends[0], ends[1]));
+      loops.erase(loops.begin() + std::min(ends[0], ends[1]));
+    }
+    else if (kept >= 0)
     {
       this->Closed = isPuncture(this->mesh(), loops[kept], this->Hole.AreaFraction);
       if (!this->Closed)
@@ -267,6 +278,13 @@ private:
       this->Pierced |= filled.PiercingPatches > 0;
       follow(this->Disk.Surface, std::move(filled.Surface));
     }
+  }
+
+  // Cut graphs of handles open surfaces of one boundary only.
+  bool seamOpensTube() const
+  {
+    return this->Options.Cut == CutMode::Seam && this->Options.SeamPoints.empty() &&
+           (this->Figures.Genus == 0 || this->Options.Handles == HandleMode::Remove);
   }
 
   double fillLengthLimit() const
@@ -343,18 +361,23 @@ private:
       this->Figures.SeamRegionPoints += region[v] && cut.OnSeam[v] ? 1 : 0;
     }
     this->followSeam(std::move(cut));
-    this->resolveBoundary();
+    this->resolveBoundary(this->Hole.BoundaryVertices);
   }
 
   void openOnce(const ProgressCallback& progress)
   {
-    if (this->Options.Cut == CutMode::Seam && (this->Closed || !this->Options.SeamPoints.empty()))
+    if (this->Options.Cut == CutMode::Seam &&
+        (this->Closed || this->IsTube || !this->Options.SeamPoints.empty()))
     {
       this->cutSeam(progress);
     }
     else if (this->Closed)
     {
       this->cutHole(progress);
+    }
+    else
+    {
+      this->resolveBoundary(std::min(LeastBoundaryVertices, this->Hole.BoundaryVertices));
     }
   }
 
@@ -363,11 +386,30 @@ private:
     GeodesicSeamOptions seam;
     seam.Points = this->Options.SeamPoints;
     seam.BoundaryVertices = this->Hole.BoundaryVertices;
-    if (seam.Points.empty())
+    if (this->IsTube)
+    {
+      const MeshTopology topology = analyseTopology(this->mesh().Faces, this->mesh().vertexCount());
+      seam.Points = placeTubeSeam(this->mesh(),
+        topology.BoundaryLoops[0],
+        topology.BoundaryLoops[1],
+        subrange(progress, 0.0, 0.4));
+    }
+    else if (seam.Points.empty())
     {
       seam.Points = placeSeam(this->mesh(), this->avoided(), subrange(progress, 0.0, 0.4));
     }
-    this->followSeam(cutGeodesicSeam(this->mesh(), seam, subrange(progress, 0.4, 1.0)).Cut);
+    CutSurface cut = cutGeodesicSeam(this->mesh(), seam, subrange(progress, 0.4, 1.0)).Cut;
+    if (this->IsTube && !this->Options.RegionOfInterest.empty())
+    {
+      const std::vector<char> region = flagsOf(cut.Surface.Vertices, this->avoided(), false);
+      int points = 0; // on both sides of the seam
+      for (std::size_t v = 0; v < region.size(); ++v)
+      {
+        points += region[v] && cut.OnSeam[v] ? 1 : 0;
+      }
+      this->Figures.SeamRegionPoints = points / 2;
+    }
+    this->followSeam(std::move(cut));
   }
 
   // The region of interest on the surface as it is now.
@@ -412,10 +454,11 @@ private:
     follow(this->Disk.Surface, std::move(opened.Surface));
   }
 
-  // Cutting along a graph of edges leaves as many boundary vertices as they have.
-  void resolveBoundary()
+  // Cutting along a graph of edges leaves as many boundary vertices as they have, and a boundary of the
+  // input may have but three.
+  void resolveBoundary(int vertices)
   {
-    DerivedMesh refined = refineBoundary(this->mesh(), this->Hole.BoundaryVertices);
+    DerivedMesh refined = refineBoundary(this->mesh(), vertices);
     if (refined.Mesh.vertexCount() > this->mesh().vertexCount())
     {
       this->followFlags(refined);
@@ -440,6 +483,7 @@ private:
   std::vector<char> Reversed;
   std::vector<char> OneSided;
   bool Closed = false;
+  bool IsTube = false;  // two boundaries are kept until the seam joins them
   bool Pierced = false; // a patch or a cap passes through other faces
 };
 

@@ -32,7 +32,8 @@ enum class HandleMode
 enum class CutMode
 {
   Hole, ///< a closed surface loses a geodesic disk (cutGeodesicHole)
-  Seam, ///< a geodesic path is cut, nothing is lost (cutGeodesicSeam)
+  Seam, ///< a geodesic path is cut, nothing is lost (cutGeodesicSeam); a tube with two open ends
+        ///< (endsOfTube) is cut from end to end (placeTubeSeam)
   Plane ///< one side of a plane is kept (cutAtPlane)
 };
 
@@ -54,11 +55,11 @@ struct SurfaceToDiskOptions
   /// every boundary.
   GeodesicHoleOptions Hole;
   /// Where the seam goes, in order (input units); none: a closed surface is cut between two ends of it
-  /// (placeSeam), an open one is not.
+  /// (placeSeam), a tube from end to end, any other open one is not.
   std::vector<Eigen::Vector3d> SeamPoints;
   CuttingPlane Plane;
   /// Per point of the input: not 0 where no hole or seam may be placed; empty: anywhere. Cuts of handles
-  /// do not keep off it.
+  /// and tubes do not keep off it.
   std::vector<char> RegionOfInterest;
   /// Without remeshing, smaller angles are opened by local changes (withoutSmallAngles), as slivers
   /// cannot be flattened well; degrees, 0 (as it is) to 15. Not if handles are cut.
@@ -89,7 +90,7 @@ struct SurfaceToDiskReport
   double SeamLength = 0.0;     ///< of the seam or cut graph; 0 if there is none
   double RemovedArea = 0.0;    ///< of the hole, or beyond the plane
   int RemovedRegionPoints = 0; ///< of the region of interest, that the hole took all the same
-  int SeamRegionPoints = 0;    ///< of the region of interest, that cuts of handles run through
+  int SeamRegionPoints = 0;    ///< of the region of interest, that cuts of handles or tubes run through
   int BoundaryVertices = 0;
   double BoundaryLength = 0.0;
   double SurfaceArea = 0.0;
@@ -110,7 +111,8 @@ struct DiskSurface
 /// boundaries but the chosen one (fillHoles), does away with handles, remeshes if asked
 /// (remeshIsotropically), opens a surface that is closed, resolves its boundary, and checks the result
 /// (requireDisk). A boundary shorter than that of the hole that would be cut is filled too, and the
-/// surface opened there: so short a boundary cannot become that of the flat disk.
+/// surface opened there: so short a boundary cannot become that of the flat disk. An input's boundary
+/// gets 8 vertices at least (refineBoundary), or Hole.BoundaryVertices if these are fewer.
 /// @throws InvalidInput for coordinates that are not finite, zero area, options out of range or that
 /// name what is not there; TopologyError if the component is one-sided, or has handles and they are
 /// errors.

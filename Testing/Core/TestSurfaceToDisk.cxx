@@ -156,6 +156,21 @@ TEST(SurfaceToDisk, WidensATinyBoundary)
   EXPECT_LT(distance, 1e-9);
 }
 
+// Of three vertices a polygon covers less than half of the disk.
+TEST(SurfaceToDisk, ABoundaryOfThreeVerticesIsRefined)
+{
+  const TriangleMesh pyramid = meshOf({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.3, 0.3, 1 } },
+    { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } });
+  SurfaceToDiskOptions options;
+  options.FlattenFolds = false; // or the tip would be
+  const DiskSurface disk = surfaceToDisk(pyramid, options);
+  EXPECT_GE(disk.Report.BoundaryVertices, 8);
+  EXPECT_LE(disk.Report.BoundaryVertices, 16);
+  EXPECT_NEAR(disk.Report.SurfaceArea, faceAreas(pyramid.Vertices, pyramid.Faces).sum(), 1e-12);
+  options.Hole.BoundaryVertices = 3;
+  EXPECT_EQ(surfaceToDisk(pyramid, options).Report.BoundaryVertices, 3);
+}
+
 TEST(SurfaceToDisk, NamesTheGenusIfHandlesAreErrors)
 {
   SurfaceToDiskOptions options;

@@ -18,6 +18,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyDataNormals.h>
 #include <vtkStringArray.h>
+#include <vtkSurfaceToDiskFilter.h>
 #include <vtkTestErrorObserver.h>
 #include <vtkTriangleFilter.h>
 
@@ -383,6 +384,27 @@ TEST(ConformalDiskFilter, AHalfCylinderUnrollsToARectangle)
 }
 
 // A cap on a tube of 30 radii: a disk shrinks it by e^-30.
+// Surface To Disk cuts an open cylinder from end to end; the rectangle's corners are where the seam
+// meets the ends, also if that makes it higher than wide.
+TEST(ConformalDiskFilter, AnOpenTubeUnrollsToARectangle)
+{
+  constexpr int around = 60;
+  constexpr double length = 6.0;
+  vtkNew<vtkSurfaceToDiskFilter> disk;
+  disk->SetInputData(polyDataOf(flattening::samples::cylinder(around, 50, length)));
+  disk->SetCutModeToSeam();
+  vtkNew<vtkConformalDiskFilter> filter;
+  filter->SetInputConnection(disk->GetOutputPort());
+  filter->SetDomainToRectangle();
+  filter->Update();
+  EXPECT_EQ(figure(disk->GetOutput(), "FilledHoles"), 0.0);
+  EXPECT_EQ(figure(disk->GetOutput(), "RemovedArea"), 0.0);
+  const double circumference = around * 2.0 * std::sin(Pi / around);
+  EXPECT_NEAR(figure(filter->GetOutput(), "Modulus"), length / circumference, 1e-9) << "of the prism";
+  EXPECT_NEAR(figure(filter->GetOutput(), "Modulus"), length / (2.0 * Pi), 5e-4);
+  EXPECT_EQ(figure(filter->GetOutput(), "FlippedFaces"), 0.0);
+}
+
 TEST(ConformalDiskFilter, ARectangleNeedsRicciFlow)
 {
   vtkNew<vtkConformalDiskFilter> filter;
