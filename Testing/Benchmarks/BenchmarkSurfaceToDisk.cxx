@@ -116,7 +116,9 @@ int main(int argc, char** argv)
   add(folder + "/ch2bet.nii.gz", 1.0, 40.0);
   add(folder + "/ch2bet.nii.gz", 1.0, 75.0);
   add(folder + "/ch2better.nii.gz", 1.0, 60.0);
+  add(folder + "/ch2better.nii.gz", 0.6, 75.0);
   add(folder + "/ch2better.nii.gz", 0.3, 75.0);
+  add(folder + "/ch2better.nii.gz", 0.0, 75.0);
   benchmark::RunSpecifiedBenchmarks();
   return 0;
 }

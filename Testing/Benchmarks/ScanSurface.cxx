@@ -42,7 +42,7 @@ vtkSmartPointer<vtkPolyData> scanSurface(const std::string& scan, double sigma, 
   smooth->SetStandardDeviation(sigma);
   smooth->SetRadiusFactors(3.0, 3.0, 3.0);
   vtkNew<vtkFlyingEdges3D> contour;
-  contour->SetInputConnection(smooth->GetOutputPort());
+  contour->SetInputConnection(sigma > 0.0 ? smooth->GetOutputPort() : pad->GetOutputPort());
   contour->SetValue(0, isovalue);
   contour->ComputeNormalsOff();
   contour->Update();

@@ -12,7 +12,7 @@ namespace flattening::benchmarks
 
 /// The isosurface of a NIfTI volume: cast to float before smoothing, or the plateaus of the integer
 /// image fall apart into thousands of handles; padded, so that the surface closes.
-/// @param sigma standard deviation of the Gaussian, voxels; cut off at three of them.
+/// @param sigma standard deviation of the Gaussian, voxels; cut off at three of them. 0: none.
 vtkSmartPointer<vtkPolyData> scanSurface(const std::string& scan, double sigma, double isovalue);
 
 } // namespace flattening::benchmarks
