@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, times Surface To Disk on surfaces of real scans with up to 600 handles and
+# Installs what is missing, builds, times Surface To Disk on surfaces of real scans with up to 700 handles and
 # every stage of the flattening on a hemisphere, a Gaussian bump and a real brain, compares the methods of the
 # conformal disk on the same, and prints the figures as Markdown tables; draws the conformal disk's error on surfaces
 # with known maps. The JSON output of Google Benchmark and the picture stay in the build folder. Safe to run again. Let nothing else run meanwhile.
