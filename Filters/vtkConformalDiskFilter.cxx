@@ -236,7 +236,10 @@ int vtkConformalDiskFilter::RequestData(vtkInformation* vtkNotUsed(request),
         vtkWarningMacro(
           << map.FlippedFaces
           << " faces of the map are flipped and could not be turned over, so that it is not one-to-one "
-             "there: remesh the surface (Surface To Disk, Remesh)");
+             "there: "
+          << (this->Method == RICCI_FLOW
+                 ? "remesh the surface (Surface To Disk, Remesh)"
+                 : "set Method to Ricci Flow, which moves apart what lies too close together"));
       }
       const double anisotropy = boundaryAnisotropy(mesh, loop);
       flattening::setFigure(figures, "BoundaryAnisotropy", anisotropy);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Compares the methods of the conformal disk: times, as a yardstick in the same run the Cholesky
-// factorization of the mesh's Laplacian, and the distortion of angles. Times are processor time.
-//   BenchmarkConformal [scan] [Google Benchmark's options]
+// factorization of the mesh's Laplacian, memory, and the distortion of angles. Times are processor time
+// and wall clock. Of the surfaces of a million vertices, the default method alone.
+//   BenchmarkConformal [scan [finer scan]] [Google Benchmark's options]
 #include "BenchmarkSurfaces.h"
 #include "ConformalDisk.h"
 #include "DistortionSummary.h"
+#include "PeakMemory.h"
 #include "Yardstick.h"
 
 #include <benchmark/benchmark.h>
@@ -13,6 +15,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -28,6 +31,15 @@ constexpr std::array<NamedMethod, 3> Methods = { { { "Ricci Flow", ConformalMeth
   { "Boundary First", ConformalMethod::BoundaryFirst },
   { "Mean Value", ConformalMethod::MeanValue } } };
 
+// Of processor time.
+double factorizationSeconds(const SparseMatrix& laplacian)
+{
+  const benchmarks::StopWatch watch;
+  const SparseCholesky cholesky(laplacian);
+  benchmark::DoNotOptimize(cholesky.info());
+  return watch.processorSeconds();
+}
+
 void compare(benchmark::State& state, const TriangleMesh& mesh, ConformalMethod method)
 {
   ConformalDiskOptions options;
@@ -35,20 +47,20 @@ void compare(benchmark::State& state, const TriangleMesh& mesh, ConformalMethod 
   auto& counters = state.counters;
   for (auto _ : state)
   {
-    const SparseMatrix laplacian = benchmarks::meshLaplacian(mesh);
-    const benchmarks::StopWatch factorizationWatch;
-    const SparseCholesky cholesky(laplacian);
-    const double factorization = factorizationWatch.processorSeconds();
-    benchmark::DoNotOptimize(cholesky.info());
+    const double factorization = factorizationSeconds(benchmarks::meshLaplacian(mesh));
 
+    benchmarks::resetPeakMemory();
     const benchmarks::StopWatch watch;
     const ConformalDiskMap map = conformalDiskMap(mesh, options);
     const double seconds = watch.processorSeconds();
-    state.SetIterationTime(watch.seconds());
+    const double wallSeconds = watch.seconds();
+    state.SetIterationTime(wallSeconds);
+    counters["peak_memory"] = benchmarks::peakMemory();
 
     const auto distortion = summariseDistortion(measureDistortion(mesh, map.Positions));
     counters["vertices"] = mesh.vertexCount();
     counters["conformal_cpu_seconds"] = seconds;
+    counters["conformal_wall_seconds"] = wallSeconds;
     counters["factorization_cpu_seconds"] = factorization;
     counters["conformal_ratio"] = seconds / factorization;
     counters["angle_error"] = distortion[Measure::AngleError].Mean;
@@ -63,10 +75,12 @@ void compare(benchmark::State& state, const TriangleMesh& mesh, ConformalMethod 
 }
 
 // The surface is loaded once, when the first of its benchmarks runs.
-void add(const std::string& name, const std::function<benchmarks::BenchmarkSurface()>& load)
+void add(const std::string& name,
+  const std::function<benchmarks::BenchmarkSurface()>& load,
+  std::size_t methods = Methods.size())
 {
   const auto mesh = std::make_shared<TriangleMesh>();
-  for (const NamedMethod& method : Methods)
+  for (const NamedMethod& method : std::vector<NamedMethod>(Methods.begin(), Methods.begin() + methods))
   {
     benchmark::RegisterBenchmark((name + "/" + method.Name).c_str(),
       [load, mesh, method](benchmark::State& state)
@@ -89,11 +103,16 @@ int main(int argc, char** argv)
 {
   benchmark::Initialize(&argc, argv);
   const std::string scan = argc > 1 ? argv[1] : "/usr/share/mricron/templates/ch2bet.nii.gz";
+  const std::string fineScan = argc > 2 ? argv[2] : "/usr/share/mricron/templates/ch2better.nii.gz";
   add("hemisphere", benchmarks::hemisphere);
   add("Gaussian bump", benchmarks::gaussianSquare);
   add("half brain, remeshed", [scan] { return benchmarks::remeshedHalfBrain(scan); });
   add("half brain, raw", [scan] { return benchmarks::halfBrain(scan); });
   add("whole brain, closed", [scan] { return benchmarks::closedBrain(scan); });
+  add(
+    "half brain, a million", [scan] { return benchmarks::fineHalfBrain(scan); }, 1);
+  add(
+    "whole brain, 0.5 mm", [fineScan] { return benchmarks::fineBrain(fineScan); }, 1);
   benchmark::RunSpecifiedBenchmarks();
   return 0;
 }

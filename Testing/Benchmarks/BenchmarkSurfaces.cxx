@@ -8,9 +8,11 @@
 #include <vtkClipPolyData.h>
 #include <vtkIdList.h>
 #include <vtkImageData.h>
+#include <vtkLinearSubdivisionFilter.h>
 #include <vtkNIFTIImageReader.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkSurfaceToDiskFilter.h>
@@ -117,6 +119,35 @@ BenchmarkSurface closedBrain(const std::string& scan)
 BenchmarkSurface halfBrain(const std::string& scan)
 {
   return half(scan, 0.0);
+}
+
+BenchmarkSurface fineHalfBrain(const std::string& scan)
+{
+  const TriangleMesh coarse = halfBrain(scan).Mesh;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (int v = 0; v < coarse.vertexCount(); ++v)
+  {
+    points->InsertNextPoint(coarse.Vertices.row(v).data());
+  }
+  vtkNew<vtkCellArray> faces;
+  for (int f = 0; f < coarse.faceCount(); ++f)
+  {
+    faces->InsertNextCell({ coarse.Faces(f, 0), coarse.Faces(f, 1), coarse.Faces(f, 2) });
+  }
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(points);
+  surface->SetPolys(faces);
+  vtkNew<vtkLinearSubdivisionFilter> subdivision;
+  subdivision->SetInputData(surface);
+  subdivision->SetNumberOfSubdivisions(2);
+  subdivision->Update();
+  return { meshOf(subdivision->GetOutput()) };
+}
+
+BenchmarkSurface fineBrain(const std::string& scan)
+{
+  return asDisk(scanSurface(scan, 1.0, 60.0), 0.0);
 }
 
 BenchmarkSurface remeshedHalfBrain(const std::string& scan)

@@ -28,5 +28,10 @@ BenchmarkSurface closedBrain(const std::string& scan);
 BenchmarkSurface halfBrain(const std::string& scan);
 /// The same half, remeshed to edges of 1.2 mm.
 BenchmarkSurface remeshedHalfBrain(const std::string& scan);
+/// halfBrain with every face split into sixteen: a million vertices.
+BenchmarkSurface fineHalfBrain(const std::string& scan);
+/// The brain in @p scan (`ch2better.nii.gz`: 0.5 mm, skull-stripped), smoothed by one voxel, isovalue
+/// 60, its 120 handles removed, opened at a hole: a million vertices too, with long narrow parts.
+BenchmarkSurface fineBrain(const std::string& scan);
 
 } // namespace flattening::benchmarks

@@ -48,6 +48,8 @@ METHODS = {
     "vertices": TIMES["vertices"],
     "method": lambda b: b["name"].split("/")[1],
     "seconds": lambda b: f"{b['conformal_cpu_seconds']:.2f}",
+    "wall clock": lambda b: f"{b['conformal_wall_seconds']:.2f}",
+    "memory (GB)": lambda b: f"{b['peak_memory']:.1f}",
     "in factorizations": lambda b: f"{b['conformal_ratio']:.1f}",
     "mean angle error": lambda b: f"{b['angle_error']:.2f}°",
     "AngleDistortion P95": lambda b: f"{b['angle_distortion_p95']:.3f}",
