@@ -24,6 +24,9 @@ constexpr double LeastTarget = 1e-6;
 constexpr double FirstEpsilon = 0.1;
 constexpr int FirstStageRounds = 10;
 constexpr int SecondStageRounds = 5;
+// More rounds of the first stage where faces remain flipped, and how often.
+constexpr int MoreRounds = 4;
+constexpr int MoreFirstStages = 2;
 // A stage ends when so few faces are off by more than the tolerance, or when a round neither makes them
 // fewer nor the energy smaller by these shares.
 constexpr double AreaTolerance = 0.02;
@@ -73,12 +76,12 @@ public:
       masses,
       this->OnBoundary);
     FlatState state = this->stateAt(field);
-    this->firstStage(state, subrange(progress, 0.0, 0.6));
-    if (!this->turnOver(state, subrange(progress, 0.6, 0.65)))
+    this->firstStage(state, subrange(progress, 0.0, 0.5));
+    if (!this->untangle(state, subrange(progress, 0.5, 0.65)))
     {
       this->startOver(state, field, subrange(progress, 0.65, 0.7));
     }
-    if (this->Result.FlippedFaces == 0)
+    if (countFlippedFaces(state.Positions, this->Surface.Faces) == 0)
     {
       this->secondStage(state, subrange(progress, 0.7, 1.0));
     }
@@ -89,6 +92,17 @@ public:
   }
 
 private:
+  enum class Until
+  {
+    Enough,
+    AllRounds
+  };
+  enum class Patches
+  {
+    Small,
+    Large
+  };
+
   static double shapeWeight(const FaceRefinementOptions& options)
   {
     return LeastShapeWeight + ShapeWeightScale * options.AngleWeight / (1.0 - options.AngleWeight);
@@ -131,15 +145,15 @@ private:
     return static_cast<double>((errors > AreaTolerance).count()) / this->Surface.faceCount();
   }
 
-  void rounds(FlatState& state, int most, const ProgressCallback& progress)
+  void rounds(FlatState& state, int most, Until until, const ProgressCallback& progress)
   {
     double off = this->offShare(state);
-    for (int round = 0; round < most && off > EnoughShare; ++round)
+    for (int round = 0; round < most && (off > EnoughShare || until == Until::AllRounds); ++round)
     {
       ++this->Result.Rounds;
       const double gain = this->Descent.round(state, progress, static_cast<double>(round) / most);
       const double next = this->offShare(state);
-      if (next > (1.0 - LeastProgress) * off && gain < LeastGain)
+      if (until == Until::Enough && next > (1.0 - LeastProgress) * off && gain < LeastGain)
       {
         return;
       }
@@ -156,7 +170,7 @@ private:
         : this->Targets);
     this->Energy.setEpsilon(FirstEpsilon);
     this->Descent.keepOrientation(false);
-    this->rounds(state, FirstStageRounds, progress);
+    this->rounds(state, FirstStageRounds, Until::Enough, progress);
   }
 
   void secondStage(FlatState& state, const ProgressCallback& progress)
@@ -164,25 +178,69 @@ private:
     this->Energy.setTargets(this->Targets);
     this->Energy.setEpsilon(0.0);
     this->Descent.keepOrientation(true);
-    this->rounds(state, SecondStageRounds, progress);
+    this->rounds(state, SecondStageRounds, Until::Enough, progress);
   }
 
-  bool turnOver(FlatState& state, const ProgressCallback& progress)
+  // Most of what is flipped after the first stage turns over in a few more of its rounds, and the rest
+  // in patches of a few vertices. Large patches lose much of the areas, which a few rounds more may get
+  // back: they come last.
+  bool untangle(FlatState& state, const ProgressCallback& progress)
+  {
+    constexpr double part = 1.0 / (MoreFirstStages + 2);
+    double fraction = 0.0;
+    for (int more = 0; more <= MoreFirstStages; ++more)
+    {
+      if (this->turnOver(state, Patches::Small, subrange(progress, fraction, fraction + 0.5 * part)))
+      {
+        return true;
+      }
+      if (more < MoreFirstStages)
+      {
+        this->rounds(state,
+          MoreRounds,
+          Until::AllRounds,
+          subrange(progress, fraction + 0.5 * part, fraction + part));
+      }
+      fraction += part;
+    }
+    if (!this->turnOver(state, Patches::Large, subrange(progress, fraction, 0.95)))
+    {
+      return false;
+    }
+    FlatState again = state;
+    this->rounds(again, MoreRounds, Until::AllRounds, subrange(progress, 0.95, 0.98));
+    if (this->turnOver(again, Patches::Small, subrange(progress, 0.98, 1.0)))
+    {
+      state = std::move(again);
+    }
+    return true;
+  }
+
+  // Leaves the state as it was if faces remain flipped.
+  bool turnOver(FlatState& state, Patches patches, const ProgressCallback& progress)
   {
     FlippedFaceOptions options;
     options.AreaWeight = RepairAreaWeight;
-    options.LargestPatch =
-      std::max(options.LargestPatch, static_cast<int>(LargestPatchShare * this->Surface.vertexCount()));
-    options.WorkPerVertex = RepairWork;
+    if (patches == Patches::Large)
+    {
+      const int share = static_cast<int>(LargestPatchShare * this->Surface.vertexCount());
+      options.LargestPatch = std::max(options.LargestPatch, share);
+      options.WorkPerVertex = RepairWork;
+    }
+    Points2 positions = state.Positions;
     const FlippedFaceReport report = repairFlippedFaces(this->Surface.Faces,
       this->OnBoundary,
       trianglesOfArea(this->Surface, this->Targets),
-      state.Positions,
+      positions,
       options,
       progress);
+    if (report.FlippedFaces > 0)
+    {
+      return false;
+    }
+    state.Positions = std::move(positions);
     this->Result.RepairedFaces = report.RepairedFaces;
-    this->Result.FlippedFaces = report.FlippedFaces;
-    return report.FlippedFaces == 0;
+    return true;
   }
 
   // The points between two monotone maps are a monotone map: what is flipped is so by a little only, and
@@ -207,7 +265,7 @@ private:
       {
         between.Positions.row(this->Map.Loop[k]) = this->Unknowns.domain().at(between.Places[k]);
       }
-      if (this->turnOver(between, subrange(progress, begin, fraction)))
+      if (this->turnOver(between, Patches::Large, subrange(progress, begin, fraction)))
       {
         state = std::move(between);
         this->Result.StartShare = share;

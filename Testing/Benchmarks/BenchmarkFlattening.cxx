@@ -6,6 +6,7 @@
 #include "BenchmarkSurfaces.h"
 #include "ConformalDisk.h"
 #include "DistortionSummary.h"
+#include "MeshTopology.h"
 #include "Yardstick.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -14,6 +15,7 @@
 #include <benchmark/benchmark.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -58,15 +60,24 @@ void flatten(benchmark::State& state, const std::function<benchmarks::BenchmarkS
     const StopWatch watch;
     const ConformalDiskMap conformal = conformalDiskMap(mesh);
     counters["conformal_seconds"] = watch.seconds();
+    AreaPreservingOptions cellsAlone;
+    cellsAlone.RefineFaces = false;
     const StopWatch transportWatch;
-    const AreaPreservingResult flat = areaPreservingDiskMap(mesh, conformal.Positions);
+    const AreaPreservingResult flat = areaPreservingDiskMap(mesh, conformal.Positions, {}, cellsAlone);
     const double transportSeconds = transportWatch.seconds();
+    const StopWatch refinementWatch;
+    const FaceRefinementResult refined = refineFaces(mesh,
+      { std::make_shared<UnitDisk>(), requireDisk(mesh), {}, conformal.Positions, flat.Map.Positions },
+      faceTargets(mesh, {}),
+      flat.Map.TargetAreas);
+    const double refinementSeconds = refinementWatch.seconds();
     state.SetIterationTime(watch.seconds());
 
     const double triangulation = regularTriangulationSeconds(conformal.Positions, flat.Map.PowerWeights);
     const double factorization = factorizationSeconds(mesh);
     const auto before = summariseDistortion(measureDistortion(mesh, conformal.Positions));
-    const auto after = summariseDistortion(measureDistortion(mesh, flat.Map.Positions));
+    const auto cells = summariseDistortion(measureDistortion(mesh, flat.Map.Positions));
+    const auto faces = summariseDistortion(measureDistortion(mesh, refined.Positions));
     counters["vertices"] = mesh.vertexCount();
     counters["surface_to_disk_seconds"] = surface.SurfaceToDiskSeconds;
     counters["transport_seconds"] = transportSeconds;
@@ -80,10 +91,18 @@ void flatten(benchmark::State& state, const std::function<benchmarks::BenchmarkS
     counters["newton_steps"] = flat.Map.NewtonIterations;
     counters["power_diagrams"] = flat.Map.PowerDiagrams;
     counters["cell_error"] = flat.Map.MaxCellError;
-    counters["faces_within_2_percent"] = after.FacesWithin2Percent;
-    counters["area_error_percent"] = after[Measure::AreaError].AreaWeightedMean;
-    counters["angle_error"] = after[Measure::AngleError].Mean;
-    counters["flipped"] = flat.Map.FlippedFaces;
+    counters["cells_within_2_percent"] = cells.FacesWithin2Percent;
+    counters["cells_area_error_percent"] = cells[Measure::AreaError].AreaWeightedMean;
+    counters["cells_angle_error"] = cells[Measure::AngleError].Mean;
+    counters["cells_flipped"] = flat.Map.FlippedFaces;
+    counters["refinement_seconds"] = refinementSeconds;
+    counters["rounds"] = refined.Rounds;
+    counters["faces_within_2_percent"] = faces.FacesWithin2Percent;
+    counters["area_error_percent"] = faces[Measure::AreaError].AreaWeightedMean;
+    counters["area_error_p99"] = faces[Measure::AreaError].P99;
+    counters["angle_error"] = faces[Measure::AngleError].Mean;
+    counters["flipped"] = refined.FlippedFaces;
+    counters["bijective"] = refined.Bijective;
   }
 }
 
@@ -105,7 +124,10 @@ int main(int argc, char** argv)
   add("Gaussian bump", benchmarks::gaussianSquare);
   add("half brain, remeshed", [scan] { return benchmarks::remeshedHalfBrain(scan); });
   add("half brain, raw", [scan] { return benchmarks::halfBrain(scan); });
-  add("whole brain, closed", [scan] { return benchmarks::closedBrain(scan); });
+  add("whole brain, remeshed", [scan] { return benchmarks::remeshedBrain(scan); });
+  add("whole brain, raw", [scan] { return benchmarks::closedBrain(scan); });
+  add("half brain, split once", [scan] { return benchmarks::subdividedHalfBrain(scan, 1); });
+  add("half brain, split twice", [scan] { return benchmarks::subdividedHalfBrain(scan, 2); });
   benchmark::RunSpecifiedBenchmarks();
   return 0;
 }

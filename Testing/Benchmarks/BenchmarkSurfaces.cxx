@@ -44,14 +44,38 @@ TriangleMesh meshOf(vtkPolyData* data)
   return mesh;
 }
 
+vtkSmartPointer<vtkPolyData> polyDataOf(const TriangleMesh& mesh)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    points->InsertNextPoint(mesh.Vertices.row(v).data());
+  }
+  vtkNew<vtkCellArray> faces;
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    faces->InsertNextCell({ mesh.Faces(f, 0), mesh.Faces(f, 1), mesh.Faces(f, 2) });
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(faces);
+  return data;
+}
+
 vtkSmartPointer<vtkPolyData> brainSurface(const std::string& scan)
 {
   return scanSurface(scan, 2.0, 40.0);
 }
 
-BenchmarkSurface asDisk(vtkPolyData* surface, double edgeLength)
+// Edge length 0: not remeshed. Hole fraction 0: the filter's default.
+BenchmarkSurface asDisk(vtkPolyData* surface, double edgeLength, double holeFraction = 0.0)
 {
   vtkNew<vtkSurfaceToDiskFilter> toDisk;
+  if (holeFraction > 0.0)
+  {
+    toDisk->SetHoleAreaFraction(holeFraction);
+  }
   toDisk->SetInputData(surface);
   toDisk->SetRemesh(edgeLength > 0.0);
   toDisk->SetTargetEdgeLength(edgeLength);
@@ -116,33 +140,24 @@ BenchmarkSurface closedBrain(const std::string& scan)
   return asDisk(brainSurface(scan), 0.0);
 }
 
+BenchmarkSurface remeshedBrain(const std::string& scan)
+{
+  return asDisk(brainSurface(scan), 1.47, 0.0075);
+}
+
+BenchmarkSurface subdividedHalfBrain(const std::string& scan, int times)
+{
+  const BenchmarkSurface coarse = half(scan, 0.0);
+  vtkNew<vtkLinearSubdivisionFilter> subdivision;
+  subdivision->SetInputData(polyDataOf(coarse.Mesh));
+  subdivision->SetNumberOfSubdivisions(times);
+  subdivision->Update();
+  return { meshOf(subdivision->GetOutput()), coarse.SurfaceToDiskSeconds };
+}
+
 BenchmarkSurface halfBrain(const std::string& scan)
 {
   return half(scan, 0.0);
-}
-
-BenchmarkSurface fineHalfBrain(const std::string& scan)
-{
-  const TriangleMesh coarse = halfBrain(scan).Mesh;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (int v = 0; v < coarse.vertexCount(); ++v)
-  {
-    points->InsertNextPoint(coarse.Vertices.row(v).data());
-  }
-  vtkNew<vtkCellArray> faces;
-  for (int f = 0; f < coarse.faceCount(); ++f)
-  {
-    faces->InsertNextCell({ coarse.Faces(f, 0), coarse.Faces(f, 1), coarse.Faces(f, 2) });
-  }
-  vtkNew<vtkPolyData> surface;
-  surface->SetPoints(points);
-  surface->SetPolys(faces);
-  vtkNew<vtkLinearSubdivisionFilter> subdivision;
-  subdivision->SetInputData(surface);
-  subdivision->SetNumberOfSubdivisions(2);
-  subdivision->Update();
-  return { meshOf(subdivision->GetOutput()) };
 }
 
 BenchmarkSurface fineBrain(const std::string& scan)

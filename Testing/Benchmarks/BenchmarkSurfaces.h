@@ -24,14 +24,16 @@ BenchmarkSurface gaussianSquare();
 /// The brain in @p scan (`ch2bet.nii.gz`: 1 mm, skull-stripped), smoothed by 2 mm, isovalue 40, as one
 /// closed surface with a hole cut by vtkSurfaceToDiskFilter.
 BenchmarkSurface closedBrain(const std::string& scan);
+/// The same closed brain remeshed to edges of 1.47 mm, the hole 0.75 % of its area.
+BenchmarkSurface remeshedBrain(const std::string& scan);
 /// Its half beyond the mid-plane, with the triangles of the isosurface.
 BenchmarkSurface halfBrain(const std::string& scan);
 /// The same half, remeshed to edges of 1.2 mm.
 BenchmarkSurface remeshedHalfBrain(const std::string& scan);
-/// halfBrain with every face split into sixteen: a million vertices.
-BenchmarkSurface fineHalfBrain(const std::string& scan);
 /// The brain in @p scan (`ch2better.nii.gz`: 0.5 mm, skull-stripped), smoothed by one voxel, isovalue
 /// 60, its 120 handles removed, opened at a hole: a million vertices too, with long narrow parts.
 BenchmarkSurface fineBrain(const std::string& scan);
+/// halfBrain with each of its faces split in four, @p times over; twice: a million vertices.
+BenchmarkSurface subdividedHalfBrain(const std::string& scan, int times);
 
 } // namespace flattening::benchmarks

@@ -17,17 +17,22 @@ TIMES = {
         f"{b['triangulation_seconds']:.3f} + {b['factorization_seconds']:.3f}"
     ),
     "ratio": lambda b: f"{b['transport_ratio']:.1f}",
+    "refinement (s)": lambda b: f"{b['refinement_seconds']:.2f}",
+    "rounds": lambda b: f"{b['rounds']:.0f}",
 }
 ERRORS = {
     "surface": TIMES["surface"],
     "curvature error": lambda b: f"{b['curvature_error']:.0e}",
     "conformal: angle error": lambda b: f"{b['conformal_angle_error']:.2f}°",
     "flipped": lambda b: f"{b['conformal_flipped']:.0f}",
-    "area-preserving: cell error": lambda b: f"{b['cell_error']:.0e}",
-    "faces within 2 %": lambda b: f"{b['faces_within_2_percent']:.1f} %",
-    "mean area error": lambda b: f"{b['area_error_percent']:.1f} %",
+    "transport: cell error": lambda b: f"{b['cell_error']:.0e}",
+    "faces within 2 %": lambda b: f"{b['cells_within_2_percent']:.1f} %",
+    "flipped ": lambda b: f"{b['cells_flipped']:.0f}",
+    "refined: faces within 2 %": lambda b: f"{b['faces_within_2_percent']:.1f} %",
+    "mean area error": lambda b: f"{b['area_error_percent']:.2f} %",
+    "P99": lambda b: f"{b['area_error_p99']:.1f} %",
     "angle error": lambda b: f"{b['angle_error']:.1f}°",
-    "flipped ": lambda b: f"{b['flipped']:.0f}",
+    "flipped  ": lambda b: f"{b['flipped']:.0f}",
 }
 HANDLES = {
     "surface": TIMES["surface"],
