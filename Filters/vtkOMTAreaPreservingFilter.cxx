@@ -60,6 +60,22 @@ Eigen::VectorXd readWeights(vtkPolyData* input, const char* chosen)
   return weights;
 }
 
+// The power weights of an earlier run, over a domain of area pi; empty if there are none.
+Eigen::VectorXd readStart(vtkPolyData* input, double area)
+{
+  vtkDataArray* array = input->GetPointData()->GetArray("PowerWeight");
+  if (!array || array->GetNumberOfComponents() != 1)
+  {
+    return {};
+  }
+  Eigen::VectorXd start(array->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    start[i] = array->GetComponent(i, 0) / area;
+  }
+  return start;
+}
+
 // Radius of the disk that the boundary loop lies on.
 double diskRadius(const flattening::Points2& positions, const std::vector<int>& loop)
 {
@@ -210,6 +226,13 @@ int vtkOMTAreaPreservingFilter::RequestData(vtkInformation* vtkNotUsed(request),
       options.Refinement.AngleWeight = this->AngleWeight;
 
       const flattening::Points2 conformal = (flat.rowwise() - domain.Centre) / domain.Scale;
+      // From a domain of area pi to the surface's area, or to radius 1 or height 1.
+      const double surfaceArea = flattening::faceAreas(surface.Vertices, surface.Faces).sum();
+      const double scale = this->NormalizeTo == SURFACE_AREA ? std::sqrt(surfaceArea / EIGEN_PI)
+                           : domain.IsRectangle              ? domain.Scale / domain.Height
+                                                             : 1.0;
+      const double area = scale * scale;
+      options.Transport.StartWeights = readStart(input, area);
       const auto progress = flattening::progressOf(this);
       const flattening::AreaPreservingResult result =
         domain.IsRectangle
@@ -218,12 +241,6 @@ int vtkOMTAreaPreservingFilter::RequestData(vtkInformation* vtkNotUsed(request),
           : flattening::areaPreservingDiskMap(surface, conformal, weights, options, progress);
       const flattening::AreaPreservingMap& map = result.Map;
 
-      // From a domain of area pi to the surface's area, or to radius 1 or height 1.
-      const double surfaceArea = flattening::faceAreas(surface.Vertices, surface.Faces).sum();
-      const double scale = this->NormalizeTo == SURFACE_AREA ? std::sqrt(surfaceArea / EIGEN_PI)
-                           : domain.IsRectangle              ? domain.Scale / domain.Height
-                                                             : 1.0;
-      const double area = scale * scale;
       Eigen::RowVector2d centre(0.0, 0.0);
       if (domain.IsRectangle)
       {

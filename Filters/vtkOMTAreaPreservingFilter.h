@@ -35,6 +35,10 @@
  * factorization each; `RefinementRepairs`, triangles that had flipped on the way. A warning tells when
  * Bijective is 0.
  *
+ * If the input has a point array `PowerWeight`, as an earlier run with the same NormalizeTo wrote it,
+ * the transport starts there where that is nearer than its own starts: after a small change of the
+ * weights it takes a few steps only. The result does not depend on it but for Tolerance.
+ *
  * Newton's method on the convex energy is damped by the rule of Kitagawa, Merigot and Thibert, which
  * converges from any start without empty cells. Where the conformal map puts the points of a long
  * protrusion all but into one place, it starts from a convex potential that opens that place; the result

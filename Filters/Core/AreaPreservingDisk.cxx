@@ -184,8 +184,17 @@ AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
 
   PowerDiagram diagram(sites.Positions, target.Domain);
   const double transportEnd = options.RefineFaces ? 0.5 : 0.95;
+  TransportOptions transportOptions = options.Transport;
+  if (options.Transport.StartWeights.size() == n)
+  {
+    transportOptions.StartWeights.resize(sites.Positions.rows());
+    for (int v = 0; v < n; ++v)
+    {
+      transportOptions.StartWeights[sites.SiteOfVertex[v]] = options.Transport.StartWeights[v];
+    }
+  }
   const TransportResult transport =
-    transportNewton(diagram, siteTargets, options.Transport, subrange(progress, 0.0, transportEnd));
+    transportNewton(diagram, siteTargets, transportOptions, subrange(progress, 0.0, transportEnd));
   map.NewtonIterations = transport.NewtonIterations;
   map.PowerDiagrams = diagram.updates();
   map.MaxCellError = transport.MaxCellError;

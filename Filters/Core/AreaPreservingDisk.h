@@ -25,8 +25,8 @@ Eigen::VectorXd faceTargets(const TriangleMesh& mesh, const Eigen::VectorXd& wei
 
 struct AreaPreservingOptions
 {
-  TransportOptions Transport;
-  bool RefineFaces = true; ///< from exact cells to exact faces (refineFaces)
+  TransportOptions Transport; ///< StartWeights per vertex (n)
+  bool RefineFaces = true;    ///< from exact cells to exact faces (refineFaces)
   FaceRefinementOptions Refinement;
 };
 

@@ -137,11 +137,18 @@ std::vector<PowerDiagram::Weights> starts(PowerDiagram& diagram, const Eigen::Ve
 }
 
 // Of all starts the one whose cells are nearest to their targets; the diagram is its afterwards.
-PowerDiagram::Weights startWeights(PowerDiagram& diagram, const Eigen::VectorXd& targets)
+PowerDiagram::Weights startWeights(PowerDiagram& diagram,
+  const Eigen::VectorXd& targets,
+  const Eigen::VectorXd& given)
 {
   double least = std::numeric_limits<double>::infinity();
   PowerDiagram::Weights best;
-  for (const PowerDiagram::Weights& weights : starts(diagram, targets))
+  std::vector<PowerDiagram::Weights> all = starts(diagram, targets);
+  if (given.size() == targets.size() && given.allFinite())
+  {
+    all.push_back(given.cast<DoubleDouble>());
+  }
+  for (const PowerDiagram::Weights& weights : all)
   {
     const double ratio = diagram.update(weights) ? largestLogRatio(diagram.areas(), targets)
                                                  : std::numeric_limits<double>::infinity();
@@ -255,7 +262,7 @@ TransportResult transportNewton(PowerDiagram& diagram,
 {
   report(progress, 0.0, "First power diagram");
   TransportResult result;
-  result.Weights = startWeights(diagram, targets);
+  result.Weights = startWeights(diagram, targets, options.StartWeights);
 
   Eigen::VectorXd areas = diagram.areas();
   double error = relativeError(areas, targets);

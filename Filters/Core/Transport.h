@@ -13,6 +13,9 @@ struct TransportOptions
   /// Greatest max_i |A_i - nu_i| / nu_i accepted. Range (0, 1).
   double Tolerance = 1e-6;
   int MaximumIterations = 500;
+  /// Power weights of a transport of the same sites to begin with, if they are nearer to the targets
+  /// than the usual starts (n), or empty.
+  Eigen::VectorXd StartWeights;
 };
 
 struct TransportResult

@@ -187,6 +187,32 @@ TEST(AreaPreservingDisk, DoublingAWeightDoublesTheArea)
   }
 }
 
+// A start from the weights of a neighbouring problem: fewer steps to the same map.
+TEST(AreaPreservingDisk, WarmStart)
+{
+  const RevolutionMesh mesh = sunflowerMesh(sphericalCap(2.0), 5000);
+  const Points2 flat = conformal(mesh.Mesh);
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(mesh.Mesh.vertexCount());
+  const AreaPreservingMap before = areaPreservingDiskMap(mesh.Mesh, flat, weights, transportAlone()).Map;
+  for (int v = 0; v < mesh.Mesh.vertexCount(); ++v)
+  {
+    weights[v] = mesh.Mesh.Vertices(v, 0) > 0.5 ? 1.1 : 1.0;
+  }
+  const AreaPreservingMap cold = areaPreservingDiskMap(mesh.Mesh, flat, weights, transportAlone()).Map;
+  AreaPreservingOptions options = transportAlone();
+  options.Transport.StartWeights = before.PowerWeights;
+  const AreaPreservingMap warm = areaPreservingDiskMap(mesh.Mesh, flat, weights, options).Map;
+  std::cout << "Newton steps: " << cold.NewtonIterations << " cold, " << warm.NewtonIterations
+            << " warm\n";
+  EXPECT_LT(warm.NewtonIterations, cold.NewtonIterations);
+  EXPECT_LE(warm.MaxCellError, 1e-6);
+  EXPECT_LT((warm.Positions - cold.Positions).rowwise().norm().maxCoeff(), 1e-6);
+
+  options.Transport.StartWeights.setConstant(std::nan(""));
+  const AreaPreservingMap unusable = areaPreservingDiskMap(mesh.Mesh, flat, weights, options).Map;
+  EXPECT_EQ(unusable.NewtonIterations, cold.NewtonIterations) << "a start of no use is not taken";
+}
+
 // Weights count only relative to each other.
 TEST(AreaPreservingDisk, ACommonFactorOfTheWeightsChangesNothing)
 {

@@ -178,6 +178,26 @@ TEST(OMTAreaPreservingFilter, FiguresOfTheSolver)
   EXPECT_EQ(figure(output, "RefinementRepairs"), 0.0);
 }
 
+TEST(OMTAreaPreservingFilter, StartsFromThePowerWeightsOfAnEarlierRun)
+{
+  for (const bool unit : { false, true })
+  {
+    vtkNew<vtkOMTAreaPreservingFilter> filter;
+    filter->SetNormalizeTo(
+      unit ? vtkOMTAreaPreservingFilter::UNIT_DOMAIN : vtkOMTAreaPreservingFilter::SURFACE_AREA);
+    const auto input = conformalHemisphere(2000);
+    filter->SetInputData(input);
+    filter->Update();
+    EXPECT_GT(figure(filter->GetOutput(), "NewtonIterations"), 0.0);
+    const auto again = copyOf(input);
+    again->GetPointData()->AddArray(filter->GetOutput()->GetPointData()->GetArray("PowerWeight"));
+    filter->SetInputData(again);
+    filter->Update();
+    EXPECT_LE(figure(filter->GetOutput(), "NewtonIterations"), 1.0);
+    EXPECT_LE(figure(filter->GetOutput(), "MaxCellAreaError"), 1e-6);
+  }
+}
+
 // Share of the faces whose area in the flat is within 2 % of that on the surface, percent.
 double facesWithin2Percent(vtkPolyData* flattened)
 {
