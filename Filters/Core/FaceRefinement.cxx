@@ -141,8 +141,9 @@ private:
   double offShare(const FlatState& state)
   {
     this->Energy.setEnclosed(state);
-    const auto errors = (this->Energy.areaRatios(state).array() - 1.0).abs();
-    return static_cast<double>((errors > AreaTolerance).count()) / this->Surface.faceCount();
+    const Eigen::VectorXd ratios = this->Energy.areaRatios(state);
+    const Eigen::Index off = ((ratios.array() - 1.0).abs() > AreaTolerance).count();
+    return static_cast<double>(off) / this->Surface.faceCount();
   }
 
   void rounds(FlatState& state, int most, Until until, const ProgressCallback& progress)
