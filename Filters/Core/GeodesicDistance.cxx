@@ -141,9 +141,8 @@ private:
   SparseCholesky Factor{ SparseCholesky::Ordering::Quick };
 };
 
-} // namespace
-
-Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh, int source)
+// Of the heat method, up to a constant.
+Eigen::VectorXd distancesByHeat(const TriangleMesh& mesh, const std::vector<int>& sources)
 {
   // At unit size, by a power of two: not one decision depends on the unit of length.
   int exponent = 0;
@@ -160,14 +159,31 @@ Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh, int source)
   heat.diagonal() += faces.Mass;
   HeatSolver solver;
   Eigen::VectorXd impulse = Eigen::VectorXd::Zero(mesh.vertexCount());
-  impulse[source] = 1.0;
+  for (const int source : sources)
+  {
+    impulse[source] = 1.0;
+  }
   const Eigen::VectorXd spread = solver.solve(heat, impulse);
 
   // The function whose gradient has length 1 against that of the heat.
   SparseMatrix poisson = faces.Laplacian;
-  poisson.coeffRef(source, source) += 1.0; // fixes the constant: the right-hand side sums to 0
-  const Eigen::VectorXd distance = solver.solve(poisson, faces.divergenceOfDirection(spread));
-  return (distance.array() - distance.minCoeff()) * std::ldexp(1.0, exponent);
+  // Fixes the constant: the right-hand side sums to 0.
+  poisson.coeffRef(sources.front(), sources.front()) += 1.0;
+  return solver.solve(poisson, faces.divergenceOfDirection(spread)) * std::ldexp(1.0, exponent);
+}
+
+} // namespace
+
+Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh, int source)
+{
+  const Eigen::VectorXd distance = distancesByHeat(mesh, { source });
+  return distance.array() - distance.minCoeff();
+}
+
+Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh, const std::vector<int>& sources)
+{
+  const Eigen::VectorXd distance = distancesByHeat(mesh, sources);
+  return (distance.array() - distance(sources).mean()).cwiseMax(0.0);
 }
 
 double areaBelow(const TriangleMesh& mesh, const Eigen::VectorXd& values, double level)

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Distances along a surface from one vertex, and the curve that encloses a given area.
+/// Distances along a surface from one vertex or several, and the curve that encloses a given area.
 #pragma once
 
 #include "TriangleMesh.h"
 
 #include <Eigen/Core>
+
+#include <vector>
 
 namespace flattening
 {
@@ -13,6 +15,10 @@ namespace flattening
 /// heat method on the intrinsic Delaunay triangulation (Crane, Weischedel, Wardetzky 2013, "Geodesics in
 /// heat"; CGAL Heat_method_3), so that slivers do no harm.
 Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh, int source);
+
+/// The same from the nearest of several vertices, at least one; 0 at a distance that rounding makes
+/// negative.
+Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh, const std::vector<int>& sources);
 
 /// Area of the part of the surface where the function, linear on every face, is below @p level.
 double areaBelow(const TriangleMesh& mesh, const Eigen::VectorXd& values, double level);

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Which points of a surface a ParaView selection, an implicit function or labels choose.
+#pragma once
+
+#include "Core/TriangleMesh.h"
+
+#include <vector>
+
+class vtkDataArray;
+class vtkImplicitFunction;
+class vtkPolyData;
+class vtkSelection;
+
+namespace flattening
+{
+
+/// One flag per point of @p data: the points that @p selection holds, and the corners of its cells.
+/// @throws InvalidInput if there is no selection, or it is a query, which VTK alone does not evaluate.
+std::vector<char> pointsInSelection(vtkPolyData* data, vtkSelection* selection);
+
+/// One flag per position: where the function is not positive, or not negative if @p outside.
+/// @throws InvalidInput if there is no function or it gives no number somewhere.
+std::vector<char> pointsInFunction(vtkImplicitFunction* function,
+  const Points3& positions,
+  bool outside);
+
+/// The values of an array of labels (one component), rounded. @throws InvalidInput if one is no number.
+std::vector<long long> labelsOf(vtkDataArray* array);
+
+} // namespace flattening

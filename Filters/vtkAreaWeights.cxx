@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkAreaWeights.h"
+
+#include "Core/RegionWeights.h"
+#include "FilterExecution.h"
+#include "PolyDataConversion.h"
+#include "SelectedPoints.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkImplicitFunction.h>
+#include <vtkInformation.h>
+#include <vtkObjectFactory.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSelection.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+#include <string>
+
+vtkStandardNewMacro(vtkAreaWeights);
+
+namespace
+{
+
+using flattening::InvalidInput;
+using flattening::TriangleMesh;
+using flattening::WeightedRegion;
+
+constexpr const char* WeightsName = "AreaWeight";
+
+// The surface in space that the points belong to, flat or not.
+TriangleMesh surfaceOf(vtkPolyData* input)
+{
+  return input->GetPointData()->HasArray(flattening::SurfacePointsName)
+           ? flattening::surfaceOfFlattened(input)
+           : flattening::toTriangleMesh(input);
+}
+
+// All 1 if the input has none.
+Eigen::VectorXd earlierWeights(vtkPolyData* input)
+{
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(input->GetNumberOfPoints());
+  vtkDataArray* array = input->GetPointData()->GetArray(WeightsName);
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    weights[i] = array->GetComponent(i, 0);
+    if (!(weights[i] > 0.0) || !std::isfinite(weights[i]) || array->GetNumberOfComponents() != 1)
+    {
+      throw InvalidInput("the input's AreaWeight is not a positive number at point " +
+                         std::to_string(i) + ": remove or rename that array");
+    }
+  }
+  return weights;
+}
+
+std::string present(const std::vector<long long>& labels)
+{
+  constexpr std::size_t shown = 20;
+  const std::set<long long> all(labels.begin(), labels.end());
+  std::ostringstream text;
+  std::size_t count = 0;
+  for (const long long label : all)
+  {
+    if (++count > shown)
+    {
+      text << ", ... (" << all.size() << " labels)";
+      break;
+    }
+    text << (count > 1 ? ", " : "") << label;
+  }
+  return text.str();
+}
+
+// @p valuesOfCells, m, averaged to the points by area.
+std::vector<double> averaged(const TriangleMesh& mesh, const std::vector<double>& valuesOfCells)
+{
+  const Eigen::VectorXd areas = flattening::faceAreas(mesh.Vertices, mesh.Faces);
+  const Eigen::Map<const Eigen::VectorXd> values(
+    valuesOfCells.data(), static_cast<Eigen::Index>(valuesOfCells.size()));
+  const Eigen::VectorXd sums =
+    flattening::vertexAreas(mesh.Faces, areas.cwiseProduct(values), mesh.vertexCount());
+  const Eigen::VectorXd shares = flattening::vertexAreas(mesh.Faces, areas, mesh.vertexCount());
+  std::vector<double> result(mesh.vertexCount());
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    result[v] = sums[v] / shares[v];
+  }
+  return result;
+}
+
+void setRegionFigures(vtkFieldData* figures,
+  const std::vector<WeightedRegion>& regions,
+  const Eigen::VectorXd& surfaceAreas,
+  const Eigen::VectorXd& weights)
+{
+  const double scale = surfaceAreas.sum() / surfaceAreas.dot(weights);
+  long long count = 0;
+  double area = 0.0;
+  double flatArea = 0.0;
+  for (Eigen::Index v = 0; v < weights.size(); ++v)
+  {
+    if (std::any_of(
+          regions.begin(), regions.end(), [v](const WeightedRegion& r) { return r.Inside[v] != 0; }))
+    {
+      ++count;
+      area += surfaceAreas[v];
+      flatArea += scale * weights[v] * surfaceAreas[v];
+    }
+  }
+  flattening::setFigure(figures, "RegionPoints", count);
+  flattening::setFigure(figures, "RegionArea", area);
+  flattening::setFigure(figures, "RegionFlatArea", flatArea);
+}
+
+} // namespace
+
+vtkAreaWeights::vtkAreaWeights()
+  : TransferCurve(vtkSmartPointer<vtkPiecewiseFunction>::New())
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkAreaWeights::~vtkAreaWeights() = default;
+
+int vtkAreaWeights::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkSelection");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+vtkMTimeType vtkAreaWeights::GetMTime()
+{
+  vtkMTimeType time = std::max(this->Superclass::GetMTime(), this->TransferCurve->GetMTime());
+  return this->ImplicitFunction ? std::max(time, this->ImplicitFunction->GetMTime()) : time;
+}
+
+void vtkAreaWeights::AddLabelFactor(double label, double factor)
+{
+  this->LabelFactors.emplace_back(label, factor);
+  this->Modified();
+}
+
+void vtkAreaWeights::ClearLabelFactors()
+{
+  this->LabelFactors.clear();
+  this->Modified();
+}
+
+void vtkAreaWeights::AddCurvePoint(double value, double factor)
+{
+  this->TransferCurve->AddPoint(value, factor);
+  this->Modified();
+}
+
+void vtkAreaWeights::ClearCurve()
+{
+  this->TransferCurve->RemoveAllPoints();
+  this->Modified();
+}
+
+vtkPiecewiseFunction* vtkAreaWeights::GetTransferCurve()
+{
+  return this->TransferCurve;
+}
+
+void vtkAreaWeights::SetImplicitFunction(vtkImplicitFunction* function)
+{
+  if (this->ImplicitFunction != function)
+  {
+    this->ImplicitFunction = function;
+    this->Modified();
+  }
+}
+
+vtkImplicitFunction* vtkAreaWeights::GetImplicitFunction()
+{
+  return this->ImplicitFunction;
+}
+
+vtkDataArray* vtkAreaWeights::RequireArray(vtkPolyData* input, int& association)
+{
+  const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  if (!name || !*name || std::string(name) == "None")
+  {
+    throw InvalidInput("no array is chosen to take the weights from: choose a point or cell array");
+  }
+  vtkDataArray* array = this->GetInputArrayToProcess(0, input, association);
+  if (!array || array->GetNumberOfComponents() != 1 ||
+      (association != vtkDataObject::FIELD_ASSOCIATION_CELLS &&
+        association != vtkDataObject::FIELD_ASSOCIATION_POINTS))
+  {
+    throw InvalidInput("the array " + std::string(name) +
+                       " is not a point or cell array of one number each: choose another");
+  }
+  return array;
+}
+
+std::vector<WeightedRegion> vtkAreaWeights::LabelRegions(vtkPolyData* input, const TriangleMesh& mesh)
+{
+  int association = -1;
+  std::vector<long long> labels = flattening::labelsOf(this->RequireArray(input, association));
+  if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
+  {
+    labels = flattening::vertexLabels(mesh, labels, VTK_LONG_LONG_MIN);
+  }
+  std::vector<std::pair<double, double>> table = this->LabelFactors;
+  if (this->WeightsFrom == LABEL)
+  {
+    table.assign(1, { this->Label, this->Factor });
+  }
+  if (table.empty())
+  {
+    throw InvalidInput("the table of labels is empty: add a row with a label and its factor");
+  }
+  std::vector<WeightedRegion> regions;
+  std::set<double> seen;
+  for (const auto& [label, factor] : table)
+  {
+    std::ostringstream name;
+    name << "label " << label;
+    if (!seen.insert(label).second)
+    {
+      throw InvalidInput(name.str() + " is in the table twice: leave one row");
+    }
+    WeightedRegion region{ name.str(), std::vector<char>(labels.size(), 0), factor };
+    std::transform(labels.begin(),
+      labels.end(),
+      region.Inside.begin(),
+      [label = label](long long l) { return static_cast<double>(l) == label; });
+    if (std::none_of(region.Inside.begin(), region.Inside.end(), [](char inside) { return inside; }))
+    {
+      throw InvalidInput("no point has the " + name.str() + "; there are " + present(labels));
+    }
+    regions.push_back(std::move(region));
+  }
+  return regions;
+}
+
+std::vector<char> vtkAreaWeights::EnclosedPoints(vtkPolyData* input)
+{
+  const char* name = this->GetInputArrayInformation(1)->Get(vtkDataObject::FIELD_NAME());
+  vtkDataArray* array = nullptr;
+  if (name && *name && std::string(name) != "None")
+  {
+    array = input->GetPointData()->GetArray(name);
+    if (!array || array->GetNumberOfComponents() != 3)
+    {
+      throw InvalidInput("there is no point array " + std::string(name) +
+                         " of 3 components for the positions: choose another, or None");
+    }
+  }
+  flattening::Points3 positions(input->GetNumberOfPoints(), 3);
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    array ? array->GetTuple(i, positions.row(i).data()) : input->GetPoint(i, positions.row(i).data());
+  }
+  return flattening::pointsInFunction(this->ImplicitFunction, positions, this->InsideOut);
+}
+
+std::vector<double> vtkAreaWeights::ScalarFactors(vtkPolyData* input, const TriangleMesh& mesh)
+{
+  int association = -1;
+  vtkDataArray* array = this->RequireArray(input, association);
+  std::vector<double> values(array->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    values[i] = array->GetComponent(i, 0);
+    if (!std::isfinite(values[i]))
+    {
+      throw InvalidInput("the array " + std::string(array->GetName()) + " has no number at " +
+                         std::to_string(i) + ": give every point or cell a value");
+    }
+  }
+  if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
+  {
+    values = averaged(mesh, values);
+  }
+  for (std::size_t v = 0; v < values.size(); ++v)
+  {
+    const double value = values[v];
+    values[v] = this->TransferCurve->GetSize() > 0 ? this->TransferCurve->GetValue(value) : value;
+    if (!(values[v] > 0.0) || !std::isfinite(values[v]))
+    {
+      std::ostringstream text;
+      text << "the factor of point " << v << " is " << values[v] << " (value " << value
+           << "): factors must be positive numbers; add points to the transfer curve";
+      throw InvalidInput(text.str());
+    }
+  }
+  return values;
+}
+
+int vtkAreaWeights::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  if (flattening::isEmpty(input))
+  {
+    return 1;
+  }
+  return flattening::runFilter(this,
+    outputVector,
+    [&]
+    {
+      const TriangleMesh mesh = surfaceOf(input);
+      const Eigen::VectorXd areas = flattening::vertexAreas(
+        mesh.Faces, flattening::faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount());
+      Eigen::VectorXd weights = earlierWeights(input);
+      std::vector<WeightedRegion> regions;
+      if (this->WeightsFrom == SCALARS)
+      {
+        const std::vector<double> factors = this->ScalarFactors(input, mesh);
+        weights.array() *=
+          Eigen::Map<const Eigen::ArrayXd>(factors.data(), static_cast<Eigen::Index>(factors.size()));
+      }
+      else
+      {
+        if (this->WeightsFrom == SELECTION)
+        {
+          auto* selection = vtkSelection::GetData(inputVector[1]);
+          regions.push_back(
+            { "the selection", flattening::pointsInSelection(input, selection), this->Factor });
+        }
+        else if (this->WeightsFrom == IMPLICIT_FUNCTION)
+        {
+          regions.push_back({ "the implicit function", this->EnclosedPoints(input), this->Factor });
+        }
+        else
+        {
+          regions = this->LabelRegions(input, mesh);
+        }
+        flattening::report(flattening::progressOf(this), 0.3, "Weighting the regions");
+        const auto meaning = this->FactorMeaning == MAGNIFICATION
+                               ? flattening::FactorMeaning::Magnification
+                               : flattening::FactorMeaning::RelativeToRest;
+        weights.array() *=
+          flattening::regionWeights(mesh, areas.cwiseProduct(weights), regions, meaning, this->EdgeWidth)
+            .Weights.array();
+      }
+      if (!(areas.sum() > 0.0))
+      {
+        throw InvalidInput("the surface has no area: pass a surface with triangles that are not "
+                           "degenerate");
+      }
+      output->ShallowCopy(input);
+      flattening::addPointArray(output, WeightsName, weights);
+      // ParaView proposes the active array, to colour by and as the weights of OMT Area Preserving.
+      output->GetPointData()->SetActiveScalars(WeightsName);
+      vtkFieldData* figures = output->GetFieldData();
+      if (!regions.empty())
+      {
+        setRegionFigures(figures, regions, areas, weights);
+      }
+      const auto range = flattening::magnificationRange(areas, weights);
+      flattening::setFigure(figures, "SmallestMagnification", range.Smallest);
+      flattening::setFigure(figures, "GreatestMagnification", range.Greatest);
+      flattening::report(flattening::progressOf(this), 1.0, "Done");
+    });
+}
+
+void vtkAreaWeights::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "WeightsFrom: " << this->WeightsFrom << "\n";
+  os << indent << "Label: " << this->Label << "\n";
+  os << indent << "Factor: " << this->Factor << "\n";
+  os << indent << "LabelFactors: " << this->LabelFactors.size() << "\n";
+  os << indent << "TransferCurve: " << this->TransferCurve->GetSize() << " points\n";
+  os << indent << "FactorMeaning: " << this->FactorMeaning << "\n";
+  os << indent << "EdgeWidth: " << this->EdgeWidth << "\n";
+  os << indent << "InsideOut: " << this->InsideOut << "\n";
+  os << indent << "ImplicitFunction: "
+     << (this->ImplicitFunction ? this->ImplicitFunction->GetClassName() : "(none)") << "\n";
+}

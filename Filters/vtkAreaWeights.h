@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkAreaWeights
+ * @brief   weights that make chosen regions larger or smaller on the flat map
+ *
+ * The input is a triangle surface, anywhere before vtkOMTAreaPreservingFilter: the scan's surface, the
+ * disk, or the flat one. The output is the input with the point array `AreaWeight` (double, > 0,
+ * dimensionless), its active scalars, which that filter reads. WeightsFrom says where the weights come from:
+ * - LABEL: the region of one label in an array of labels gets Factor
+ * - LABEL_TABLE: every label of a table gets its own factor, all other labels none
+ * - SCALARS: each point's factor is its value in any array, through a transfer curve
+ * - SELECTION: the selected points, or the corners of the selected cells (port 1), get Factor
+ * - IMPLICIT_FUNCTION: the points in a sphere, box, ... or on one side of a plane get Factor
+ *
+ * If the input has an `AreaWeight` already, the weights are multiplied: filters in a chain combine.
+ *
+ * Regions are sets of points. An array of labels per cell is first carried to the points: each takes the
+ * label that covers most of the area around it. The power cells of a region's points then have exactly
+ * the factor; so have, to the tolerance of the flattening, the triangles with all corners in the region.
+ * Triangles with corners on both sides of its border are between.
+ *
+ * Field data (one tuple each): `RegionPoints`; `RegionArea`, on the surface, and `RegionFlatArea`, on a
+ * map of the surface's area (input units squared; a third of the area of the triangles around each
+ * point); `SmallestMagnification` and `GreatestMagnification` of any point, flat area over surface area.
+ * `RegionPoints`, `RegionArea` and `RegionFlatArea` count all regions together; they are not there for
+ * SCALARS.
+ *
+ * An empty input gives an empty output. Errors, each with an empty output: cells other than triangles,
+ * an array that is missing or has several components or values that are no numbers, a label that no
+ * point has, an empty selection, a function that encloses no point, factors that are not positive
+ * numbers, regions that cover the whole surface, magnifications that the map has no room for, soft edges
+ * on a surface that is not a connected manifold, an earlier `AreaWeight` that is not positive.
+ *
+ * @sa vtkOMTAreaPreservingFilter vtkMeshSaliency
+ */
+#ifndef vtkAreaWeights_h
+#define vtkAreaWeights_h
+
+#include "SurfaceFlatteningFiltersModule.h" // for the export macro
+
+#include <vtkPolyDataAlgorithm.h>
+#include <vtkSmartPointer.h>
+
+#include <utility>
+#include <vector>
+
+class vtkDataArray;
+class vtkImplicitFunction;
+class vtkPiecewiseFunction;
+
+namespace flattening
+{
+struct TriangleMesh;
+struct WeightedRegion;
+}
+
+class SURFACEFLATTENINGFILTERS_EXPORT vtkAreaWeights : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkAreaWeights* New();
+  vtkTypeMacro(vtkAreaWeights, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkMTimeType GetMTime() override;
+
+  enum WeightSources
+  {
+    LABEL = 0,
+    LABEL_TABLE = 1,
+    SCALARS = 2,
+    SELECTION = 3,
+    IMPLICIT_FUNCTION = 4
+  };
+
+  ///@{
+  /**
+   * Where the weights come from. LABEL, LABEL_TABLE and SCALARS read the input array to process 0
+   * (SetInputArrayToProcess), a point or cell array of one component. Default: LABEL.
+   */
+  vtkSetClampMacro(WeightsFrom, int, LABEL, IMPLICIT_FUNCTION);
+  vtkGetMacro(WeightsFrom, int);
+  void SetWeightsFromLabel() { this->SetWeightsFrom(LABEL); }
+  void SetWeightsFromLabelTable() { this->SetWeightsFrom(LABEL_TABLE); }
+  void SetWeightsFromScalars() { this->SetWeightsFrom(SCALARS); }
+  void SetWeightsFromSelection() { this->SetWeightsFrom(SELECTION); }
+  void SetWeightsFromImplicitFunction() { this->SetWeightsFrom(IMPLICIT_FUNCTION); }
+  ///@}
+
+  ///@{
+  /**
+   * The label of the region, for LABEL. Default: 1. Error if no point has it.
+   */
+  vtkSetMacro(Label, int);
+  vtkGetMacro(Label, int);
+  ///@}
+
+  ///@{
+  /**
+   * The factor of the region's areas, for LABEL, SELECTION and IMPLICIT_FUNCTION; see FactorMeaning.
+   * Dimensionless, > 0. Default: 2. Error otherwise.
+   */
+  vtkSetMacro(Factor, double);
+  vtkGetMacro(Factor, double);
+  ///@}
+
+  ///@{
+  /**
+   * The table of LABEL_TABLE: a factor (> 0) per label. Error if it is empty, a label is in it twice or
+   * is no whole number, or no point has it. Labels that are not in it have no factor.
+   */
+  void AddLabelFactor(double label, double factor);
+  void ClearLabelFactors();
+  ///@}
+
+  ///@{
+  /**
+   * The transfer curve of SCALARS: factors (> 0) at values of the array, linear between them and
+   * constant beyond the first and last. Without points the value itself is the factor. A cell array is
+   * averaged to the points, by area, first.
+   */
+  void AddCurvePoint(double value, double factor);
+  void ClearCurve();
+  vtkPiecewiseFunction* GetTransferCurve();
+  ///@}
+
+  enum FactorMeanings
+  {
+    RELATIVE_TO_REST = 0,
+    MAGNIFICATION = 1
+  };
+
+  ///@{
+  /**
+   * What a factor compares. RELATIVE_TO_REST: the region grows to Factor times what it was, as compared
+   * with the rest; any factor fits. MAGNIFICATION: the region gets Factor times its area on the map, and
+   * the rest shrinks (or grows) to make room; error if there is none. Default: RELATIVE_TO_REST. Factors
+   * of SCALARS are always relative to each other.
+   */
+  vtkSetClampMacro(FactorMeaning, int, RELATIVE_TO_REST, MAGNIFICATION);
+  vtkGetMacro(FactorMeaning, int);
+  void SetFactorMeaningToRelativeToRest() { this->SetFactorMeaning(RELATIVE_TO_REST); }
+  void SetFactorMeaningToMagnification() { this->SetFactorMeaning(MAGNIFICATION); }
+  ///@}
+
+  ///@{
+  /**
+   * Over what width outside a region its weight fades to that of the rest: geodesic distance from the
+   * region (heat method), input units (mm). The region itself keeps its factor. Range [0, inf). Default:
+   * 0, a sharp edge, where the weights change over one triangle.
+   */
+  vtkSetMacro(EdgeWidth, double);
+  vtkGetMacro(EdgeWidth, double);
+  ///@}
+
+  ///@{
+  /**
+   * The function of IMPLICIT_FUNCTION: its region is where the function is <= 0, the inside of a sphere
+   * or box, or, with InsideOut, where it is >= 0. It is evaluated at the points of the input, or at the
+   * positions in the input array to process 1, a point array of 3 components: `SurfacePoints` for the
+   * place in space of the points of a flat surface. Default: none; InsideOut off.
+   */
+  virtual void SetImplicitFunction(vtkImplicitFunction* function);
+  vtkImplicitFunction* GetImplicitFunction();
+  vtkSetMacro(InsideOut, bool);
+  vtkGetMacro(InsideOut, bool);
+  vtkBooleanMacro(InsideOut, bool);
+  ///@}
+
+  /**
+   * The selection of SELECTION, port 1: a vtkSelection of the input's points or cells.
+   */
+  void SetSelectionConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+
+protected:
+  vtkAreaWeights();
+  ~vtkAreaWeights() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation* request,
+    vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int WeightsFrom = LABEL;
+  int Label = 1;
+  double Factor = 2.0;
+  int FactorMeaning = RELATIVE_TO_REST;
+  double EdgeWidth = 0.0;
+  bool InsideOut = false;
+
+private:
+  vtkAreaWeights(const vtkAreaWeights&) = delete;
+  void operator=(const vtkAreaWeights&) = delete;
+
+  vtkDataArray* RequireArray(vtkPolyData* input, int& association);
+  std::vector<flattening::WeightedRegion> LabelRegions(vtkPolyData* input,
+    const flattening::TriangleMesh& mesh);
+  std::vector<char> EnclosedPoints(vtkPolyData* input);
+  std::vector<double> ScalarFactors(vtkPolyData* input, const flattening::TriangleMesh& mesh);
+
+  std::vector<std::pair<double, double>> LabelFactors;
+  vtkSmartPointer<vtkPiecewiseFunction> TransferCurve;
+  vtkSmartPointer<vtkImplicitFunction> ImplicitFunction;
+};
+
+#endif
