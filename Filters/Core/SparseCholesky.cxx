@@ -11,12 +11,6 @@ constexpr double GreatestGrowth = 1.15;
 
 } // namespace
 
-std::mutex& SparseCholesky::blas()
-{
-  static std::mutex mutex;
-  return mutex;
-}
-
 // Analyses the pattern in the order that is known. False if that order does not serve.
 bool SparseCholesky::reuseOrder(const SparseMatrix& matrix)
 {
@@ -71,7 +65,7 @@ EliminationOrder SparseCholesky::orderOf(const SparseMatrix& pattern, Ordering o
 
 SparseCholesky& SparseCholesky::recompute(const SparseMatrix& matrix)
 {
-  const std::lock_guard<std::mutex> lock(this->blas());
+  const BlasLock lock;
   this->factorize(matrix);
   return *this;
 }
@@ -82,7 +76,7 @@ SparseCholesky& SparseCholesky::compute(const SparseMatrix& matrix)
   {
     this->findOrder(matrix);
   }
-  const std::lock_guard<std::mutex> lock(this->blas());
+  const BlasLock lock;
   this->factorize(matrix);
   return *this;
 }

@@ -2,10 +2,11 @@
 /// The sparse factorization that all of Core uses.
 #pragma once
 
+#include "BlasLock.h"
+
 #include <Eigen/CholmodSupport>
 #include <Eigen/SparseCore>
 
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -24,7 +25,7 @@ struct EliminationOrder
 /// CHOLMOD's. A matrix of the same size as the one before is taken for the next of a sequence whose
 /// patterns change little, as Newton's method makes them: the order of elimination, which takes about as
 /// long to find as the factors do, is kept as long as it serves. May be used in several threads at once,
-/// which wait for each other: not every BLAS bears it (OpenBLAS's serial build then answers nonsense).
+/// which wait for each other (BlasLock).
 class SparseCholesky : public Eigen::CholmodDecomposition<SparseMatrix, Eigen::Lower>
 {
 public:
@@ -66,16 +67,15 @@ public:
 
   /// Of the last matrix.
   const EliminationOrder& order() const { return this->Order; }
+  /// The order to try for the next matrix.
+  void setOrder(EliminationOrder order) { this->Order = std::move(order); }
 
   template <typename Derived>
   typename Derived::PlainObject solve(const Eigen::MatrixBase<Derived>& rightSide) const
   {
-    const std::lock_guard<std::mutex> lock(this->blas());
+    const BlasLock lock;
     return Base::solve(rightSide);
   }
-
-  /// What everything that may call BLAS holds meanwhile.
-  static std::mutex& blas();
 
 private:
   using Base = Eigen::CholmodDecomposition<SparseMatrix, Eigen::Lower>;

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SparseLu.h"
 
-#include <mutex>
-
 namespace flattening
 {
 
 SparseLu::SparseLu(const SparseMatrix& matrix)
 {
-  const std::lock_guard<std::mutex> lock(SparseCholesky::blas());
+  const BlasLock lock;
   this->compute(matrix);
 }
 
 Eigen::VectorXd SparseLu::solve(int system, const Eigen::VectorXd& rightSide) const
 {
   Eigen::VectorXd solution(rightSide.size());
-  const std::lock_guard<std::mutex> lock(SparseCholesky::blas());
+  const BlasLock lock;
   double control[UMFPACK_CONTROL];
   double info[UMFPACK_INFO];
   umfpack_di_defaults(control);

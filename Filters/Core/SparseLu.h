@@ -2,6 +2,7 @@
 /// The sparse factorization of matrices that are not symmetric.
 #pragma once
 
+#include "BlasLock.h"
 #include "SparseCholesky.h"
 
 #include <Eigen/UmfPackSupport>

@@ -5,6 +5,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include <filesystem>
+#include <iterator>
 #include <random>
 
 namespace
@@ -101,6 +103,25 @@ TEST(SparseCholesky, MayBeUsedInSeveralThreadsAtOnce)
   {
     ASSERT_EQ(x, alone);
   }
+}
+
+// CHOLMOD's OpenMP would have four threads wait for each other at every supernode.
+TEST(SparseCholesky, StartsNoThreads)
+{
+  const std::filesystem::path tasks = "/proc/self/task"; // Linux only
+  if (!std::filesystem::exists(tasks))
+  {
+    GTEST_SKIP();
+  }
+  const auto threads = [&tasks]()
+  {
+    return std::distance(
+      std::filesystem::directory_iterator(tasks), std::filesystem::directory_iterator());
+  };
+  const auto before = threads();
+  const SparseMatrix matrix = laplacian(300, 0);
+  EXPECT_EQ(SparseCholesky(matrix).info(), Eigen::Success);
+  EXPECT_EQ(threads(), before);
 }
 
 } // namespace
