@@ -4,6 +4,9 @@
 #include "Errors.h"
 #include "SpringLayout.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,6 +23,7 @@ constexpr double LargestLayoutError = 1e-3;
 // Of the layout's extent. Along a horn of the surface lengths fall exponentially, past what doubles tell
 // apart.
 constexpr double LeastResolved = 1e-11;
+constexpr int HalfedgesPerTask = 4096;
 const Complex Infinity(std::numeric_limits<double>::infinity(), 0.0);
 
 // Places the boundary of the finite part: along the real axis, where the mirror cells tell places, from
@@ -32,8 +36,20 @@ std::vector<char> layOutBoundary(const IntrinsicTriangulation& t,
 {
   std::vector<char> placed(t.vertexCount(), 0);
   std::vector<double> angle(t.vertexCount(), 0.0);
+  std::vector<char> isWanted(t.vertexCount(), 0);
+  for (const auto& edge : t.boundaryEdges())
+  {
+    if (edge.Origin >= 0)
+    {
+      isWanted[edge.Origin] = 1;
+    }
+  }
   for (int f = 0; f < t.faceCount(); ++f)
   {
+    if (!isWanted[t.origin(3 * f)] && !isWanted[t.origin(3 * f + 1)] && !isWanted[t.origin(3 * f + 2)])
+    {
+      continue;
+    }
     const TriangleAngles angles = t.scaledAngles(f, u);
     for (int k = 0; k < 3; ++k)
     {
@@ -113,14 +129,20 @@ double layoutError(const IntrinsicTriangulation& t,
   {
     extent = std::max(extent, std::abs(position[t.origin(h)]));
   }
-  double worst = 0.0;
-  for (int h = 0; h < t.halfedgeCount(); ++h)
-  {
-    const double wanted = std::exp(static_cast<double>(t.scaledLogLength(h, u)));
-    const double found = std::abs(position[t.origin(h)] - position[t.tip(h)]);
-    worst = std::max(worst, std::abs(found - wanted) / std::max(wanted, LeastResolved * extent));
-  }
-  return worst;
+  return tbb::parallel_reduce(
+    tbb::blocked_range<int>(0, t.halfedgeCount(), HalfedgesPerTask),
+    0.0,
+    [&](const tbb::blocked_range<int>& halfedges, double worst)
+    {
+      for (int h = halfedges.begin(); h < halfedges.end(); ++h)
+      {
+        const double wanted = std::exp(static_cast<double>(t.scaledLogLength(h, u)));
+        const double found = std::abs(position[t.origin(h)] - position[t.tip(h)]);
+        worst = std::max(worst, std::abs(found - wanted) / std::max(wanted, LeastResolved * extent));
+      }
+      return worst;
+    },
+    [](double a, double b) { return std::max(a, b); });
 }
 
 void requireLayout(double layoutError)

@@ -3,6 +3,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +38,7 @@ std::vector<int> findTwins(const FaceMatrix& faces)
       (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint64_t>(std::max(a, b)), h
     };
   }
-  std::sort(keyed.begin(), keyed.end());
+  tbb::parallel_sort(keyed.begin(), keyed.end());
   std::vector<int> twins(keyed.size(), -1);
   for (std::size_t i = 0; i + 1 < keyed.size(); ++i)
   {
@@ -195,10 +196,14 @@ IntrinsicTriangulation::IntrinsicTriangulation(const TriangleMesh& mesh)
     this->AddedLength = std::max({ this->AddedLength, slack - excess, shortest - lengths[h] });
   }
   this->LogLengths.resize(count);
-  for (int h = 0; h < count; ++h)
-  {
-    this->LogLengths[h] = std::log(lengths[h] + this->AddedLength);
-  }
+  tbb::parallel_for(tbb::blocked_range<int>(0, count, HalfedgesPerTask),
+    [&](const tbb::blocked_range<int>& halfedges)
+    {
+      for (int h = halfedges.begin(); h < halfedges.end(); ++h)
+      {
+        this->LogLengths[h] = std::log(lengths[h] + this->AddedLength);
+      }
+    });
 
   std::vector<int> leaving(this->VertexCount, -1);
   for (int h = 0; h < count; ++h)

@@ -3,6 +3,10 @@
 
 #include "Errors.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -13,12 +17,13 @@ namespace
 {
 
 using Complex = std::complex<double>;
+constexpr std::size_t PointsPerTask = 4096;
 
 double weightedMedian(const std::vector<double>& values, const Eigen::VectorXd& masses)
 {
   std::vector<int> order(values.size());
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(),
+  tbb::parallel_sort(order.begin(),
     order.end(),
     [&values](int a, int b) { return values[a] != values[b] ? values[a] < values[b] : a < b; });
   const double half = 0.5 * masses.sum();
@@ -76,11 +81,15 @@ ComplexVector complexOf(const Points2& positions)
 ComplexVector cayley(const ComplexVector& halfPlane, Complex centre)
 {
   ComplexVector disk(halfPlane.size());
-  for (std::size_t i = 0; i < halfPlane.size(); ++i)
-  {
-    const Complex z = halfPlane[i];
-    disk[i] = std::isfinite(z.real()) ? (z - centre) / (z - std::conj(centre)) : Complex(1.0, 0.0);
-  }
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, halfPlane.size(), PointsPerTask),
+    [&](const tbb::blocked_range<std::size_t>& points)
+    {
+      for (std::size_t i = points.begin(); i < points.end(); ++i)
+      {
+        const Complex z = halfPlane[i];
+        disk[i] = std::isfinite(z.real()) ? (z - centre) / (z - std::conj(centre)) : Complex(1.0, 0.0);
+      }
+    });
   return disk;
 }
 

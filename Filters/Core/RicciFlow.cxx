@@ -36,6 +36,11 @@ constexpr double LongestStep = 8.0;
 // cheaper.
 constexpr double QuadraticError = 0.1;
 constexpr double WorthAFactor = 30.0;
+// Flips since the last factorization, as a share of the half-edges, that make its order of elimination a
+// bad one, and unknowns for which it is worth a thread that looks for a new one, for the layout, while
+// the last systems are solved.
+constexpr double WornOrder = 1e-4;
+constexpr int WorthAThread = 10000;
 // A ridge on the Hessian, whose entries are cotangents, where the energy is flat.
 constexpr double Ridge = 1e-3;
 // Radians; what is degenerate next to infinity when no angle is farther off will stay so.
@@ -184,6 +189,7 @@ private:
     {
       this->Solver.forgetFactor();
     }
+    this->renewOrder(hessian);
     const double tolerance =
       std::max(std::min(LinearTolerance, error), 0.1 * this->Options.Tolerance / error);
     Eigen::VectorXd step;
@@ -194,6 +200,21 @@ private:
                              " Newton steps: remesh the surface (Surface To Disk, Remesh)");
     }
     return step;
+  }
+
+  void renewOrder(const SparseMatrix& hessian)
+  {
+    const int flips = this->Result.Flips - this->OrderedAtFlips;
+    if (!this->Solver.hasFactor())
+    {
+      this->OrderedAtFlips = this->Result.Flips;
+    }
+    else if (this->System.error() < QuadraticError && this->System.unknowns() >= WorthAThread &&
+             flips > WornOrder * this->Triangulation.halfedgeCount())
+    {
+      this->Solver.renewOrder(hessian);
+      this->OrderedAtFlips = this->Result.Flips;
+    }
   }
 
   // The energy is convex: along a descent direction its derivative grows, and a step is long enough as
@@ -281,6 +302,7 @@ private:
   CurvatureSystem System;
   StaleFactorSolver Solver;
   RicciFlowResult Result;
+  int OrderedAtFlips = 0;
 };
 
 } // namespace

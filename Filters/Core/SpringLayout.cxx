@@ -3,6 +3,9 @@
 
 #include "Errors.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <iterator>
 
@@ -13,6 +16,7 @@ namespace
 
 using Complex = std::complex<double>;
 constexpr int Refinements = 2;
+constexpr int FacesPerTask = 1024;
 
 // The order of the points' rows; points that it does not name come last.
 EliminationOrder orderOfRows(const EliminationOrder& order,
@@ -49,11 +53,15 @@ EliminationOrder orderOfRows(const EliminationOrder& order,
 std::vector<Spring> springsOf(const IntrinsicTriangulation& t, const IntrinsicTriangulation::Factors& u)
 {
   std::vector<double> cotangents(t.halfedgeCount());
-  for (int f = 0; f < t.faceCount(); ++f)
-  {
-    const TriangleAngles angles = t.scaledAngles(f, u);
-    std::copy(std::begin(angles.Cotangent), std::end(angles.Cotangent), &cotangents[3 * f]);
-  }
+  tbb::parallel_for(tbb::blocked_range<int>(0, t.faceCount(), FacesPerTask),
+    [&](const tbb::blocked_range<int>& faces)
+    {
+      for (int f = faces.begin(); f < faces.end(); ++f)
+      {
+        const TriangleAngles angles = t.scaledAngles(f, u);
+        std::copy(std::begin(angles.Cotangent), std::end(angles.Cotangent), &cotangents[3 * f]);
+      }
+    });
   std::vector<Spring> springs;
   springs.reserve(t.halfedgeCount() / 2);
   for (int h = 0; h < t.halfedgeCount(); ++h)

@@ -17,11 +17,32 @@ constexpr int ManyIterations = 20;
 
 bool StaleFactorSolver::factor(const SparseMatrix& lower)
 {
+  this->takeNewOrder();
   this->Factor.compute(lower);
   ++this->Factorizations;
   this->LogReduction = -HUGE_VAL;
   this->Size = this->Factor.info() == Eigen::Success ? lower.rows() : -1;
   return this->Size >= 0;
+}
+
+void StaleFactorSolver::renewOrder(const SparseMatrix& lower)
+{
+  this->NewOrder = std::async(std::launch::async,
+    [lower]() { return SparseCholesky::orderOf(lower, SparseCholesky::Ordering::Quick); });
+}
+
+void StaleFactorSolver::takeNewOrder()
+{
+  if (this->NewOrder.valid())
+  {
+    this->Factor.setOrder(this->NewOrder.get());
+  }
+}
+
+const EliminationOrder& StaleFactorSolver::order()
+{
+  this->takeNewOrder();
+  return this->Factor.order();
 }
 
 bool StaleFactorSolver::iterate(const SparseMatrix& lower,

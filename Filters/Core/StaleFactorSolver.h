@@ -4,6 +4,8 @@
 
 #include "SparseCholesky.h"
 
+#include <future>
+
 namespace flattening
 {
 
@@ -25,9 +27,13 @@ public:
   double iterationsFor(double reduction) const;
   /// The next system's matrix will be factored.
   void forgetFactor() { this->Size = -1; }
+  bool hasFactor() const { return this->Size >= 0; }
 
-  /// Of the last factorization.
-  const EliminationOrder& order() const { return this->Factor.order(); }
+  /// Begins to look for an order of elimination for matrices of the pattern of @p lower, in another
+  /// thread while systems are solved with the factor at hand: the next factor is made in it.
+  void renewOrder(const SparseMatrix& lower);
+  /// The last that was found, for the last factor or by renewOrder().
+  const EliminationOrder& order();
 
   int factorizations() const { return this->Factorizations; }
   int iterations() const { return this->Iterations; }
@@ -39,6 +45,9 @@ private:
     double tolerance,
     Eigen::VectorXd& solution);
 
+  void takeNewOrder();
+
+  std::future<EliminationOrder> NewOrder;
   SparseCholesky Factor{ SparseCholesky::Ordering::Quick };
   Eigen::Index Size = -1;    // of the factor; -1 without one
   double LogReduction = 0.0; // of the residual by one iteration for the last system
