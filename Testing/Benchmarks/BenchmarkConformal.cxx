@@ -108,6 +108,8 @@ int main(int argc, char** argv)
   add("Gaussian bump", benchmarks::gaussianSquare);
   add("half brain, remeshed", [scan] { return benchmarks::remeshedHalfBrain(scan); });
   add("half brain, raw", [scan] { return benchmarks::halfBrain(scan); });
+  add(
+    "other half, raw", [scan] { return benchmarks::otherHalfBrain(scan); }, 1);
   add("whole brain, closed", [scan] { return benchmarks::closedBrain(scan); });
   add(
     "half brain, a million", [scan] { return benchmarks::subdividedHalfBrain(scan, 2); }, 1);

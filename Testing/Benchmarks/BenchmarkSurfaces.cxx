@@ -85,7 +85,8 @@ BenchmarkSurface asDisk(vtkPolyData* surface, double edgeLength, double holeFrac
   return { meshOf(toDisk->GetOutput()), seconds };
 }
 
-BenchmarkSurface half(const std::string& scan, double edgeLength)
+// What lies on side 1 or -1 of the mid-plane.
+BenchmarkSurface half(const std::string& scan, double edgeLength, int side = 1)
 {
   const vtkSmartPointer<vtkPolyData> brain = brainSurface(scan);
   double bounds[6];
@@ -95,7 +96,7 @@ BenchmarkSurface half(const std::string& scan, double edgeLength)
   reader->GetOutput()->GetBounds(bounds);
   vtkNew<vtkPlane> midPlane;
   midPlane->SetOrigin(0.5 * (bounds[0] + bounds[1]), 0.0, 0.0);
-  midPlane->SetNormal(1.0, 0.0, 0.0);
+  midPlane->SetNormal(side, 0.0, 0.0);
   vtkNew<vtkClipPolyData> clip;
   clip->SetInputData(brain);
   clip->SetClipFunction(midPlane);
@@ -158,6 +159,11 @@ BenchmarkSurface subdividedHalfBrain(const std::string& scan, int times)
 BenchmarkSurface halfBrain(const std::string& scan)
 {
   return half(scan, 0.0);
+}
+
+BenchmarkSurface otherHalfBrain(const std::string& scan)
+{
+  return half(scan, 0.0, -1);
 }
 
 BenchmarkSurface fineBrain(const std::string& scan)

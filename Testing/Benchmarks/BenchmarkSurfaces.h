@@ -28,6 +28,8 @@ BenchmarkSurface closedBrain(const std::string& scan);
 BenchmarkSurface remeshedBrain(const std::string& scan);
 /// Its half beyond the mid-plane, with the triangles of the isosurface.
 BenchmarkSurface halfBrain(const std::string& scan);
+/// The half on the other side.
+BenchmarkSurface otherHalfBrain(const std::string& scan);
 /// The same half, remeshed to edges of 1.2 mm.
 BenchmarkSurface remeshedHalfBrain(const std::string& scan);
 /// The brain in @p scan (`ch2better.nii.gz`: 0.5 mm, skull-stripped), smoothed by one voxel, isovalue
