@@ -111,6 +111,12 @@ TriangleMesh surfaceOfFlattened(vtkPolyData* flattened)
   return mesh;
 }
 
+TriangleMesh surfaceInSpace(vtkPolyData* data)
+{
+  return data->GetPointData()->HasArray(SurfacePointsName) ? surfaceOfFlattened(data)
+                                                           : toTriangleMesh(data);
+}
+
 namespace
 {
 

@@ -27,6 +27,10 @@ TriangleMesh toTriangleMesh(vtkPolyData* data);
 /// @throws InvalidInput as toTriangleMesh, and if the array is missing or not of 3 components.
 TriangleMesh surfaceOfFlattened(vtkPolyData* flattened);
 
+/// The surface in space that @p data is or, if it has an array SurfacePoints, was flattened from.
+/// @throws InvalidInput as surfaceOfFlattened.
+TriangleMesh surfaceInSpace(vtkPolyData* data);
+
 /// x and y of the points (n x 2). @throws InvalidInput if one is not finite, or if z is not constant (to
 /// 1e-6 of the larger of the extents in x and y).
 Points2 toPlanarPositions(vtkPolyData* flattened);

@@ -34,14 +34,6 @@ using flattening::WeightedRegion;
 
 constexpr const char* WeightsName = "AreaWeight";
 
-// The surface in space that the points belong to, flat or not.
-TriangleMesh surfaceOf(vtkPolyData* input)
-{
-  return input->GetPointData()->HasArray(flattening::SurfacePointsName)
-           ? flattening::surfaceOfFlattened(input)
-           : flattening::toTriangleMesh(input);
-}
-
 // All 1 if the input has none.
 Eigen::VectorXd earlierWeights(vtkPolyData* input)
 {
@@ -314,7 +306,7 @@ int vtkAreaWeights::RequestData(vtkInformation* vtkNotUsed(request),
     outputVector,
     [&]
     {
-      const TriangleMesh mesh = surfaceOf(input);
+      const TriangleMesh mesh = flattening::surfaceInSpace(input);
       const Eigen::VectorXd areas = flattening::vertexAreas(
         mesh.Faces, flattening::faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount());
       Eigen::VectorXd weights = earlierWeights(input);

@@ -5,7 +5,8 @@
  *
  * The input is a triangle surface, anywhere before vtkOMTAreaPreservingFilter: the scan's surface, the
  * disk, or the flat one. The output is the input with the point array `AreaWeight` (double, > 0,
- * dimensionless), its active scalars, which that filter reads. WeightsFrom says where the weights come from:
+ * dimensionless), its active scalars, which that filter reads. WeightsFrom says where the weights come
+ * from:
  * - LABEL: the region of one label in an array of labels gets Factor
  * - LABEL_TABLE: every label of a table gets its own factor, all other labels none
  * - SCALARS: each point's factor is its value in any array, through a transfer curve
