@@ -22,19 +22,27 @@ namespace
 // How far from the boundary a boundary vertex of the input may lie: of a length 1, the disk's radius.
 constexpr double BoundaryTolerance = 1e-6;
 
-// Where the surface is mapped to, and which members of the boundary loop stay at which places.
+// Members of the boundary loop, in its order, that stay at places which grow over less than a turn.
+struct FixedMembers
+{
+  std::vector<int> Members;
+  std::vector<double> Places;
+};
+
+// Where the surface is mapped to.
 struct Target
 {
   std::shared_ptr<const ConvexDomain> Domain;
   std::string Name;
   std::string Boundary;
-  std::vector<int> Corners;
-  std::vector<double> CornerPlaces;
+  FixedMembers Corners; // of which the members may be left to be found
 };
 
-void requirePositions(const Points2& positions, const std::vector<int>& loop, const Target& target)
+void requirePositions(const Points2& positions,
+  const std::vector<int>& loop,
+  const ConvexDomain& domain,
+  const Target& target)
 {
-  const ConvexDomain& domain = *target.Domain;
   const std::string remedy =
     ": the input must be a map to the " + target.Name + ", run Conformal Disk first";
   for (const int v : loop)
@@ -144,6 +152,20 @@ Eigen::VectorXd faceTargets(const TriangleMesh& mesh, const Eigen::VectorXd& wei
 namespace
 {
 
+// Every ray from the centroid is stretched to the length that it has in the other domain, whose centroid
+// is 0 too.
+Points2 carriedAlongRays(const Points2& positions, const ConvexDomain& from, const ConvexDomain& to)
+{
+  Points2 carried(positions.rows(), 2);
+  for (Eigen::Index v = 0; v < positions.rows(); ++v)
+  {
+    const Eigen::Vector2d position = positions.row(v);
+    const double share = position.norm() / from.at(from.placeOf(position)).norm();
+    carried.row(v) = std::min(share, 1.0) * to.at(to.placeOf(position));
+  }
+  return carried;
+}
+
 void refine(AreaPreservingMap& map,
   const TriangleMesh& mesh,
   const TransportedMap& transported,
@@ -161,15 +183,38 @@ void refine(AreaPreservingMap& map,
   map.StartShare = refined.StartShare;
 }
 
+// Those of the target, with the members whose cells have them where it names none.
+FixedMembers cornersOf(const Target& target,
+  const PowerDiagram& diagram,
+  const std::vector<int>& loop,
+  const std::vector<int>& siteOfVertex)
+{
+  FixedMembers corners = target.Corners;
+  if (corners.Members.size() < corners.Places.size())
+  {
+    corners.Members = cornerMembers(diagram, loop, siteOfVertex, corners.Places);
+    const auto first = std::min_element(corners.Members.begin(), corners.Members.end());
+    const auto before = first - corners.Members.begin();
+    const double turn = target.Domain->perimeter();
+    std::transform(corners.Places.begin(),
+      corners.Places.begin() + before,
+      corners.Places.begin(),
+      [turn](double place) { return place + turn; });
+    std::rotate(corners.Places.begin(), corners.Places.begin() + before, corners.Places.end());
+    std::rotate(corners.Members.begin(), first, corners.Members.end());
+  }
+  return corners;
+}
+
 AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
   const Points2& conformal,
+  const Points2& onDomain, // the same, or another map, one-to-one to the domain
   const Target& target,
   const std::vector<int>& loop,
   const Eigen::VectorXd& weights,
   const AreaPreservingOptions& options,
   const ProgressCallback& progress)
 {
-  requirePositions(conformal, loop, target);
   AreaPreservingMap map;
   map.TargetAreas = targetAreas(mesh, weights);
 
@@ -210,10 +255,11 @@ AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
     map.CellAreas[v] = diagram.areas()[site] * (map.TargetAreas[v] / siteTargets[site]);
     map.PowerWeights[v] = static_cast<double>(transport.Weights[site]);
   }
+  const FixedMembers corners = cornersOf(target, diagram, loop, sites.SiteOfVertex);
   const std::vector<double> places =
-    target.Corners.empty()
+    corners.Members.empty()
       ? boundaryPlaces(diagram, loop, sites.SiteOfVertex)
-      : boundaryPlaces(diagram, loop, sites.SiteOfVertex, target.Corners, target.CornerPlaces);
+      : boundaryPlaces(diagram, loop, sites.SiteOfVertex, corners.Members, corners.Places);
   for (std::size_t k = 0; k < loop.size(); ++k)
   {
     map.Positions.row(loop[k]) = target.Domain->at(places[k]);
@@ -224,7 +270,7 @@ AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
   {
     refine(map,
       mesh,
-      { target.Domain, loop, target.Corners, conformal, Points2(map.Positions) },
+      { target.Domain, loop, corners.Members, conformal, Points2(map.Positions), onDomain },
       weights,
       options.Refinement,
       subrange(progress, transportEnd + 0.02, 1.0));
@@ -241,8 +287,10 @@ AreaPreservingResult areaPreservingDiskMap(const TriangleMesh& mesh,
   const AreaPreservingOptions& options,
   const ProgressCallback& progress)
 {
-  const Target target{ std::make_shared<UnitDisk>(), "disk", "circle around the origin", {}, {} };
-  return areaPreservingMap(mesh, conformal, target, requireDisk(mesh), weights, options, progress);
+  const std::vector<int> loop = requireDisk(mesh);
+  const Target target{ std::make_shared<UnitDisk>(), "disk", "circle around the origin", {} };
+  requirePositions(conformal, loop, *target.Domain, target);
+  return areaPreservingMap(mesh, conformal, conformal, target, loop, weights, options, progress);
 }
 
 AreaPreservingResult areaPreservingRectangleMap(const TriangleMesh& mesh,
@@ -261,9 +309,7 @@ AreaPreservingResult areaPreservingRectangleMap(const TriangleMesh& mesh,
   const double y = 0.5 * EIGEN_PI / width;
   Points2 corners(4, 2);
   corners << -x, -y, x, -y, x, y, -x, y;
-  Target target{
-    std::make_shared<ConvexPolygon>(corners), "rectangle", "sides of the rectangle", {}, {}
-  };
+  Target target{ std::make_shared<ConvexPolygon>(corners), "rectangle", "sides of the rectangle", {} };
   std::vector<std::pair<int, double>> fixed;
   for (int c = 0; c < 4; ++c)
   {
@@ -285,15 +331,43 @@ AreaPreservingResult areaPreservingRectangleMap(const TriangleMesh& mesh,
   for (const auto& [member, place] : fixed)
   {
     const double turn = target.Domain->perimeter();
-    target.Corners.push_back(member);
-    target.CornerPlaces.push_back(place < fixed.front().second ? place + turn : place);
+    target.Corners.Members.push_back(member);
+    target.Corners.Places.push_back(place < fixed.front().second ? place + turn : place);
   }
-  if (!std::is_sorted(target.CornerPlaces.begin(), target.CornerPlaces.end()))
+  if (!std::is_sorted(target.Corners.Places.begin(), target.Corners.Places.end()))
   {
     throw InvalidInput("the corners of the rectangle are not in the order of the boundary: the map is "
                        "turned over, run Conformal Disk first");
   }
-  return areaPreservingMap(mesh, conformal, target, loop, weights, options, progress);
+  requirePositions(conformal, loop, *target.Domain, target);
+  return areaPreservingMap(mesh, conformal, conformal, target, loop, weights, options, progress);
+}
+
+AreaPreservingResult areaPreservingPolygonMap(const TriangleMesh& mesh,
+  const Points2& conformal,
+  const ConvexDomain& source,
+  const PolygonTarget& polygon,
+  const Eigen::VectorXd& weights,
+  const AreaPreservingOptions& options,
+  const ProgressCallback& progress)
+{
+  const std::vector<int> loop = requireDisk(mesh);
+  const auto domain = std::make_shared<ConvexPolygon>(polygon.Corners);
+  Target target{ domain, "disk or rectangle", "boundary of the domain", {} };
+  requirePositions(conformal, loop, source, target);
+  if (polygon.FixCorners)
+  {
+    target.Corners.Places = domain->cornerPlaces();
+  }
+  const double scale = domain->innerRadius() / conformal.rowwise().norm().maxCoeff();
+  return areaPreservingMap(mesh,
+    scale * conformal,
+    carriedAlongRays(conformal, source, *domain),
+    target,
+    loop,
+    weights,
+    options,
+    progress);
 }
 
 } // namespace flattening

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The area-preserving map of a surface to the unit disk or a rectangle, from its conformal map (paper,
-/// section 4).
+/// The area-preserving map of a surface to the unit disk, a rectangle or a convex polygon, from its
+/// conformal map (paper, section 4).
 #pragma once
 
 #include "FaceRefinement.h"
@@ -72,6 +72,28 @@ AreaPreservingResult areaPreservingDiskMap(const TriangleMesh& mesh,
 AreaPreservingResult areaPreservingRectangleMap(const TriangleMesh& mesh,
   const Points2& conformal,
   double width,
+  const Eigen::VectorXd& weights = {},
+  const AreaPreservingOptions& options = {},
+  const ProgressCallback& progress = {});
+
+struct PolygonTarget
+{
+  Points2 Corners; ///< k x 2, counter-clockwise, with area pi and its centroid at 0 (DomainPolygon.h)
+  /// Whether a boundary vertex stays in each corner: the one whose power cell has the corner. Else
+  /// corners are cut off by the boundary edges across them.
+  bool FixCorners = false;
+};
+
+/// The same to a convex polygon, from a map @p conformal to another domain @p source, the unit disk or a
+/// rectangle of area pi around the origin. The sites are the points of that map scaled into the largest
+/// disk around 0 in the polygon. The transport does not depend on this scale: its map maximises the sum
+/// of products of places and sites.
+/// @throws as areaPreservingDiskMap, and InvalidInput if there are more corners to be fixed than
+/// boundary vertices.
+AreaPreservingResult areaPreservingPolygonMap(const TriangleMesh& mesh,
+  const Points2& conformal,
+  const ConvexDomain& source,
+  const PolygonTarget& polygon,
   const Eigen::VectorXd& weights = {},
   const AreaPreservingOptions& options = {},
   const ProgressCallback& progress = {});

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "BoundaryPlacement.h"
 
+#include "Errors.h"
+
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace flattening
 {
@@ -133,6 +137,62 @@ std::vector<double> boundaryPlaces(const PowerDiagram& diagram,
     }
   }
   return places;
+}
+
+std::vector<int> cornerMembers(const PowerDiagram& diagram,
+  const std::vector<int>& loop,
+  const std::vector<int>& siteOfVertex,
+  const std::vector<double>& cornerPlaces)
+{
+  const int n = static_cast<int>(loop.size());
+  const int count = static_cast<int>(cornerPlaces.size());
+  if (n < count)
+  {
+    throw InvalidInput("the boundary has " + std::to_string(n) + " points, the domain " +
+                       std::to_string(count) +
+                       " corners: turn Fix Corners off or give a polygon of fewer corners");
+  }
+  const double turn = diagram.domain().perimeter();
+  std::vector<double> middles(n);
+  std::vector<double> halfLengths(n);
+  for (int k = 0; k < n; ++k)
+  {
+    middles[k] = preferredPlace(diagram, siteOfVertex[loop[k]]);
+    halfLengths[k] = 0.5 * diagram.boundaryPart(siteOfVertex[loop[k]]).Length;
+  }
+  // How far from the part, and among parts that have the place, from their middle.
+  const auto apart = [&](int member, double fromMiddle)
+  { return std::pair(std::max(0.0, fromMiddle - halfLengths[member]), fromMiddle); };
+  const auto apartAtFirst = [&](int k)
+  { return apart(k, std::abs(std::remainder(middles[k] - cornerPlaces[0], turn))); };
+  int first = 0;
+  for (int k = 1; k < n; ++k)
+  {
+    first = apartAtFirst(k) < apartAtFirst(first) ? k : first;
+  }
+  // From there on once around.
+  const auto apartAt = [&](int k, double place)
+  {
+    const double fromFirst = middles[k % n] - cornerPlaces[0];
+    const double unrolled = fromFirst - turn * std::floor(fromFirst / turn);
+    return apart(k % n, std::abs(unrolled - (place - cornerPlaces[0])));
+  };
+  std::vector<int> members{ first };
+  for (int c = 1; c < count; ++c)
+  {
+    // After the member of the corner before, with one left for each corner to come.
+    int best = members.back() + 1;
+    for (int k = best; k < first + n - (count - 1 - c); ++k)
+    {
+      best = apartAt(k, cornerPlaces[c]) < apartAt(best, cornerPlaces[c]) ? k : best;
+    }
+    members.push_back(best);
+  }
+  for (int& member : members)
+  {
+    member %= n;
+  }
+  return members;
 }
 
 } // namespace flattening

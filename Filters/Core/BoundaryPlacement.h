@@ -28,6 +28,15 @@ std::vector<double> boundaryPlaces(const PowerDiagram& diagram,
   const std::vector<int>& corners,
   const std::vector<double>& cornerPlaces);
 
+/// For each of @p cornerPlaces, which grow over less than a full turn, the member of the loop whose cell
+/// has that place, or the part of the boundary nearest to it: no member twice, in the order of the
+/// corners, modulo the loop.
+/// @throws InvalidInput if there are fewer members than corners.
+std::vector<int> cornerMembers(const PowerDiagram& diagram,
+  const std::vector<int>& loop,
+  const std::vector<int>& siteOfVertex,
+  const std::vector<double>& cornerPlaces);
+
 /// The non-decreasing sequence nearest to @p values in the sense of least squares (pool adjacent
 /// violators), with the members of each pool spread evenly over a part of the gaps beside it so that the
 /// result increases strictly.

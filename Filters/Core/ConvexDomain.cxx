@@ -127,9 +127,24 @@ ConvexPolygon::ConvexPolygon(const Points2& corners)
   this->Centroid = region.centroid();
 }
 
+std::vector<double> ConvexPolygon::cornerPlaces() const
+{
+  return { this->Along.begin(), this->Along.end() - 1 };
+}
+
 double ConvexPolygon::height(int side, const Eigen::Vector2d& point) const
 {
   return this->Inwards.row(side).dot((point - this->corner(side)).transpose());
+}
+
+double ConvexPolygon::innerRadius() const
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < this->count(); ++k)
+  {
+    least = std::min(least, this->height(k, Eigen::Vector2d::Zero()));
+  }
+  return std::max(0.0, least);
 }
 
 bool ConvexPolygon::contains(const Eigen::Vector2d& point) const

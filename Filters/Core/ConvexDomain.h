@@ -20,6 +20,8 @@ public:
   virtual bool isRound() const = 0; ///< whether its boundary is curved
   virtual Eigen::Vector2d centroid() const = 0;
   virtual double perimeter() const = 0;
+  /// Of the largest disk around the origin that it contains; 0 if the origin lies outside.
+  virtual double innerRadius() const = 0;
   virtual bool contains(const Eigen::Vector2d& point) const = 0; ///< its boundary belongs to it
 
   /// The point at a place on the boundary.
@@ -66,6 +68,7 @@ public:
   bool isRound() const override { return true; }
   Eigen::Vector2d centroid() const override { return Eigen::Vector2d::Zero(); }
   double perimeter() const override { return 2.0 * EIGEN_PI; }
+  double innerRadius() const override { return 1.0; }
   bool contains(const Eigen::Vector2d& point) const override { return point.squaredNorm() <= 1.0; }
   Eigen::Vector2d at(double place) const override;
   Eigen::Vector2d tangentAt(double place) const override;
@@ -91,10 +94,13 @@ public:
   /// @throws InvalidInput if they are not the corners of a strictly convex polygon in that order.
   explicit ConvexPolygon(const Points2& corners);
 
+  std::vector<double> cornerPlaces() const; ///< in order, from 0
+
   double area() const override { return this->Area; }
   bool isRound() const override { return false; }
   Eigen::Vector2d centroid() const override { return this->Centroid; }
   double perimeter() const override { return this->Along.back(); }
+  double innerRadius() const override;
   bool contains(const Eigen::Vector2d& point) const override;
   Eigen::Vector2d at(double place) const override;
   Eigen::Vector2d tangentAt(double place) const override;

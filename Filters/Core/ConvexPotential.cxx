@@ -20,7 +20,9 @@ PowerDiagram::Weights squaredRadii(const Points2& sites)
   return squares;
 }
 
-PowerDiagram::Weights radialPotentialWeights(const Points2& sites, const Eigen::VectorXd& masses)
+PowerDiagram::Weights radialPotentialWeights(const Points2& sites,
+  const Eigen::VectorXd& masses,
+  double reach)
 {
   const int n = static_cast<int>(sites.rows());
   const PowerDiagram::Weights squares = squaredRadii(sites);
@@ -45,7 +47,7 @@ PowerDiagram::Weights radialPotentialWeights(const Points2& sites, const Eigen::
     height += DoubleDouble(0.5 * (slope + nextSlope)) * (nextRadius - radius);
     slope = nextSlope;
     radius = nextRadius;
-    weights[i] = squares[i] - 2.0 * height;
+    weights[i] = squares[i] - DoubleDouble(2.0 * reach) * height;
   }
   return weights;
 }

@@ -248,7 +248,7 @@ private:
   // less the nearer to the conformal map.
   void startOver(FlatState& state, const Points2& field, const ProgressCallback& progress)
   {
-    const FlatState conformal = this->stateAt(this->Map.Conformal);
+    const FlatState conformal = this->stateAt(this->Map.OnDomain);
     const FlatState transported = this->stateAt(field);
     const double turn = this->Unknowns.domain().perimeter();
     const double apart = transported.Places[0] - conformal.Places[0];

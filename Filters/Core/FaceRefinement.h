@@ -26,8 +26,9 @@ struct TransportedMap
   std::shared_ptr<const ConvexDomain> Domain;
   std::vector<int> Loop;    ///< of the boundary, counter-clockwise
   std::vector<int> Corners; ///< members of the loop that stay
-  const Points2& Conformal; ///< n x 2; boundary vertices on the domain's boundary
+  const Points2& Conformal; ///< n x 2
   const Points2& Positions; ///< n x 2, the same after the transport
+  const Points2& OnDomain;  ///< n x 2, a one-to-one map to the domain: the conformal one, if it is one
 };
 
 struct FaceRefinementResult

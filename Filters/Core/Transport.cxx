@@ -100,12 +100,15 @@ private:
 
 // Starts: without weights (the paper's) and from the radially symmetric potential, which are gradients
 // of convex functions; where sites lie too densely, also from the sums of each with the potential that
-// opens the clusters, scaled back into the disk. None leaves a cell empty in the plane.
+// opens the clusters, scaled back into the largest disk of the domain. None leaves a cell empty in the
+// plane.
 std::vector<PowerDiagram::Weights> starts(PowerDiagram& diagram, const Eigen::VectorXd& targets)
 {
   const PowerDiagram::Weights zero = PowerDiagram::Weights::Zero(diagram.siteCount());
   const PowerDiagram::Weights squares = squaredRadii(diagram.sites());
-  std::vector<PowerDiagram::Weights> all{ zero, radialPotentialWeights(diagram.sites(), targets) };
+  const double reach = diagram.domain().innerRadius();
+  std::vector<PowerDiagram::Weights> all{ zero,
+    radialPotentialWeights(diagram.sites(), targets, reach) };
   const std::vector<DenseCluster> clusters =
     diagram.update(zero) ? denseClusters(diagram, targets) : std::vector<DenseCluster>();
   if (clusters.empty())
@@ -126,11 +129,12 @@ std::vector<PowerDiagram::Weights> starts(PowerDiagram& diagram, const Eigen::Ve
   // than the clusters gain.
   const double share = std::min(1.0, 1.0 / slope);
   const PowerDiagram::Weights opening = openingPotential(diagram, clusters, targets, targets.sum());
-  for (const PowerDiagram::Weights& weights : { zero, radialPotentialWeights(diagram.sites(), rest) })
+  for (const PowerDiagram::Weights& weights :
+    { zero, radialPotentialWeights(diagram.sites(), rest, reach) })
   {
     // w = r^2 - 2 h, of the sum of potentials over the largest slope that it can have.
     const PowerDiagram::Weights potential =
-      DoubleDouble(0.5) * (squares - weights) + DoubleDouble(share) * opening;
+      DoubleDouble(0.5) * (squares - weights) + DoubleDouble(share * reach) * opening;
     all.push_back(squares - DoubleDouble(2.0 / (1.0 + share * slope)) * potential);
   }
   return all;

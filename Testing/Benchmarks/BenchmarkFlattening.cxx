@@ -67,7 +67,12 @@ void flatten(benchmark::State& state, const std::function<benchmarks::BenchmarkS
     const double transportSeconds = transportWatch.seconds();
     const StopWatch refinementWatch;
     const FaceRefinementResult refined = refineFaces(mesh,
-      { std::make_shared<UnitDisk>(), requireDisk(mesh), {}, conformal.Positions, flat.Map.Positions },
+      { std::make_shared<UnitDisk>(),
+        requireDisk(mesh),
+        {},
+        conformal.Positions,
+        flat.Map.Positions,
+        conformal.Positions },
       faceTargets(mesh, {}),
       flat.Map.TargetAreas);
     const double refinementSeconds = refinementWatch.seconds();

@@ -24,6 +24,7 @@ using namespace flattening::analytic;
 using samples::contains;
 using samples::messageOf;
 using samples::Pi;
+using samples::rectangleGrid;
 
 Points2 conformal(const TriangleMesh& mesh)
 {
@@ -334,30 +335,6 @@ TEST(AreaPreservingDisk, SameBitsWhateverTheThreads)
     const Points2 found = areaPreservingDiskMap(mesh.Mesh, flat).Map.Positions;
     EXPECT_TRUE((found.array() == expected.array()).all()) << threads;
   }
-}
-
-// A grid on a rectangle of this width and area pi, vertex j * columns + i in column i and row j.
-TriangleMesh rectangleGrid(int columns, int rows, double width)
-{
-  TriangleMesh mesh;
-  mesh.Vertices.resize(columns * rows, 3);
-  mesh.Faces.resize(2 * (columns - 1) * (rows - 1), 3);
-  int face = 0;
-  for (int j = 0; j < rows; ++j)
-  {
-    for (int i = 0; i < columns; ++i)
-    {
-      const int v = j * columns + i;
-      mesh.Vertices.row(v) << width * (i / (columns - 1.0) - 0.5), Pi / width * (j / (rows - 1.0) - 0.5),
-        0.0;
-      if (i + 1 < columns && j + 1 < rows)
-      {
-        mesh.Faces.row(face++) << v, v + 1, v + columns + 1;
-        mesh.Faces.row(face++) << v, v + columns + 1, v + columns;
-      }
-    }
-  }
-  return mesh;
 }
 
 // A density that grows along the rectangle spreads along it: x goes to the share of mass before x.
