@@ -224,6 +224,7 @@ int vtkOMTAreaPreservingFilter::RequestData(vtkInformation* vtkNotUsed(request),
       options.Transport.Tolerance = this->Tolerance;
       options.RefineFaces = this->FaceRefinement;
       options.Refinement.AngleWeight = this->AngleWeight;
+      options.VerticesPerSite = this->PointsPerSite;
 
       const flattening::Points2 conformal = (flat.rowwise() - domain.Centre) / domain.Scale;
       // From a domain of area pi to the surface's area, or to radius 1 or height 1.
@@ -257,6 +258,7 @@ int vtkOMTAreaPreservingFilter::RequestData(vtkInformation* vtkNotUsed(request),
 
       vtkFieldData* figures = output->GetFieldData();
       flattening::setFigure(figures, "NewtonIterations", static_cast<long long>(map.NewtonIterations));
+      flattening::setFigure(figures, "Sites", static_cast<long long>(map.Sites));
       flattening::setFigure(figures, "PowerDiagrams", static_cast<long long>(map.PowerDiagrams));
       flattening::setFigure(figures, "MaxCellAreaError", map.MaxCellError);
       flattening::setFigure(figures, "CoincidentPoints", static_cast<long long>(map.CoincidentVertices));
@@ -288,4 +290,5 @@ void vtkOMTAreaPreservingFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseAreaWeight: " << this->UseAreaWeight << "\n";
   os << indent << "FaceRefinement: " << this->FaceRefinement << "\n";
   os << indent << "AngleWeight: " << this->AngleWeight << "\n";
+  os << indent << "PointsPerSite: " << this->PointsPerSite << "\n";
 }

@@ -13,29 +13,31 @@
  *
  * The areas of the *cells* are exact to Tolerance. Areas of *triangles* follow the cells only as well as
  * the triangulation allows, so the points are then moved, those of the boundary along it, until the
- * triangles are exact too and none is flipped (FaceRefinement). What error is left is measured with
- * vtkDistortionMetrics; near a boundary that was a hole too small for its number of points it is large.
+ * triangles are exact too and none is flipped (FaceRefinement). For that the transport takes a few
+ * neighbouring points together as one site (PointsPerSite), and the points follow the smooth map through
+ * the centroids. What error is left is measured with vtkDistortionMetrics; near a boundary that was a
+ * hole too small for its number of points it is large.
  *
  * Output port 0 has the input's points and cells, one to one and with all of their arrays (among them
  * `SurfacePoints`), in the plane z = 0, in the disk around the origin or in the rectangle with its lower
  * left corner there, and adds the point arrays (double)
- * - `TargetArea`, the area asked for, and `CellArea`, the area of the point's power cell (output units
- *   squared; both sum to the area of the domain)
- * - `PowerWeight` (output units squared), the weight w_i of the power diagram of the input points,
+ * - `TargetArea`, the area asked for, and `CellArea`, the area of the point's power cell or its share of
+ *   its site's cell (output units squared; both sum to the area of the domain)
+ * - `PowerWeight` (output units squared), the weight w_i of the point's site in the power diagram,
  * scaled to the size of the output
  *
  * Output port 1 is the power diagram: one polygon per cell, arcs as polylines of steps of at most one
  * degree, with the cell arrays `SiteId` (point id), `CellArea` and `TargetArea` (paper, figure 4).
- * Points that share a position share a cell; SiteId is the lowest of their ids.
+ * Points that share a position or a site share a cell; SiteId is the lowest of their ids.
  *
- * Field data of port 0 (one tuple each): `NewtonIterations`; `PowerDiagrams` computed;
+ * Field data of port 0 (one tuple each): `NewtonIterations`; `Sites`; `PowerDiagrams` computed;
  * `MaxCellAreaError`, max_i |CellArea - TargetArea| / TargetArea; `CoincidentPoints`, points that shared
  * the position of another; `FlippedFaces`, triangles not positively oriented; `Bijective`, 1 if the map
- * is one-to-one: there are none, and the boundary points are in order; `RefinementRounds`, one
- * factorization each; `RefinementRepairs`, triangles that had flipped on the way. A warning tells when
- * Bijective is 0.
+ * is one-to-one: there are none, and the boundary points are in order; `RefinementRounds`, passes
+ * over what is not right yet; `RefinementRepairs`, triangles that had flipped on the way. A warning
+ * tells when Bijective is 0.
  *
- * If the input has a point array `PowerWeight`, as an earlier run with the same NormalizeTo wrote it,
+ * If the input has a point array `PowerWeight`, as an earlier run with the same settings wrote it,
  * the transport starts there where that is nearer than its own starts: after a small change of the
  * weights it takes a few steps only. The result does not depend on it but for Tolerance.
  *
@@ -127,6 +129,18 @@ public:
   vtkGetMacro(AngleWeight, double);
   ///@}
 
+  ///@{
+  /**
+   * How many neighbouring points the transport takes together as one site, if faces are refined: the
+   * refinement needs of the transport what is wrong over whole regions, not the cell of every point.
+   * Fewer on surfaces of less than some thousand points. 1: every point is a site, as without
+   * refinement, where this setting counts for nothing. Points of one site share its power cell, its
+   * weight and, by their target areas, the cell's area. Range [1, 1000]. Default: 8.
+   */
+  vtkSetClampMacro(PointsPerSite, int, 1, 1000);
+  vtkGetMacro(PointsPerSite, int);
+  ///@}
+
   /**
    * The power diagram of output port 1.
    */
@@ -145,6 +159,7 @@ protected:
   bool UseAreaWeight = true;
   bool FaceRefinement = true;
   double AngleWeight = 0.0;
+  int PointsPerSite = 8;
 
 private:
   vtkOMTAreaPreservingFilter(const vtkOMTAreaPreservingFilter&) = delete;

@@ -5,6 +5,8 @@
 #include "Errors.h"
 #include "FaceOrientation.h"
 #include "MeshTopology.h"
+#include "TransportField.h"
+#include "TransportSites.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +23,7 @@ namespace
 
 // How far from the boundary a boundary vertex of the input may lie: of a length 1, the disk's radius.
 constexpr double BoundaryTolerance = 1e-6;
+constexpr int LeastSites = 1000;
 
 // Members of the boundary loop, in its order, that stay at places which grow over less than a turn.
 struct FixedMembers
@@ -63,50 +66,6 @@ void requirePositions(const Points2& positions,
       throw InvalidInput("vertex " + std::to_string(v) + " lies outside of the " + target.Name + remedy);
     }
   }
-}
-
-struct Sites
-{
-  Points2 Positions;
-  std::vector<int> SiteOfVertex;
-};
-
-// Vertices at the very same place are one site.
-Sites distinctSites(const Points2& positions)
-{
-  const int n = static_cast<int>(positions.rows());
-  std::vector<int> order(n);
-  std::iota(order.begin(), order.end(), 0);
-  const auto before = [&positions](int a, int b)
-  {
-    return positions(a, 0) != positions(b, 0) ? positions(a, 0) < positions(b, 0)
-                                              : positions(a, 1) < positions(b, 1);
-  };
-  std::stable_sort(order.begin(), order.end(), before);
-  std::vector<int> representative(n);
-  for (int k = 0; k < n; ++k)
-  {
-    const bool same = k > 0 && !before(order[k - 1], order[k]);
-    representative[order[k]] = same ? representative[order[k - 1]] : order[k];
-  }
-  Sites sites;
-  sites.SiteOfVertex.resize(n);
-  sites.Positions.resize(n, 2);
-  int count = 0;
-  for (int v = 0; v < n; ++v) // the lowest vertex of each place comes first: the sort is stable
-  {
-    if (representative[v] == v)
-    {
-      sites.Positions.row(count) = positions.row(v);
-      sites.SiteOfVertex[v] = count++;
-    }
-    else
-    {
-      sites.SiteOfVertex[v] = sites.SiteOfVertex[representative[v]];
-    }
-  }
-  sites.Positions.conservativeResize(count, 2);
-  return sites;
 }
 
 } // namespace
@@ -166,6 +125,14 @@ Points2 carriedAlongRays(const Points2& positions, const ConvexDomain& from, con
   return carried;
 }
 
+// Not more than leaves LeastSites.
+int verticesPerSite(const AreaPreservingOptions& options, int vertexCount)
+{
+  return options.RefineFaces
+           ? std::clamp(vertexCount / LeastSites, 1, std::max(1, options.VerticesPerSite))
+           : 1;
+}
+
 void refine(AreaPreservingMap& map,
   const TriangleMesh& mesh,
   const TransportedMap& transported,
@@ -174,7 +141,7 @@ void refine(AreaPreservingMap& map,
   const ProgressCallback& progress)
 {
   FaceRefinementResult refined =
-    refineFaces(mesh, transported, faceTargets(mesh, weights), map.TargetAreas, options, progress);
+    refineFaces(mesh, transported, faceTargets(mesh, weights), options, progress);
   map.Positions = std::move(refined.Positions);
   map.FlippedFaces = refined.FlippedFaces;
   map.Bijective = refined.Bijective;
@@ -218,21 +185,23 @@ AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
   AreaPreservingMap map;
   map.TargetAreas = targetAreas(mesh, weights);
 
-  Sites sites = distinctSites(conformal);
   const int n = mesh.vertexCount();
-  map.CoincidentVertices = n - static_cast<int>(sites.Positions.rows());
-  Eigen::VectorXd siteTargets = Eigen::VectorXd::Zero(sites.Positions.rows());
-  for (int v = 0; v < n; ++v)
+  const int perSite = verticesPerSite(options, n);
+  TransportSites sites = distinctSites(conformal);
+  map.CoincidentVertices = n - sites.count();
+  if (perSite > 1)
   {
-    siteTargets[sites.SiteOfVertex[v]] += map.TargetAreas[v];
+    sites = groupedSites(conformal, map.TargetAreas, loop, perSite);
   }
+  map.Sites = sites.count();
+  const Eigen::VectorXd siteTargets = sites.sums(map.TargetAreas);
 
   PowerDiagram diagram(sites.Positions, target.Domain);
   const double transportEnd = options.RefineFaces ? 0.5 : 0.95;
   TransportOptions transportOptions = options.Transport;
   if (options.Transport.StartWeights.size() == n)
   {
-    transportOptions.StartWeights.resize(sites.Positions.rows());
+    transportOptions.StartWeights.resize(sites.count());
     for (int v = 0; v < n; ++v)
     {
       transportOptions.StartWeights[sites.SiteOfVertex[v]] = options.Transport.StartWeights[v];
@@ -260,6 +229,11 @@ AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
     corners.Members.empty()
       ? boundaryPlaces(diagram, loop, sites.SiteOfVertex)
       : boundaryPlaces(diagram, loop, sites.SiteOfVertex, corners.Members, corners.Places);
+  if (options.RefineFaces)
+  {
+    map.Positions = transportField(
+      sites, siteImages(diagram, siteTargets, sites, loop, places), conformal, *target.Domain);
+  }
   for (std::size_t k = 0; k < loop.size(); ++k)
   {
     map.Positions.row(loop[k]) = target.Domain->at(places[k]);

@@ -28,14 +28,19 @@ struct AreaPreservingOptions
   TransportOptions Transport; ///< StartWeights per vertex (n)
   bool RefineFaces = true;    ///< from exact cells to exact faces (refineFaces)
   FaceRefinementOptions Refinement;
+  /// How many neighbouring vertices are one site of the transport if faces are refined: the refinement
+  /// needs of it what is wrong over whole regions only. Fewer where the mesh has few vertices. 1: every
+  /// vertex is a site, as without refinement.
+  int VerticesPerSite = 8;
 };
 
 struct AreaPreservingMap
 {
   Points2 Positions;            ///< n x 2; boundary vertices on the boundary of the domain
   Eigen::VectorXd TargetAreas;  ///< n, sum pi
-  Eigen::VectorXd CellAreas;    ///< n, sum pi; coincident vertices share their cell by target area
-  Eigen::VectorXd PowerWeights; ///< n, squared lengths in the domain
+  Eigen::VectorXd CellAreas;    ///< n, sum pi; vertices of one site share its cell by target area
+  Eigen::VectorXd PowerWeights; ///< n, of their sites, squared lengths in the domain
+  int Sites = 0;                ///< of the transport
   int NewtonIterations = 0;
   int PowerDiagrams = 0;
   int CoincidentVertices = 0; ///< vertices that shared the conformal position of another
@@ -50,14 +55,15 @@ struct AreaPreservingMap
 struct AreaPreservingResult
 {
   AreaPreservingMap Map;
-  PowerDiagram Diagram;          ///< of the distinct conformal positions
+  PowerDiagram Diagram;          ///< of the sites
   std::vector<int> SiteOfVertex; ///< n
 };
 
 /// Optimal transport of the surface's area, concentrated at @p conformal (n x 2, unit disk, the boundary
-/// on the circle), to the uniform measure of the disk. Interior vertices go to the centroids of their
-/// power cells, boundary vertices to the circle; from there the refinement moves them until the faces
-/// are exact as well.
+/// on the circle), to the uniform measure of the disk. Without refinement interior vertices go to the
+/// centroids of their power cells and boundary vertices to the circle. With it the transport's sites are
+/// small groups of vertices, which follow the smooth map through the centroids (transportField); from
+/// there they are moved until the faces are exact.
 /// @throws InvalidInput, TopologyError (see requireDisk, targetAreas), InvalidInput if @p conformal is
 /// not such a map, ConvergenceError, Cancelled.
 AreaPreservingResult areaPreservingDiskMap(const TriangleMesh& mesh,

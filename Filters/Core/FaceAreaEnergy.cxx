@@ -7,6 +7,13 @@
 
 namespace flattening
 {
+namespace
+{
+
+// Of the target area.
+constexpr double LeastDirichlet = 1e-12;
+
+} // namespace
 
 FaceAreaEnergy::Value FaceAreaEnergy::value(double area,
   double target,
@@ -30,12 +37,14 @@ FaceAreaEnergy::Value FaceAreaEnergy::value(double area,
   const double chiByR = chi * byLog;
   const double chiByRR = 0.5 * this->Epsilon * this->Epsilon * byLog * byLog * byLog;
   const double s = shapeWeight;
-  const double q = std::max(dirichlet, std::numeric_limits<double>::min());
+  // Smoothed as r is, for a face that shrinks to a point must not gain.
+  const double q = std::max(dirichlet / target, LeastDirichlet);
+  const double rootOfQ = std::sqrt(this->Epsilon * this->Epsilon + q * q);
 
-  const double shape = s > 0.0 ? s * (std::log(q / target) - logChi) : 0.0;
+  const double shape = s > 0.0 ? s * (std::log(0.5 * (q + rootOfQ)) - logChi) : 0.0;
   result.Energy = target * ((r - 1.0) * (r - 1.0) + this->FlipWeight * (chi - 1.0 - logChi) + shape);
   result.ByArea = 2.0 * (r - 1.0) + this->FlipWeight * (chiByR - byLog) - s * byLog;
-  result.ByDirichlet = s * target / q;
+  result.ByDirichlet = s / rootOfQ;
   // Minus the logarithm is concave where the face is flipped: its curvature counts where positive.
   const double logCurvature = r * byLog * byLog * byLog;
   const double flipCurvature = std::max(0.0, chiByRR + logCurvature);

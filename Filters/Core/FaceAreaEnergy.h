@@ -10,7 +10,7 @@ namespace flattening
 /// For r the ratio of the flat area to the target T, chi = (r + sqrt(epsilon^2 + r^2)) / 2 (r itself for
 /// epsilon = 0), and q the flat triangle's Dirichlet energy on the surface triangle, which is its area
 /// where the two are similar and larger everywhere else:
-///   T ((r - 1)^2 + beta (chi - 1 - log chi) + s log(q / (T chi))).
+///   T ((r - 1)^2 + beta (chi - 1 - log chi) + s log(chi(q / T) / chi)).
 /// The first term asks for the area. The second keeps the face from flipping: without limit for
 /// epsilon = 0. The third, with the shape weight s, asks for the surface triangle's angles; by its
 /// logarithm it lets go of faces that must be stretched far.

@@ -3,14 +3,16 @@
 
 #include "FaceOrientation.h"
 #include "FlippedFaceRepair.h"
+#include "PlanarParts.h"
 #include "RefinementDescent.h"
 #include "RefinementEnergy.h"
+#include "RefinementPatches.h"
 #include "ResolvableAreas.h"
-#include "TransportField.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace flattening
@@ -22,17 +24,21 @@ namespace
 constexpr double LeastTarget = 1e-6;
 // Of the target area: how far the first stage lets faces flip.
 constexpr double FirstEpsilon = 0.1;
-constexpr int FirstStageRounds = 10;
-constexpr int SecondStageRounds = 5;
+constexpr int FirstStageRounds = 16;
+constexpr int SecondStageRounds = 24;
 // More rounds of the first stage where faces remain flipped, and how often.
 constexpr int MoreRounds = 4;
 constexpr int MoreFirstStages = 2;
-// A stage ends when so few faces are off by more than the tolerance, or when a round neither makes them
-// fewer nor the energy smaller by these shares.
+// A stage ends when so few faces are off by more than the tolerance, or when a round does not make them
+// fewer by this share.
 constexpr double AreaTolerance = 0.02;
 constexpr double EnoughShare = 0.003;
-constexpr double LeastProgress = 0.1;
-constexpr double LeastGain = 0.1;
+constexpr double LeastProgress = 0.02;
+// Every other round looks whether regions of so many vertices have their area to this share.
+constexpr int RegionSize = 2000;
+constexpr double RegionAngle = 0.5;
+constexpr double RegionTolerance = 0.01;
+constexpr int RoundsPerBalance = 2;
 // The shape weight without and with AngleWeight (times AngleWeight / (1 - AngleWeight)).
 constexpr double LeastShapeWeight = 1e-3;
 constexpr double ShapeWeightScale = 0.03;
@@ -56,8 +62,9 @@ public:
     , FacesOf(surface.Faces, surface.vertexCount())
     , Unknowns(surface.vertexCount(), map.Domain, map.Loop, map.Corners)
     , Targets(faceTargets.cwiseMax(LeastTarget * faceTargets.mean()))
-    , Energy(surface, this->FacesOf, this->Unknowns, shapeWeight(options))
-    , Descent(this->Energy, this->Unknowns, surface.Faces)
+    , Terms(surface, map.Loop, map.Domain->perimeter(), shapeWeight(options))
+    , Energy(this->Terms, this->FacesOf, this->Unknowns)
+    , Patches(this->Terms, this->FacesOf, this->Unknowns)
     , OnBoundary(surface.vertexCount(), 0)
   {
     this->Targets *= map.Domain->area() / this->Targets.sum();
@@ -67,19 +74,13 @@ public:
     }
   }
 
-  FaceRefinementResult run(const Eigen::VectorXd& masses, const ProgressCallback& progress)
+  FaceRefinementResult run(const ProgressCallback& progress)
   {
-    const Points2 field = transportField(this->Surface.Faces,
-      this->FacesOf,
-      this->Map.Conformal,
-      this->Map.Positions,
-      masses,
-      this->OnBoundary);
-    FlatState state = this->stateAt(field);
+    FlatState state = this->stateAt(this->Map.Positions);
     this->firstStage(state, subrange(progress, 0.0, 0.5));
     if (!this->untangle(state, subrange(progress, 0.5, 0.65)))
     {
-      this->startOver(state, field, subrange(progress, 0.65, 0.7));
+      this->startOver(state, subrange(progress, 0.65, 0.7));
     }
     if (countFlippedFaces(state.Positions, this->Surface.Faces) == 0)
     {
@@ -97,7 +98,7 @@ private:
     Enough,
     AllRounds
   };
-  enum class Patches
+  enum class PatchSizes
   {
     Small,
     Large
@@ -146,15 +147,74 @@ private:
     return static_cast<double>(off) / this->Surface.faceCount();
   }
 
+  Eigen::VectorXd presentTargets(const FlatState& state)
+  {
+    this->Energy.setEnclosed(state);
+    Eigen::VectorXd targets(this->Surface.faceCount());
+    for (int f = 0; f < this->Surface.faceCount(); ++f)
+    {
+      targets[f] = this->Energy.targetOf(f);
+    }
+    return targets;
+  }
+
+  // The largest share by which a region's area is wrong.
+  double imbalance(const FlatState& state, const Eigen::VectorXd& targets) const
+  {
+    const FaceMatrix& faces = this->Surface.Faces;
+    const int n = this->Surface.vertexCount();
+    const Eigen::VectorXd areas = vertexAreas(faces, signedFaceAreas(state.Positions, faces), n);
+    const Eigen::VectorXd wanted = vertexAreas(faces, targets, n);
+    double largest = 0.0;
+    for (const std::vector<int>& region : planarParts(state.Positions, RegionSize, RegionAngle))
+    {
+      double has = 0.0;
+      double wants = 0.0;
+      for (const int v : region)
+      {
+        has += areas[v];
+        wants += wanted[v];
+      }
+      largest = std::max(largest, std::abs(has / wants - 1.0));
+    }
+    return largest;
+  }
+
+  // Area that must travel farther than a patch reaches takes steps of the whole mesh.
+  void balance(FlatState& state, const ProgressCallback& progress)
+  {
+    if (this->imbalance(state, this->presentTargets(state)) < RegionTolerance)
+    {
+      return;
+    }
+    if (!this->Descent)
+    {
+      this->Descent.emplace(this->Energy, this->Unknowns, this->Surface.Faces);
+    }
+    this->Descent->keepOrientation(this->KeepsOrientation);
+    this->Descent->round(state, progress);
+  }
+
   void rounds(FlatState& state, int most, Until until, const ProgressCallback& progress)
   {
     double off = this->offShare(state);
     for (int round = 0; round < most && (off > EnoughShare || until == Until::AllRounds); ++round)
     {
       ++this->Result.Rounds;
-      const double gain = this->Descent.round(state, progress, static_cast<double>(round) / most);
+      const double begin = static_cast<double>(round) / most;
+      const double end = (round + 1.0) / most;
+      const double middle = 0.5 * (begin + end);
+      if (round % RoundsPerBalance == RoundsPerBalance - 1)
+      {
+        this->balance(state, subrange(progress, begin, middle));
+      }
+      RefinementPatches::Pass pass;
+      pass.Targets = this->presentTargets(state);
+      pass.Epsilon = this->KeepsOrientation ? 0.0 : FirstEpsilon;
+      pass.KeepsOrientation = this->KeepsOrientation;
+      const int patches = this->Patches.run(pass, state, subrange(progress, middle, end));
       const double next = this->offShare(state);
-      if (until == Until::Enough && next > (1.0 - LeastProgress) * off && gain < LeastGain)
+      if (patches == 0 || (until == Until::Enough && next > (1.0 - LeastProgress) * off))
       {
         return;
       }
@@ -170,7 +230,7 @@ private:
         ? resolvableAreas(this->Surface.Faces, this->Map.Conformal, this->Map.Positions, this->Targets)
         : this->Targets);
     this->Energy.setEpsilon(FirstEpsilon);
-    this->Descent.keepOrientation(false);
+    this->KeepsOrientation = false;
     this->rounds(state, FirstStageRounds, Until::Enough, progress);
   }
 
@@ -178,7 +238,7 @@ private:
   {
     this->Energy.setTargets(this->Targets);
     this->Energy.setEpsilon(0.0);
-    this->Descent.keepOrientation(true);
+    this->KeepsOrientation = true;
     this->rounds(state, SecondStageRounds, Until::Enough, progress);
   }
 
@@ -191,7 +251,7 @@ private:
     double fraction = 0.0;
     for (int more = 0; more <= MoreFirstStages; ++more)
     {
-      if (this->turnOver(state, Patches::Small, subrange(progress, fraction, fraction + 0.5 * part)))
+      if (this->turnOver(state, PatchSizes::Small, subrange(progress, fraction, fraction + 0.5 * part)))
       {
         return true;
       }
@@ -204,13 +264,13 @@ private:
       }
       fraction += part;
     }
-    if (!this->turnOver(state, Patches::Large, subrange(progress, fraction, 0.95)))
+    if (!this->turnOver(state, PatchSizes::Large, subrange(progress, fraction, 0.95)))
     {
       return false;
     }
     FlatState again = state;
     this->rounds(again, MoreRounds, Until::AllRounds, subrange(progress, 0.95, 0.98));
-    if (this->turnOver(again, Patches::Small, subrange(progress, 0.98, 1.0)))
+    if (this->turnOver(again, PatchSizes::Small, subrange(progress, 0.98, 1.0)))
     {
       state = std::move(again);
     }
@@ -218,11 +278,11 @@ private:
   }
 
   // Leaves the state as it was if faces remain flipped.
-  bool turnOver(FlatState& state, Patches patches, const ProgressCallback& progress)
+  bool turnOver(FlatState& state, PatchSizes patches, const ProgressCallback& progress)
   {
     FlippedFaceOptions options;
     options.AreaWeight = RepairAreaWeight;
-    if (patches == Patches::Large)
+    if (patches == PatchSizes::Large)
     {
       const int share = static_cast<int>(LargestPatchShare * this->Surface.vertexCount());
       options.LargestPatch = std::max(options.LargestPatch, share);
@@ -246,10 +306,10 @@ private:
 
   // The points between two monotone maps are a monotone map: what is flipped is so by a little only, and
   // less the nearer to the conformal map.
-  void startOver(FlatState& state, const Points2& field, const ProgressCallback& progress)
+  void startOver(FlatState& state, const ProgressCallback& progress)
   {
     const FlatState conformal = this->stateAt(this->Map.OnDomain);
-    const FlatState transported = this->stateAt(field);
+    const FlatState transported = this->stateAt(this->Map.Positions);
     const double turn = this->Unknowns.domain().perimeter();
     const double apart = transported.Places[0] - conformal.Places[0];
     const double shift = -turn * std::round(apart / turn);
@@ -266,7 +326,7 @@ private:
       {
         between.Positions.row(this->Map.Loop[k]) = this->Unknowns.domain().at(between.Places[k]);
       }
-      if (this->turnOver(between, Patches::Large, subrange(progress, begin, fraction)))
+      if (this->turnOver(between, PatchSizes::Large, subrange(progress, begin, fraction)))
       {
         state = std::move(between);
         this->Result.StartShare = share;
@@ -280,8 +340,11 @@ private:
   VertexFaces FacesOf;
   FlatUnknowns Unknowns;
   Eigen::VectorXd Targets;
+  RefinementTerms Terms;
   RefinementEnergy Energy;
-  RefinementDescent Descent;
+  RefinementPatches Patches;
+  std::optional<RefinementDescent> Descent; // of the whole mesh
+  bool KeepsOrientation = true;
   std::vector<char> OnBoundary;
   FaceRefinementResult Result;
 };
@@ -291,12 +354,11 @@ private:
 FaceRefinementResult refineFaces(const TriangleMesh& surface,
   const TransportedMap& map,
   const Eigen::VectorXd& faceTargets,
-  const Eigen::VectorXd& masses,
   const FaceRefinementOptions& options,
   const ProgressCallback& progress)
 {
   Refinement refinement(surface, map, faceTargets, options);
-  return refinement.run(masses, progress);
+  return refinement.run(progress);
 }
 
 } // namespace flattening

@@ -34,7 +34,7 @@ struct TransportedMap
 struct FaceRefinementResult
 {
   Points2 Positions;
-  int Rounds = 0;        ///< each is one factorization and a few steps
+  int Rounds = 0;        ///< each is a pass over the patches whose faces are not right yet
   int RepairedFaces = 0; ///< that were flipped between the two stages, and no longer are
   /// Share of the way from the conformal to the transported map at which a map without flipped faces was
   /// found to begin with again; 1: that was not necessary.
@@ -45,19 +45,18 @@ struct FaceRefinementResult
   bool Bijective = false;
 };
 
-/// Starts from the smooth map through the transported centroids (transportField). The first stage
-/// minimises the energy (RefinementEnergy) with faces free to flip, which converges fast. Then the few
-/// flipped faces are turned over (repairFlippedFaces); the second stage ends every step before a face
-/// flips. Should faces be left that cannot be turned over, the second stage starts from as far along the
-/// way from the conformal map as no face is flipped.
-/// @p faceTargets (m, >= 0) are the areas that the faces should have, up to a common factor; @p masses
-/// (n, > 0) those of the vertices. The errors that are left are not in the result: see
-/// measureDistortion().
+/// Minimises the energy (RefinementEnergy) in patches of the mesh (RefinementPatches), and where whole
+/// regions have too much area or too little, in steps of the whole mesh as well (RefinementDescent). In
+/// the first stage faces are free to flip, which converges fast. Then the few flipped faces are turned
+/// over (repairFlippedFaces); the second stage ends every step before a face flips. Should faces be left
+/// that cannot be turned over, the second stage starts from as far along the way from the conformal map
+/// as no face is flipped.
+/// @p faceTargets (m, >= 0) are the areas that the faces should have, up to a common factor. The errors
+/// that are left are not in the result: see measureDistortion().
 /// @throws ConvergenceError, Cancelled.
 FaceRefinementResult refineFaces(const TriangleMesh& surface,
   const TransportedMap& map,
   const Eigen::VectorXd& faceTargets,
-  const Eigen::VectorXd& masses,
   const FaceRefinementOptions& options = {},
   const ProgressCallback& progress = {});
 

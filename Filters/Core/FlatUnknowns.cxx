@@ -20,19 +20,34 @@ FlatUnknowns::FlatUnknowns(int vertexCount,
   const std::vector<int>& corners)
   : Domain(std::move(domain))
   , Loop(std::move(loop))
-  , Member(vertexCount, -1)
-  , First(vertexCount + 1, 0)
 {
-  for (std::size_t k = 0; k < this->Loop.size(); ++k)
-  {
-    this->Member[this->Loop[k]] = static_cast<int>(k);
-  }
   std::vector<char> stays(vertexCount, 0);
   for (const int member : corners)
   {
     stays[this->Loop[member]] = 1;
   }
-  for (int v = 0; v < vertexCount; ++v)
+  this->number(stays);
+}
+
+FlatUnknowns::FlatUnknowns(std::shared_ptr<const ConvexDomain> domain,
+  std::vector<int> members,
+  const std::vector<char>& stays)
+  : Domain(std::move(domain))
+  , Loop(std::move(members))
+{
+  this->number(stays);
+}
+
+void FlatUnknowns::number(const std::vector<char>& stays)
+{
+  const std::size_t vertices = stays.size();
+  this->Member.assign(vertices, -1);
+  for (std::size_t k = 0; k < this->Loop.size(); ++k)
+  {
+    this->Member[this->Loop[k]] = static_cast<int>(k);
+  }
+  this->First.assign(vertices + 1, 0);
+  for (std::size_t v = 0; v < vertices; ++v)
   {
     const int own = stays[v] ? 0 : this->Member[v] >= 0 ? 1 : 2;
     this->First[v + 1] = this->First[v] + own;

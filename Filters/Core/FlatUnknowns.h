@@ -28,6 +28,11 @@ public:
     std::shared_ptr<const ConvexDomain> domain,
     std::vector<int> loop,
     const std::vector<int>& corners);
+  /// Of a part of a map: @p members are those of its vertices that lie on the boundary, in order, and
+  /// @p stays says of each of its vertices (1) that it does not move.
+  FlatUnknowns(std::shared_ptr<const ConvexDomain> domain,
+    std::vector<int> members,
+    const std::vector<char>& stays);
 
   int vertexCount() const { return static_cast<int>(this->Member.size()); }
   int count() const { return this->First.back(); }
@@ -35,9 +40,11 @@ public:
   int countOf(int vertex) const { return this->First[vertex + 1] - this->First[vertex]; }
 
   const ConvexDomain& domain() const { return *this->Domain; }
+  const std::shared_ptr<const ConvexDomain>& sharedDomain() const { return this->Domain; }
   const std::vector<int>& loop() const { return this->Loop; }
   /// The unknown of a member of the loop; -1 if it stays.
   int unknownOfMember(int member) const;
+  int memberOf(int vertex) const { return this->Member[vertex]; } ///< -1 inside
 
   /// By the unknowns of a vertex, which move it: column k for unknown k, 0 where there is none.
   Eigen::Matrix2d directions(const FlatState& state, int vertex) const;
@@ -46,6 +53,8 @@ public:
   FlatState moved(const FlatState& state, const Eigen::VectorXd& step, double length) const;
 
 private:
+  void number(const std::vector<char>& stays);
+
   std::shared_ptr<const ConvexDomain> Domain;
   std::vector<int> Loop;
   std::vector<int> Member; // per vertex: its index in the loop, or -1

@@ -26,13 +26,19 @@ constexpr double FirstDamping = 1e-5;
 constexpr double LeastDamping = 1e-7;
 constexpr double LessDamping = 0.3;
 constexpr double MoreDamping = 4.0;
+// Where the matrix is indefinite.
+constexpr double RescueDamping = 100.0;
+constexpr int FactorTrials = 5;
 // Of the product of two lengths: below, an update has no positive curvature.
 constexpr double LeastCurvature = 1e-12;
 constexpr int PerTask = 4096;
 
 // The mesh's own order, found on one unknown per vertex and expanded, in a quarter of the time.
-EliminationOrder expandedOrder(const FaceMatrix& faces, const FlatUnknowns& unknowns, int vertexCount)
+EliminationOrder expandedOrder(const FaceMatrix& faces,
+  const FlatUnknowns& unknowns,
+  SparseCholesky::Ordering ordering)
 {
+  const int vertexCount = unknowns.vertexCount();
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(3 * faces.rows() + vertexCount);
   for (int v = 0; v < vertexCount; ++v)
@@ -52,7 +58,7 @@ EliminationOrder expandedOrder(const FaceMatrix& faces, const FlatUnknowns& unkn
   pattern.setFromTriplets(entries.begin(), entries.end());
   EliminationOrder order;
   order.Fill = std::numeric_limits<double>::infinity();
-  for (const int v : SparseCholesky::orderOf(pattern, SparseCholesky::Ordering::Thorough).Unknowns)
+  for (const int v : SparseCholesky::orderOf(pattern, ordering).Unknowns)
   {
     for (int k = 0; k < unknowns.countOf(v); ++k)
     {
@@ -92,38 +98,51 @@ double crossProduct(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 
 RefinementDescent::RefinementDescent(RefinementEnergy& energy,
   const FlatUnknowns& unknowns,
-  const FaceMatrix& faces)
+  const FaceMatrix& faces,
+  SparseCholesky::Kernel kernel)
   : Energy(energy)
   , Unknowns(unknowns)
   , Faces(faces)
-  , Cholesky(expandedOrder(faces, unknowns, unknowns.vertexCount()))
+  , Cholesky(expandedOrder(faces,
+               unknowns,
+               kernel == SparseCholesky::Kernel::Blocks ? SparseCholesky::Ordering::Thorough
+                                                        : SparseCholesky::Ordering::Quick),
+      kernel)
   , Damping(FirstDamping)
 {
 }
 
+// With more damping where slivers leave the last digits of the matrix indefinite.
 void RefinementDescent::factorise(const FlatState& state)
 {
   SparseMatrix matrix = this->Energy.hessian(state);
-  for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+  double added = 0.0;
+  for (int trial = 0; trial < FactorTrials; ++trial)
   {
-    matrix.valuePtr()[matrix.outerIndexPtr()[column]] += this->Damping; // the diagonal comes first
+    for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+    {
+      matrix.valuePtr()[matrix.outerIndexPtr()[column]] +=
+        this->Damping - added; // the diagonal is first
+    }
+    added = this->Damping;
+    if (this->Analysed)
+    {
+      this->Cholesky.recompute(matrix);
+    }
+    else
+    {
+      this->Cholesky.compute(matrix);
+      this->Analysed = true;
+    }
+    if (this->Cholesky.info() == Eigen::Success)
+    {
+      this->Updates.clear();
+      return;
+    }
+    this->Damping *= RescueDamping;
   }
-  if (this->Analysed)
-  {
-    this->Cholesky.recompute(matrix);
-  }
-  else
-  {
-    this->Cholesky.compute(matrix);
-    this->Analysed = true;
-  }
-  if (this->Cholesky.info() != Eigen::Success)
-  {
-    throw ConvergenceError(
-      "the system of the face refinement cannot be factored: slivers set a floor in "
-      "double precision; remesh the surface (Surface To Disk, Remesh)");
-  }
-  this->Updates.clear();
+  throw ConvergenceError("the system of the face refinement cannot be factored: slivers set a floor in "
+                         "double precision; remesh the surface (Surface To Disk, Remesh)");
 }
 
 // The two loops of L-BFGS.
@@ -186,16 +205,15 @@ double RefinementDescent::lengthToFlip(const FlatState& state, const Eigen::Vect
   return *std::min_element(parts.begin(), parts.end());
 }
 
-double RefinementDescent::round(FlatState& state, const ProgressCallback& progress, double fraction)
+double RefinementDescent::round(FlatState& state, const ProgressCallback& progress)
 {
-  this->Energy.setEnclosed(state);
   Eigen::VectorXd gradient;
   const double before = this->Energy.gradient(state, gradient);
   this->factorise(state);
   double energy = before;
   for (int k = 0; k <= QuasiNewtonSteps; ++k)
   {
-    report(progress, fraction, "Face refinement");
+    report(progress, (k + 0.5) / (QuasiNewtonSteps + 1.0), "Face refinement");
     const Eigen::VectorXd step = this->direction(gradient);
     const double slope = gradient.dot(step);
     if (!(slope < 0.0))

@@ -17,14 +17,17 @@ namespace flattening
 class RefinementDescent
 {
 public:
-  RefinementDescent(RefinementEnergy& energy, const FlatUnknowns& unknowns, const FaceMatrix& faces);
+  RefinementDescent(RefinementEnergy& energy,
+    const FlatUnknowns& unknowns,
+    const FaceMatrix& faces,
+    SparseCholesky::Kernel kernel = SparseCholesky::Kernel::Blocks);
 
   /// Whether steps end before the first face is flipped. All faces must be positive then.
   void keepOrientation(bool keep) { this->KeepsOrientation = keep; }
 
   /// Makes the steps. Returns the share of the energy that it fell by; 0 if no step could be made.
   /// @throws Cancelled, ConvergenceError if the system cannot be factored.
-  double round(FlatState& state, const ProgressCallback& progress, double fraction);
+  double round(FlatState& state, const ProgressCallback& progress = {});
 
 private:
   void factorise(const FlatState& state);

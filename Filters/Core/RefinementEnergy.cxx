@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "RefinementEnergy.h"
 
-#include <Eigen/Geometry>
-
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -15,9 +13,6 @@ namespace
 {
 
 constexpr int PerTask = 2048;
-// Altitude over the longest side below which a face's angles count less, and where they are opened to.
-constexpr double SliverAltitude = 0.1;
-constexpr double LeastAltitude = 1e-4;
 // Of the bound of the areas' second derivative: half of it converges twice as fast and is enough.
 constexpr double BoundShare = 0.5;
 // What the order of the boundary counts against areas, by the square of a gap.
@@ -65,53 +60,15 @@ struct RefinementEnergy::FlatFace
   Eigen::Vector2d areaSlope(int corner) const { return 0.5 * quarterTurn(this->Sides[corner]); }
 };
 
-RefinementEnergy::RefinementEnergy(const TriangleMesh& surface,
+RefinementEnergy::RefinementEnergy(const RefinementTerms& terms,
   const VertexFaces& facesOf,
-  const FlatUnknowns& unknowns,
-  double shapeWeight)
-  : Faces(surface.Faces)
+  const FlatUnknowns& unknowns)
+  : Terms(terms)
   , FacesOf(facesOf)
   , Unknowns(unknowns)
   , Energy(FaceAreaEnergy::Options())
-  , Cotangents(surface.faceCount(), 3)
-  , ShapeWeights(surface.faceCount())
-  , GapShares(static_cast<Eigen::Index>(unknowns.loop().size()))
-  , Values(surface.faceCount())
+  , Values(terms.Faces.rows())
 {
-  for (int f = 0; f < surface.faceCount(); ++f)
-  {
-    Eigen::Vector3d corners[3];
-    for (int k = 0; k < 3; ++k)
-    {
-      corners[k] = surface.Vertices.row(surface.Faces(f, k));
-    }
-    double longest2 = 0.0;
-    for (int k = 0; k < 3; ++k)
-    {
-      longest2 = std::max(longest2, (corners[(k + 1) % 3] - corners[k]).squaredNorm());
-    }
-    const double twiceArea = (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
-    const double altitude = longest2 > 0.0 ? twiceArea / longest2 : 0.0;
-    for (int k = 0; k < 3; ++k)
-    {
-      const double cosine = (corners[(k + 1) % 3] - corners[k]).dot(corners[(k + 2) % 3] - corners[k]);
-      this->Cotangents(f, k) =
-        longest2 > 0.0 ? cosine / std::max(twiceArea, LeastAltitude * longest2) : 0.0;
-    }
-    const double share = std::min(1.0, altitude / SliverAltitude);
-    this->ShapeWeights[f] = shapeWeight * share * share;
-  }
-  const std::vector<int>& loop = unknowns.loop();
-  for (std::size_t k = 0; k < loop.size(); ++k)
-  {
-    const int next = loop[(k + 1) % loop.size()];
-    this->GapShares[k] = (surface.Vertices.row(next) - surface.Vertices.row(loop[k])).norm();
-  }
-  // A gap of no length on the surface gets a little all the same.
-  const double least = 1e-3 * this->GapShares.mean();
-  this->GapShares = this->GapShares.cwiseMax(least);
-  this->GapShares *= unknowns.domain().perimeter() / this->GapShares.sum();
-  this->findPattern();
 }
 
 void RefinementEnergy::setEpsilon(double epsilon)
@@ -139,14 +96,14 @@ RefinementEnergy::FlatFace RefinementEnergy::flatFace(const Points2& positions, 
   Eigen::Vector2d corners[3];
   for (int k = 0; k < 3; ++k)
   {
-    corners[k] = positions.row(this->Faces(face, k));
+    corners[k] = positions.row(this->Terms.Faces(face, k));
   }
   FlatFace flat;
   flat.Dirichlet = 0.0;
   for (int k = 0; k < 3; ++k)
   {
     flat.Sides[k] = corners[(k + 2) % 3] - corners[(k + 1) % 3];
-    flat.Dirichlet += 0.25 * this->Cotangents(face, k) * flat.Sides[k].squaredNorm();
+    flat.Dirichlet += 0.25 * this->Terms.Cotangents(face, k) * flat.Sides[k].squaredNorm();
   }
   flat.Area = 0.5 * (flat.Sides[2].y() * flat.Sides[1].x() - flat.Sides[2].x() * flat.Sides[1].y());
   return flat;
@@ -155,45 +112,43 @@ RefinementEnergy::FlatFace RefinementEnergy::flatFace(const Points2& positions, 
 FaceAreaEnergy::Value RefinementEnergy::faceValue(const FlatFace& flat, int face) const
 {
   return this->Energy.value(
-    flat.Area, this->Scale * this->Targets[face], flat.Dirichlet, this->ShapeWeights[face]);
+    flat.Area, this->Scale * this->Targets[face], flat.Dirichlet, this->Terms.ShapeWeights[face]);
 }
 
 double RefinementEnergy::gapValue(const FlatState& state,
-  std::size_t member,
+  const BoundaryGap& gap,
   double& slope,
   double& curvature) const
 {
-  const std::size_t next = (member + 1) % this->Unknowns.loop().size();
-  const double gap =
-    state.Places[next] - state.Places[member] + (next == 0 ? this->Unknowns.domain().perimeter() : 0.0);
-  const double share = this->GapShares[member];
-  const double weight = GapWeight * share * share;
-  const double rho = gap / share;
+  const double turn = gap.Second < gap.First ? this->Unknowns.domain().perimeter() : 0.0;
+  const double length = state.Places[gap.Second] - state.Places[gap.First] + turn;
+  const double weight = GapWeight * gap.Share * gap.Share;
+  const double rho = length / gap.Share;
   if (!(rho > 0.0))
   {
     return std::numeric_limits<double>::infinity();
   }
-  slope = weight * (1.0 - 1.0 / rho) / share;
-  curvature = weight / (rho * rho * share * share);
+  slope = weight * (1.0 - 1.0 / rho) / gap.Share;
+  curvature = weight / (rho * rho * gap.Share * gap.Share);
   return weight * (rho - 1.0 - std::log(rho));
 }
 
 double RefinementEnergy::value(const FlatState& state) const
 {
-  double sum = orderedSum(static_cast<int>(this->Faces.rows()),
+  double sum = orderedSum(static_cast<int>(this->Terms.Faces.rows()),
     [&](int f) { return this->faceValue(this->flatFace(state.Positions, f), f).Energy; });
-  for (std::size_t k = 0; k < this->Unknowns.loop().size(); ++k)
+  for (const BoundaryGap& gap : this->Terms.Gaps)
   {
     double slope;
     double curvature;
-    sum += this->gapValue(state, k, slope, curvature);
+    sum += this->gapValue(state, gap, slope, curvature);
   }
   return sum;
 }
 
 double RefinementEnergy::gradient(const FlatState& state, Eigen::VectorXd& gradient)
 {
-  double sum = orderedSum(static_cast<int>(this->Faces.rows()),
+  double sum = orderedSum(static_cast<int>(this->Terms.Faces.rows()),
     [&](int f)
     {
       this->Values[f] = this->faceValue(this->flatFace(state.Positions, f), f);
@@ -209,11 +164,12 @@ double RefinementEnergy::gradient(const FlatState& state, Eigen::VectorXd& gradi
         for (const int f : this->FacesOf[v])
         {
           const FlatFace flat = this->flatFace(state.Positions, f);
-          const int k = this->Faces(f, 0) == v ? 0 : this->Faces(f, 1) == v ? 1 : 2;
+          const int k = this->Terms.Faces(f, 0) == v ? 0 : this->Terms.Faces(f, 1) == v ? 1 : 2;
           const int next = (k + 1) % 3;
           const int last = (k + 2) % 3;
-          const Eigen::Vector2d byDirichlet = 0.5 * (this->Cotangents(f, next) * flat.Sides[next] -
-                                                      this->Cotangents(f, last) * flat.Sides[last]);
+          const Eigen::Vector2d byDirichlet =
+            0.5 * (this->Terms.Cotangents(f, next) * flat.Sides[next] -
+                    this->Terms.Cotangents(f, last) * flat.Sides[last]);
           slope +=
             this->Values[f].ByArea * flat.areaSlope(k) + this->Values[f].ByDirichlet * byDirichlet;
         }
@@ -222,14 +178,13 @@ double RefinementEnergy::gradient(const FlatState& state, Eigen::VectorXd& gradi
           own.head(this->Unknowns.countOf(v));
       }
     });
-  const std::size_t members = this->Unknowns.loop().size();
-  for (std::size_t k = 0; k < members; ++k)
+  for (const BoundaryGap& gap : this->Terms.Gaps)
   {
     double slope = 0.0;
     double curvature;
-    sum += this->gapValue(state, k, slope, curvature);
-    const int own = this->Unknowns.unknownOfMember(static_cast<int>(k));
-    const int next = this->Unknowns.unknownOfMember(static_cast<int>((k + 1) % members));
+    sum += this->gapValue(state, gap, slope, curvature);
+    const int own = this->Unknowns.unknownOfMember(gap.First);
+    const int next = this->Unknowns.unknownOfMember(gap.Second);
     if (own >= 0)
     {
       gradient[own] -= slope;
@@ -244,7 +199,8 @@ double RefinementEnergy::gradient(const FlatState& state, Eigen::VectorXd& gradi
 
 Eigen::VectorXd RefinementEnergy::areaRatios(const FlatState& state) const
 {
-  return signedFaceAreas(state.Positions, this->Faces).array() / (this->Scale * this->Targets.array());
+  return signedFaceAreas(state.Positions, this->Terms.Faces).array() /
+         (this->Scale * this->Targets.array());
 }
 
 // The columns of a vertex hold its own block and those of its neighbours of higher number.
@@ -254,7 +210,7 @@ void RefinementEnergy::findPattern()
   const Eigen::Index vertices = this->FacesOf.vertexCount();
   std::vector<int> starts(n + 1, 0);
   std::vector<int> rows;
-  this->Rows.assign(9 * this->Faces.rows(), -1);
+  this->Rows.assign(9 * this->Terms.Faces.rows(), -1);
   std::vector<int> neighbours;
   for (int v = 0; v < vertices; ++v)
   {
@@ -263,7 +219,7 @@ void RefinementEnergy::findPattern()
     {
       for (int k = 0; k < 3; ++k)
       {
-        neighbours.push_back(this->Faces(f, k));
+        neighbours.push_back(this->Terms.Faces(f, k));
       }
     }
     std::sort(neighbours.begin(), neighbours.end());
@@ -285,12 +241,12 @@ void RefinementEnergy::findPattern()
     };
     for (const int f : this->FacesOf[v])
     {
-      const int k = this->Faces(f, 0) == v ? 0 : this->Faces(f, 1) == v ? 1 : 2;
+      const int k = this->Terms.Faces(f, 0) == v ? 0 : this->Terms.Faces(f, 1) == v ? 1 : 2;
       for (int j = 0; j < 3; ++j)
       {
-        if (this->Faces(f, j) >= v)
+        if (this->Terms.Faces(f, j) >= v)
         {
-          this->Rows[9 * f + 3 * k + j] = before(this->Faces(f, j));
+          this->Rows[9 * f + 3 * k + j] = before(this->Terms.Faces(f, j));
         }
       }
     }
@@ -320,7 +276,7 @@ void RefinementEnergy::findPattern()
 Eigen::Matrix2d RefinementEnergy::block(const FlatFace& flat, int face, int a, int b) const
 {
   const FaceAreaEnergy::Value& value = this->Values[face];
-  const auto positive = [&](int corner) { return std::max(0.0, this->Cotangents(face, corner)); };
+  const auto positive = [&](int corner) { return std::max(0.0, this->Terms.Cotangents(face, corner)); };
   const double laplacian =
     a == b ? 0.5 * (positive((a + 1) % 3) + positive((a + 2) % 3)) : -0.5 * positive(3 - a - b);
   const double spread = value.ByDirichlet + BoundShare * std::abs(value.ByArea);
@@ -342,11 +298,11 @@ void RefinementEnergy::addVertexBlocks(const FlatState& state, int vertex)
   for (const int f : this->FacesOf[vertex])
   {
     const FlatFace flat = this->flatFace(state.Positions, f);
-    const int k = this->Faces(f, 0) == vertex ? 0 : this->Faces(f, 1) == vertex ? 1 : 2;
+    const int k = this->Terms.Faces(f, 0) == vertex ? 0 : this->Terms.Faces(f, 1) == vertex ? 1 : 2;
     for (int j = 0; j < 3; ++j)
     {
       const int row = this->Rows[9 * f + 3 * k + j];
-      const int other = this->Faces(f, j);
+      const int other = this->Terms.Faces(f, j);
       if (row < 0)
       {
         continue;
@@ -367,6 +323,10 @@ void RefinementEnergy::addVertexBlocks(const FlatState& state, int vertex)
 
 const SparseMatrix& RefinementEnergy::hessian(const FlatState& state)
 {
+  if (this->Rows.empty())
+  {
+    this->findPattern();
+  }
   tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(state.Positions.rows()), PerTask),
     [&](const tbb::blocked_range<int>& range)
     {
@@ -375,14 +335,13 @@ const SparseMatrix& RefinementEnergy::hessian(const FlatState& state)
         this->addVertexBlocks(state, v);
       }
     });
-  const std::size_t members = this->Unknowns.loop().size();
-  for (std::size_t k = 0; k < members; ++k)
+  for (const BoundaryGap& gap : this->Terms.Gaps)
   {
     double slope = 0.0;
     double curvature = 0.0;
-    this->gapValue(state, k, slope, curvature);
-    const int a = this->Unknowns.unknownOfMember(static_cast<int>(k));
-    const int b = this->Unknowns.unknownOfMember(static_cast<int>((k + 1) % members));
+    this->gapValue(state, gap, slope, curvature);
+    const int a = this->Unknowns.unknownOfMember(gap.First);
+    const int b = this->Unknowns.unknownOfMember(gap.Second);
     for (const int own : { a, b })
     {
       if (own >= 0)

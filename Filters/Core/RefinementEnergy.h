@@ -4,6 +4,7 @@
 
 #include "FaceAreaEnergy.h"
 #include "FlatUnknowns.h"
+#include "RefinementTerms.h"
 #include "SparseCholesky.h"
 #include "VertexFaces.h"
 
@@ -18,12 +19,10 @@ namespace flattening
 class RefinementEnergy
 {
 public:
-  /// @p shapeWeight >= 0 is that of faces which are no slivers. The arguments but @p shapeWeight must
-  /// live as long as this does.
-  RefinementEnergy(const TriangleMesh& surface,
+  /// @p facesOf of the terms' faces. The arguments must live as long as this does.
+  RefinementEnergy(const RefinementTerms& terms,
     const VertexFaces& facesOf,
-    const FlatUnknowns& unknowns,
-    double shapeWeight);
+    const FlatUnknowns& unknowns);
 
   /// @p targets (m, > 0) sum up to what the boundary is taken to enclose; see setEnclosed().
   void setTargets(const Eigen::VectorXd& targets) { this->Targets = targets; }
@@ -31,6 +30,7 @@ public:
   void setEpsilon(double epsilon);
   /// The targets are scaled to the area that the boundary of @p state encloses.
   void setEnclosed(const FlatState& state);
+  double targetOf(int face) const { return this->Scale * this->Targets[face]; }
 
   double value(const FlatState& state) const;
   /// Returns the value.
@@ -48,20 +48,20 @@ private:
   struct FlatFace;
   FlatFace flatFace(const Points2& positions, int face) const;
   FaceAreaEnergy::Value faceValue(const FlatFace& flat, int face) const;
-  double gapValue(const FlatState& state, std::size_t member, double& slope, double& curvature) const;
+  double gapValue(const FlatState& state,
+    const BoundaryGap& gap,
+    double& slope,
+    double& curvature) const;
   Eigen::Matrix2d block(const FlatFace& flat, int face, int a, int b) const;
   void findPattern();
   void addVertexBlocks(const FlatState& state, int vertex);
 
-  const FaceMatrix& Faces;
+  const RefinementTerms& Terms;
   const VertexFaces& FacesOf;
   const FlatUnknowns& Unknowns;
   FaceAreaEnergy Energy;
-  Eigen::MatrixX3d Cotangents;  // of the surface's angles; those of slivers are opened
-  Eigen::VectorXd ShapeWeights; // per face
   Eigen::VectorXd Targets;
   double Scale = 1.0;
-  Eigen::VectorXd GapShares;                 // per member of the loop: of the gap after it, in places
   std::vector<FaceAreaEnergy::Value> Values; // of the last gradient
   SparseMatrix Hessian;
   std::vector<int> Rows; // per face and ordered pair of its corners: the block's first row in its column

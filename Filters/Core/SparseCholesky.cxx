@@ -11,6 +11,11 @@ constexpr double GreatestGrowth = 1.15;
 
 } // namespace
 
+std::unique_ptr<BlasLock> SparseCholesky::turn() const
+{
+  return this->UsesBlas ? std::make_unique<BlasLock>() : nullptr;
+}
+
 // Analyses the pattern in the order that is known. False if that order does not serve.
 bool SparseCholesky::reuseOrder(const SparseMatrix& matrix)
 {
@@ -65,7 +70,7 @@ EliminationOrder SparseCholesky::orderOf(const SparseMatrix& pattern, Ordering o
 
 SparseCholesky& SparseCholesky::recompute(const SparseMatrix& matrix)
 {
-  const BlasLock lock;
+  const std::unique_ptr<BlasLock> lock = this->turn();
   this->factorize(matrix);
   return *this;
 }
@@ -76,7 +81,7 @@ SparseCholesky& SparseCholesky::compute(const SparseMatrix& matrix)
   {
     this->findOrder(matrix);
   }
-  const BlasLock lock;
+  const std::unique_ptr<BlasLock> lock = this->turn();
   this->factorize(matrix);
   return *this;
 }

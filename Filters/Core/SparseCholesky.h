@@ -7,6 +7,7 @@
 #include <Eigen/CholmodSupport>
 #include <Eigen/SparseCore>
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,7 @@ struct EliminationOrder
 /// patterns change little, as Newton's method makes them: the order of elimination, which takes about as
 /// long to find as the factors do, is kept as long as it serves. May be used in several threads at once,
 /// which wait for each other (BlasLock).
+/// Kernel::Entries does without BLAS and without waiting.
 class SparseCholesky : public Eigen::CholmodDecomposition<SparseMatrix, Eigen::Lower>
 {
 public:
@@ -35,6 +37,13 @@ public:
   {
     Quick,
     Thorough
+  };
+
+  /// Blocks of columns, or entry by entry, which is as fast for some thousands of unknowns.
+  enum class Kernel
+  {
+    Blocks,
+    Entries
   };
 
   explicit SparseCholesky(Ordering ordering = Ordering::Thorough)
@@ -51,10 +60,18 @@ public:
 
   /// An order to begin with, that of a matrix of nearly the same pattern. Rows and fill are this
   /// matrix's.
-  explicit SparseCholesky(EliminationOrder order)
+  explicit SparseCholesky(EliminationOrder order, Kernel kernel = Kernel::Blocks)
     : Search(Ordering::Quick)
     , Order(std::move(order))
+    , UsesBlas(kernel == Kernel::Blocks)
   {
+    if (kernel == Kernel::Entries)
+    {
+      this->cholmod().final_asis = 0;
+      this->cholmod().final_ll = 1;
+      this->cholmod().supernodal = CHOLMOD_SIMPLICIAL;
+      this->cholmod().print = 0;
+    }
   }
 
   SparseCholesky& compute(const SparseMatrix& matrix);
@@ -73,7 +90,7 @@ public:
   template <typename Derived>
   typename Derived::PlainObject solve(const Eigen::MatrixBase<Derived>& rightSide) const
   {
-    const BlasLock lock;
+    const std::unique_ptr<BlasLock> lock = this->turn();
     return Base::solve(rightSide);
   }
 
@@ -82,8 +99,11 @@ private:
   bool reuseOrder(const SparseMatrix& matrix);
   void findOrder(const SparseMatrix& matrix);
 
+  std::unique_ptr<BlasLock> turn() const; // to use BLAS, if this does
+
   Ordering Search;
   EliminationOrder Order; // with the fill of the matrix that it was found for
+  bool UsesBlas = true;
 };
 
 } // namespace flattening

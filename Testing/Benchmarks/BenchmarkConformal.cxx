@@ -112,7 +112,9 @@ int main(int argc, char** argv)
     "other half, raw", [scan] { return benchmarks::otherHalfBrain(scan); }, 1);
   add("whole brain, closed", [scan] { return benchmarks::closedBrain(scan); });
   add(
-    "half brain, a million", [scan] { return benchmarks::subdividedHalfBrain(scan, 2); }, 1);
+    "half brain, a million",
+    [scan] { return benchmarks::subdivided(benchmarks::halfBrain(scan), 2); },
+    1);
   add(
     "whole brain, 0.5 mm", [fineScan] { return benchmarks::fineBrain(fineScan); }, 1);
   benchmark::RunSpecifiedBenchmarks();

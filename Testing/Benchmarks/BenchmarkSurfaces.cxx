@@ -146,9 +146,13 @@ BenchmarkSurface remeshedBrain(const std::string& scan)
   return asDisk(brainSurface(scan), 1.47, 0.0075);
 }
 
-BenchmarkSurface subdividedHalfBrain(const std::string& scan, int times)
+BenchmarkSurface brainWithResolvedHole(const std::string& scan)
 {
-  const BenchmarkSurface coarse = half(scan, 0.0);
+  return asDisk(brainSurface(scan), 0.0, 0.0075);
+}
+
+BenchmarkSurface subdivided(const BenchmarkSurface& coarse, int times)
+{
   vtkNew<vtkLinearSubdivisionFilter> subdivision;
   subdivision->SetInputData(polyDataOf(coarse.Mesh));
   subdivision->SetNumberOfSubdivisions(times);

@@ -35,7 +35,9 @@ BenchmarkSurface remeshedHalfBrain(const std::string& scan);
 /// The brain in @p scan (`ch2better.nii.gz`: 0.5 mm, skull-stripped), smoothed by one voxel, isovalue
 /// 60, its 120 handles removed, opened at a hole: a million vertices too, with long narrow parts.
 BenchmarkSurface fineBrain(const std::string& scan);
-/// halfBrain with each of its faces split in four, @p times over; twice: a million vertices.
-BenchmarkSurface subdividedHalfBrain(const std::string& scan, int times);
+/// The closed brain as it came, the hole 0.75 % of its area.
+BenchmarkSurface brainWithResolvedHole(const std::string& scan);
+/// Each face split in four, @p times over; the half brain twice: a million vertices.
+BenchmarkSurface subdivided(const BenchmarkSurface& coarse, int times);
 
 } // namespace flattening::benchmarks

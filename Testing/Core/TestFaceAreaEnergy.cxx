@@ -32,6 +32,18 @@ TEST(FaceAreaEnergy, IsInfiniteForAFlippedFaceUnlessEpsilonIsPositive)
   EXPECT_TRUE(std::isfinite(energyOf(0.1).value(-50.0, 1.0, 50.0, 0.01).Energy));
 }
 
+// However much shape counts: the logarithms of both its sizes are smoothed alike.
+TEST(FaceAreaEnergy, AFaceDoesNotGainByShrinkingToAPoint)
+{
+  for (const double shape : { 0.01, 0.3, 3.0 })
+  {
+    for (const double size : { 1e-2, 1e-4, 1e-8, 0.0 })
+    {
+      EXPECT_GT(energyOf(0.1).value(size, 1.0, size, shape).Energy, 0.9) << shape << " " << size;
+    }
+  }
+}
+
 TEST(FaceAreaEnergy, DerivativesMatchDifferences)
 {
   constexpr double target = 0.3;

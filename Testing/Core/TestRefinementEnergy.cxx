@@ -22,7 +22,8 @@ protected:
     , FacesOf(Mesh.Faces, Mesh.vertexCount())
     , Loop(requireDisk(Mesh))
     , Unknowns(Mesh.vertexCount(), std::make_shared<UnitDisk>(), Loop, { 0 })
-    , Energy(Mesh, FacesOf, Unknowns, 0.01)
+    , Terms(Mesh, Loop, Unknowns.domain().perimeter(), 0.01)
+    , Energy(Terms, FacesOf, Unknowns)
   {
     const Eigen::VectorXd areas = faceAreas(Mesh.Vertices, Mesh.Faces);
     this->Energy.setTargets(areas * (EIGEN_PI / areas.sum()));
@@ -57,6 +58,7 @@ protected:
   VertexFaces FacesOf;
   std::vector<int> Loop;
   FlatUnknowns Unknowns;
+  RefinementTerms Terms;
   RefinementEnergy Energy;
   FlatState State;
 };

@@ -75,9 +75,13 @@ for point in range(0, flat.GetNumberOfPoints(), 97):
     assert flat.GetPointData().GetArray("SurfacePoints").GetTuple3(point) == surface.GetPoint(point)
 
 diagram = fetch(area_preserving, 1)
-assert diagram.GetNumberOfCells() == flat.GetNumberOfPoints()
+assert diagram.GetNumberOfCells() == figure(flat, "Sites") < flat.GetNumberOfPoints()
 assert math.isclose(total(diagram, "CellArea", diagram.GetCellData()), area, rel_tol=1e-12)
 assert OutputPort(area_preserving, 1).GetDataInformation().GetNumberOfCells() == diagram.GetNumberOfCells()
+
+area_preserving.PointsPerSite = 1
+assert fetch(area_preserving, 1).GetNumberOfCells() == flat.GetNumberOfPoints()
+area_preserving.PointsPerSite = 8
 
 measured = fetch(metrics)
 assert measured.GetNumberOfCells() == cells
