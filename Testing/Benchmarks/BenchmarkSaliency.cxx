@@ -41,7 +41,7 @@ int main(int argc, char** argv)
   const std::string scan = argc > 1 ? argv[1] : "/usr/share/mricron/templates/ch2bet.nii.gz";
   const TriangleMesh half = benchmarks::halfBrain(scan).Mesh;
   const TriangleMesh whole = benchmarks::closedBrain(scan).Mesh;
-  const TriangleMesh million = benchmarks::subdividedHalfBrain(scan, 2).Mesh;
+  const TriangleMesh million = benchmarks::subdivided(benchmarks::halfBrain(scan), 2).Mesh;
   const auto add = [](const char* name, const TriangleMesh& mesh, bool compare)
   {
     benchmark::RegisterBenchmark(
