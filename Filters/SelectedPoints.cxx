@@ -13,8 +13,11 @@
 #include <vtkPolyData.h>
 #include <vtkSelection.h>
 #include <vtkSelectionNode.h>
+#include <vtkSmartPointer.h>
 
 #include <cmath>
+#include <set>
+#include <sstream>
 #include <string>
 
 namespace flattening
@@ -42,9 +45,8 @@ void requireEvaluable(vtkSelection* selection)
   }
 }
 
-} // namespace
-
-std::vector<char> pointsInSelection(vtkPolyData* data, vtkSelection* selection)
+// The data with what vtkExtractSelection says of its points or cells; null if it says nothing.
+vtkSmartPointer<vtkDataSet> marked(vtkPolyData* data, vtkSelection* selection)
 {
   requireEvaluable(selection);
   vtkNew<vtkExtractSelection> extract;
@@ -52,33 +54,76 @@ std::vector<char> pointsInSelection(vtkPolyData* data, vtkSelection* selection)
   extract->SetInputDataObject(0, data);
   extract->SetInputDataObject(1, selection);
   extract->Update();
-  auto* marked = vtkDataSet::SafeDownCast(extract->GetOutputDataObject(0));
+  return vtkDataSet::SafeDownCast(extract->GetOutputDataObject(0));
+}
+
+// None if there is no such array.
+std::vector<char> insidedness(vtkDataSetAttributes* attributes)
+{
+  vtkDataArray* array = attributes->GetArray(InsidednessName);
+  std::vector<char> inside(array ? array->GetNumberOfTuples() : 0);
+  for (std::size_t i = 0; i < inside.size(); ++i)
+  {
+    inside[i] = array->GetTuple1(static_cast<vtkIdType>(i)) > 0.0;
+  }
+  return inside;
+}
+
+} // namespace
+
+std::vector<char> pointsInSelection(vtkPolyData* data, vtkSelection* selection)
+{
+  const vtkSmartPointer<vtkDataSet> result = marked(data, selection);
   std::vector<char> inside(data->GetNumberOfPoints(), 0);
-  if (!marked)
+  if (!result)
   {
     return inside;
   }
-  if (vtkDataArray* cells = marked->GetCellData()->GetArray(InsidednessName))
+  const std::vector<char> cells = insidedness(result->GetCellData());
+  const std::vector<char> points = insidedness(result->GetPointData());
+  if (cells.empty() && !points.empty())
   {
-    vtkNew<vtkIdList> corners;
-    for (vtkIdType cell = 0; cell < cells->GetNumberOfTuples(); ++cell)
+    return points;
+  }
+  vtkNew<vtkIdList> corners;
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
+  {
+    if (cells[cell])
     {
-      if (cells->GetTuple1(cell) > 0.0)
+      data->GetCellPoints(static_cast<vtkIdType>(cell), corners);
+      for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
       {
-        data->GetCellPoints(cell, corners);
-        for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
-        {
-          inside[corners->GetId(k)] = 1;
-        }
+        inside[corners->GetId(k)] = 1;
       }
     }
   }
-  else if (vtkDataArray* points = marked->GetPointData()->GetArray(InsidednessName))
+  return inside;
+}
+
+std::vector<char> cellsInSelection(vtkPolyData* data, vtkSelection* selection)
+{
+  const vtkSmartPointer<vtkDataSet> result = marked(data, selection);
+  std::vector<char> inside(data->GetNumberOfCells(), 0);
+  if (!result)
   {
-    for (vtkIdType point = 0; point < points->GetNumberOfTuples(); ++point)
+    return inside;
+  }
+  const std::vector<char> cells = insidedness(result->GetCellData());
+  const std::vector<char> points = insidedness(result->GetPointData());
+  if (!cells.empty() || points.empty())
+  {
+    return cells.empty() ? inside : cells;
+  }
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    data->GetCellPoints(cell, corners);
+    int count = 0;
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
     {
-      inside[point] = points->GetTuple1(point) > 0.0;
+      count += points[corners->GetId(k)];
     }
+    inside[cell] = count >= 2;
   }
   return inside;
 }
@@ -117,6 +162,24 @@ std::vector<long long> labelsOf(vtkDataArray* array)
     labels[i] = std::llround(value);
   }
   return labels;
+}
+
+std::string listed(const std::vector<long long>& labels)
+{
+  constexpr std::size_t shown = 20;
+  const std::set<long long> all(labels.begin(), labels.end());
+  std::ostringstream text;
+  std::size_t count = 0;
+  for (const long long label : all)
+  {
+    if (++count > shown)
+    {
+      text << ", ... (" << all.size() << " labels)";
+      break;
+    }
+    text << (count > 1 ? ", " : "") << label;
+  }
+  return text.str();
 }
 
 } // namespace flattening

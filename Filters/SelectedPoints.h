@@ -4,6 +4,7 @@
 
 #include "Core/TriangleMesh.h"
 
+#include <string>
 #include <vector>
 
 class vtkDataArray;
@@ -18,6 +19,11 @@ namespace flattening
 /// @throws InvalidInput if there is no selection, or it is a query, which VTK alone does not evaluate.
 std::vector<char> pointsInSelection(vtkPolyData* data, vtkSelection* selection);
 
+/// One flag per cell of @p data, triangles: those that @p selection holds, or of whose corners it holds
+/// two.
+/// @throws InvalidInput as pointsInSelection.
+std::vector<char> cellsInSelection(vtkPolyData* data, vtkSelection* selection);
+
 /// One flag per position: where the function is not positive, or not negative if @p outside.
 /// @throws InvalidInput if there is no function or it gives no number somewhere.
 std::vector<char> pointsInFunction(vtkImplicitFunction* function,
@@ -26,5 +32,8 @@ std::vector<char> pointsInFunction(vtkImplicitFunction* function,
 
 /// The values of an array of labels (one component), rounded. @throws InvalidInput if one is no number.
 std::vector<long long> labelsOf(vtkDataArray* array);
+
+/// The different labels, ascending, as a text: at most twenty of them.
+std::string listed(const std::vector<long long>& labels);
 
 } // namespace flattening

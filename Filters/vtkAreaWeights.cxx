@@ -51,24 +51,6 @@ Eigen::VectorXd earlierWeights(vtkPolyData* input)
   return weights;
 }
 
-std::string present(const std::vector<long long>& labels)
-{
-  constexpr std::size_t shown = 20;
-  const std::set<long long> all(labels.begin(), labels.end());
-  std::ostringstream text;
-  std::size_t count = 0;
-  for (const long long label : all)
-  {
-    if (++count > shown)
-    {
-      text << ", ... (" << all.size() << " labels)";
-      break;
-    }
-    text << (count > 1 ? ", " : "") << label;
-  }
-  return text.str();
-}
-
 // @p valuesOfCells, m, averaged to the points by area.
 std::vector<double> averaged(const TriangleMesh& mesh, const std::vector<double>& valuesOfCells)
 {
@@ -231,7 +213,7 @@ std::vector<WeightedRegion> vtkAreaWeights::LabelRegions(vtkPolyData* input, con
       [label = label](long long l) { return static_cast<double>(l) == label; });
     if (std::none_of(region.Inside.begin(), region.Inside.end(), [](char inside) { return inside; }))
     {
-      throw InvalidInput("no point has the " + name.str() + "; there are " + present(labels));
+      throw InvalidInput("no point has the " + name.str() + "; there are " + flattening::listed(labels));
     }
     regions.push_back(std::move(region));
   }

@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkFlatMapTransfer.h"
 
-#include "AttributeTransfer.h"
 #include "Core/DerivedMesh.h"
 #include "Core/FlatMapTransfer.h"
 #include "FilterExecution.h"
+#include "FlatPart.h"
 #include "PolyDataConversion.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
 #include <vtkFieldData.h>
-#include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
 
 #include <vector>
 
@@ -52,42 +45,6 @@ flattening::Points2 positionsOf(const DerivedMesh& part, const TransferredMap& m
       map.Positions.row(flattening::VertexOrigins::InnerIterator(part.Vertices, v).col());
   }
   return positions;
-}
-
-vtkSmartPointer<vtkCellArray> cellsOf(const flattening::TriangleMesh& mesh)
-{
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->AllocateExact(mesh.faceCount(), 3 * static_cast<vtkIdType>(mesh.faceCount()));
-  for (int f = 0; f < mesh.faceCount(); ++f)
-  {
-    const vtkIdType ids[3] = { mesh.Faces(f, 0), mesh.Faces(f, 1), mesh.Faces(f, 2) };
-    cells->InsertNextCell(3, ids);
-  }
-  return cells;
-}
-
-void setAttributes(vtkPolyData* output, vtkPolyData* original, const DerivedMesh& part)
-{
-  vtkNew<vtkIdTypeArray> pointIds;
-  pointIds->SetName("vtkOriginalPointIds");
-  for (int v = 0; v < part.Mesh.vertexCount(); ++v)
-  {
-    pointIds->InsertNextValue(flattening::VertexOrigins::InnerIterator(part.Vertices, v).col());
-  }
-  vtkNew<vtkIdTypeArray> cellIds;
-  cellIds->SetName("vtkOriginalCellIds");
-  for (const int f : part.Faces)
-  {
-    cellIds->InsertNextValue(f);
-  }
-  flattening::transferPointData(original->GetPointData(), part.Vertices, output->GetPointData());
-  flattening::transferCellData(original->GetCellData(),
-    std::vector<vtkIdType>(part.Faces.begin(), part.Faces.end()),
-    output->GetCellData());
-  output->GetPointData()->AddArray(pointIds);
-  output->GetCellData()->AddArray(cellIds);
-  flattening::addSurfacePoints(output, part.Mesh.Vertices);
-  flattening::deactivateNormals(output);
 }
 
 } // namespace
@@ -127,9 +84,7 @@ int vtkFlatMapTransfer::RequestData(vtkInformation* vtkNotUsed(request),
       const DerivedMesh part = survivingPart(surface, map);
       const flattening::Points2 positions = positionsOf(part, map);
 
-      output->SetPoints(vtk::TakeSmartPointer(flattening::newPlanarPoints(positions)));
-      output->SetPolys(cellsOf(part.Mesh));
-      setAttributes(output, original, part);
+      flattening::setFlatPart(output, original, part, positions);
 
       const auto flipped =
         (flattening::signedFaceAreas(positions, part.Mesh.Faces).array() <= 0.0).count();

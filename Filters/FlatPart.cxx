@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "FlatPart.h"
+
+#include "AttributeTransfer.h"
+#include "DiskOutput.h"
+#include "PolyDataConversion.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+namespace flattening
+{
+namespace
+{
+
+vtkSmartPointer<vtkCellArray> cellsOf(const TriangleMesh& mesh)
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->AllocateExact(mesh.faceCount(), 3 * static_cast<vtkIdType>(mesh.faceCount()));
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    const vtkIdType ids[3] = { mesh.Faces(f, 0), mesh.Faces(f, 1), mesh.Faces(f, 2) };
+    cells->InsertNextCell(3, ids);
+  }
+  return cells;
+}
+
+// -1 if it is made of several.
+vtkIdType originalPoint(const VertexOrigins& origins, int v)
+{
+  const VertexOrigins::InnerIterator first(origins, v);
+  return first.value() == 1.0 ? first.col() : -1;
+}
+
+} // namespace
+
+void setFlatPart(vtkPolyData* output,
+  vtkPolyData* original,
+  const DerivedMesh& part,
+  const Points2& positions)
+{
+  output->SetPoints(vtk::TakeSmartPointer(newPlanarPoints(positions)));
+  output->SetPolys(cellsOf(part.Mesh));
+  vtkNew<vtkIdTypeArray> pointIds;
+  pointIds->SetName(OriginalPointIdsName);
+  for (int v = 0; v < part.Mesh.vertexCount(); ++v)
+  {
+    pointIds->InsertNextValue(originalPoint(part.Vertices, v));
+  }
+  vtkNew<vtkIdTypeArray> cellIds;
+  cellIds->SetName(OriginalCellIdsName);
+  for (const int f : part.Faces)
+  {
+    cellIds->InsertNextValue(f);
+  }
+  transferPointData(original->GetPointData(), part.Vertices, output->GetPointData());
+  transferCellData(original->GetCellData(),
+    std::vector<vtkIdType>(part.Faces.begin(), part.Faces.end()),
+    output->GetCellData());
+  output->GetPointData()->AddArray(pointIds);
+  output->GetCellData()->AddArray(cellIds);
+  addSurfacePoints(output, part.Mesh.Vertices);
+  deactivateNormals(output);
+}
+
+} // namespace flattening

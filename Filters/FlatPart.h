@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// A flattened part of a surface as polydata, with the arrays of the surface.
+#pragma once
+
+#include "Core/DerivedMesh.h"
+
+class vtkPolyData;
+
+namespace flattening
+{
+
+/// Fills @p output with @p part at @p positions (n x 2, z = 0): all arrays of @p original, the point
+/// arrays SurfacePoints and vtkOriginalPointIds (-1 for new points), the cell array vtkOriginalCellIds.
+void setFlatPart(vtkPolyData* output,
+  vtkPolyData* original,
+  const DerivedMesh& part,
+  const Points2& positions);
+
+} // namespace flattening

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkFlattenRegion.h"
+
+#include "Core/AreaPreservingDisk.h"
+#include "Core/BoundaryRefinement.h"
+#include "Core/ConformalDisk.h"
+#include "Core/RegionDisk.h"
+#include "FilterExecution.h"
+#include "FlatPart.h"
+#include "PolyDataConversion.h"
+#include "RegionMeasures.h"
+#include "SelectedPoints.h"
+
+#include <vtkCellData.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkSelection.h>
+#include <vtkTable.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkFlattenRegion);
+
+namespace
+{
+
+using flattening::DerivedMesh;
+using flattening::InvalidInput;
+using flattening::RegionDisk;
+using flattening::TriangleMesh;
+
+constexpr int FewestBoundaryVertices = 64; // of a disk that is round enough
+
+// With more triangles at the boundary if it has too few for a circle.
+RegionDisk withFineBoundary(RegionDisk region)
+{
+  const std::vector<char> before = region.InRegion;
+  DerivedMesh finer = flattening::refineBoundary(region.Disk.Mesh, FewestBoundaryVertices);
+  region.InRegion.resize(finer.Faces.size());
+  std::transform(finer.Faces.begin(),
+    finer.Faces.end(),
+    region.InRegion.begin(),
+    [&before](int f) { return before[f]; });
+  flattening::follow(region.Disk, std::move(finer));
+  return region;
+}
+
+void addRegionFlags(vtkPolyData* output, const std::vector<char>& inRegion)
+{
+  vtkNew<vtkUnsignedCharArray> array;
+  array->SetName("InRegion");
+  for (const char inside : inRegion)
+  {
+    array->InsertNextValue(inside != 0 ? 1 : 0);
+  }
+  output->GetCellData()->AddArray(array);
+}
+
+} // namespace
+
+vtkFlattenRegion::vtkFlattenRegion()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(3);
+}
+
+vtkTable* vtkFlattenRegion::GetMeasures()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+vtkPolyData* vtkFlattenRegion::GetCurves()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+int vtkFlattenRegion::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkSelection");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkFlattenRegion::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 1 ? "vtkTable" : "vtkPolyData");
+  return 1;
+}
+
+std::vector<char> vtkFlattenRegion::LabelledFaces(vtkPolyData* input, const TriangleMesh& mesh)
+{
+  const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  if (!name || !*name || std::string(name) == "None")
+  {
+    throw InvalidInput("no array of labels is chosen: choose a point or cell array");
+  }
+  int association = -1;
+  vtkDataArray* array = this->GetInputArrayToProcess(0, input, association);
+  if (!array || array->GetNumberOfComponents() != 1 ||
+      (association != vtkDataObject::FIELD_ASSOCIATION_CELLS &&
+        association != vtkDataObject::FIELD_ASSOCIATION_POINTS))
+  {
+    throw InvalidInput("the array " + std::string(name) +
+                       " is not a point or cell array of one number each: choose another");
+  }
+  const std::vector<long long> labels = flattening::labelsOf(array);
+  std::vector<char> inside(mesh.faceCount());
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    int corners = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const int element = association == vtkDataObject::FIELD_ASSOCIATION_CELLS ? f : mesh.Faces(f, k);
+      corners += labels[element] == this->Label;
+    }
+    inside[f] = corners >= 2;
+  }
+  if (std::none_of(inside.begin(), inside.end(), [](char in) { return in; }))
+  {
+    throw InvalidInput("no triangle has the label " + std::to_string(this->Label) + "; there are " +
+                       flattening::listed(labels));
+  }
+  return inside;
+}
+
+int vtkFlattenRegion::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  if (flattening::isEmpty(input))
+  {
+    return 1;
+  }
+  return flattening::runFilter(this,
+    outputVector,
+    [&]
+    {
+      const flattening::ProgressCallback progress = flattening::progressOf(this);
+      flattening::report(progress, 0.0, "Cutting the region out");
+      const TriangleMesh mesh = flattening::surfaceInSpace(input);
+      const std::vector<char> inside =
+        this->RegionFrom == SELECTION
+          ? flattening::cellsInSelection(input, vtkSelection::GetData(inputVector[1]))
+          : this->LabelledFaces(input, mesh);
+      const RegionDisk region =
+        withFineBoundary(flattening::regionDisk(mesh, inside, { this->Margin, this->LargestHoles }));
+      const TriangleMesh& disk = region.Disk.Mesh;
+
+      const flattening::ConformalDiskMap conformal =
+        flattening::conformalDiskMap(disk, {}, flattening::subrange(progress, 0.1, 0.4));
+      const flattening::AreaPreservingResult flat = flattening::areaPreservingDiskMap(
+        disk, conformal.Positions, {}, {}, flattening::subrange(progress, 0.4, 0.7));
+      const double scale = std::sqrt(flattening::faceAreas(disk.Vertices, disk.Faces).sum() / EIGEN_PI);
+      const flattening::Points2 positions = scale * flat.Map.Positions;
+
+      const flattening::RegionMeasures measures =
+        flattening::measureRegion(region, positions, flattening::subrange(progress, 0.7, 1.0));
+      flattening::setFlatPart(output, input, region.Disk, positions);
+      addRegionFlags(output, region.InRegion);
+      flattening::fillMeasures(
+        vtkTable::GetData(outputVector, 1), measures, this->LengthUnit, output->GetFieldData());
+      flattening::fillCurves(vtkPolyData::GetData(outputVector, 2), measures, disk, positions);
+
+      vtkFieldData* figures = output->GetFieldData();
+      const auto count = [figures](const char* name, long long value)
+      { flattening::setFigure(figures, name, value); };
+      count("RegionPieces", region.Pieces);
+      count("FilledHoles", region.FilledHoles);
+      count("FlippedFaces", flat.Map.FlippedFaces);
+      count("Bijective", flat.Map.Bijective ? 1 : 0);
+      flattening::setFigure(figures, "DroppedArea", region.DroppedArea);
+      flattening::setFigure(figures, "FilledArea", region.FilledArea);
+      flattening::setFigure(figures, "MaxCellAreaError", flat.Map.MaxCellError);
+      flattening::report(progress, 1.0, "Done");
+    });
+}
+
+void vtkFlattenRegion::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "RegionFrom: " << this->RegionFrom << "\n";
+  os << indent << "Label: " << this->Label << "\n";
+  os << indent << "Margin: " << this->Margin << "\n";
+  os << indent << "LargestHoles: " << this->LargestHoles << "\n";
+  os << indent << "LengthUnit: " << this->LengthUnit << "\n";
+}
