@@ -29,11 +29,16 @@ constexpr int SecondStageRounds = 24;
 // More rounds of the first stage where faces remain flipped, and how often.
 constexpr int MoreRounds = 4;
 constexpr int MoreFirstStages = 2;
-// A stage ends when so few faces are off by more than the tolerance, or when a round does not make them
-// fewer by this share.
+// Shapes count so many times as much in the first rounds: what they gain there, over a long way, is not
+// lost again.
+constexpr int FirstShapeRounds = 2;
+constexpr double FirstShapeFactor = 10.0;
+// A stage ends when so few faces are off by more than the tolerance, or when rounds in a row do not make
+// them fewer by this share.
 constexpr double AreaTolerance = 0.02;
 constexpr double EnoughShare = 0.003;
 constexpr double LeastProgress = 0.02;
+constexpr int MostIdleRounds = 2;
 // Every other round looks whether regions of so many vertices have their area to this share.
 constexpr int RegionSize = 2000;
 constexpr double RegionAngle = 0.5;
@@ -198,6 +203,7 @@ private:
   void rounds(FlatState& state, int most, Until until, const ProgressCallback& progress)
   {
     double off = this->offShare(state);
+    int idle = 0;
     for (int round = 0; round < most && (off > EnoughShare || until == Until::AllRounds); ++round)
     {
       ++this->Result.Rounds;
@@ -212,9 +218,11 @@ private:
       pass.Targets = this->presentTargets(state);
       pass.Epsilon = this->KeepsOrientation ? 0.0 : FirstEpsilon;
       pass.KeepsOrientation = this->KeepsOrientation;
+      pass.ShapeFactor = this->Result.Rounds <= FirstShapeRounds ? FirstShapeFactor : 1.0;
       const int patches = this->Patches.run(pass, state, subrange(progress, middle, end));
       const double next = this->offShare(state);
-      if (patches == 0 || (until == Until::Enough && next > (1.0 - LeastProgress) * off))
+      idle = next > (1.0 - LeastProgress) * off ? idle + 1 : 0;
+      if (patches == 0 || (until == Until::Enough && idle == MostIdleRounds))
       {
         return;
       }

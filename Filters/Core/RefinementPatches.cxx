@@ -206,7 +206,7 @@ private:
         part.Faces(i, k) = this->local(all.Faces(f, k));
       }
       part.Cotangents.row(i) = all.Cotangents.row(f);
-      part.ShapeWeights[i] = all.ShapeWeights[f];
+      part.ShapeWeights[i] = this->ThePass.ShapeFactor * all.ShapeWeights[f];
     }
     const auto place = [&](int member)
     {

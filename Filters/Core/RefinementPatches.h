@@ -29,6 +29,7 @@ public:
   {
     Eigen::VectorXd Targets;      ///< per face, in sum what the boundary encloses
     double Epsilon = 0.0;         ///< FaceAreaEnergy
+    double ShapeFactor = 1.0;     ///< times the terms' shape weights
     bool KeepsOrientation = true; ///< RefinementDescent
   };
 
