@@ -212,6 +212,17 @@ void setFigure(vtkFieldData* fieldData, const char* name, long long value)
   fieldData->AddArray(array);
 }
 
+void setIds(vtkFieldData* fieldData, const char* name, const std::vector<int>& ids)
+{
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName(name);
+  for (const int id : ids)
+  {
+    array->InsertNextValue(id);
+  }
+  fieldData->AddArray(array);
+}
+
 void setFigure(vtkFieldData* fieldData, const char* name, const std::string& value)
 {
   vtkNew<vtkStringArray> array;

@@ -5,6 +5,7 @@
 #include "Core/TriangleMesh.h"
 
 #include <string>
+#include <vector>
 
 class vtkFieldData;
 class vtkPoints;
@@ -51,5 +52,8 @@ void addPointArray(vtkPolyData* output, const char* name, const Eigen::VectorXd&
 void setFigure(vtkFieldData* fieldData, const char* name, double value);
 void setFigure(vtkFieldData* fieldData, const char* name, long long value);
 void setFigure(vtkFieldData* fieldData, const char* name, const std::string& value);
+
+/// An array of point ids in field data.
+void setIds(vtkFieldData* fieldData, const char* name, const std::vector<int>& ids);
 
 } // namespace flattening

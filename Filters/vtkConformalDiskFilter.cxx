@@ -9,7 +9,6 @@
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
-#include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
@@ -128,17 +127,6 @@ flattening::ConformalRectangleOptions rectangleOptions(vtkConformalDiskFilter* f
   return options;
 }
 
-void setCorners(vtkFieldData* figures, const std::vector<int>& corners)
-{
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("CornerPointIds");
-  for (const int corner : corners)
-  {
-    ids->InsertNextValue(corner);
-  }
-  figures->AddArray(ids);
-}
-
 // Those of an earlier map that the input may bring, and that this one may not have.
 void removeFigures(vtkFieldData* figures)
 {
@@ -215,7 +203,7 @@ int vtkConformalDiskFilter::RequestData(vtkInformation* vtkNotUsed(request),
         map = std::move(rectangle.Map);
         domainArea = rectangle.Modulus;
         flattening::setFigure(figures, "Modulus", rectangle.Modulus);
-        setCorners(figures, rectangle.Corners);
+        flattening::setIds(figures, "CornerPointIds", rectangle.Corners);
       }
       else
       {

@@ -2,8 +2,10 @@
 #include "vtkOMTAreaPreservingFilter.h"
 
 #include "Core/AreaPreservingDisk.h"
+#include "Core/DomainPolygon.h"
 #include "Core/MeshTopology.h"
 #include "FilterExecution.h"
+#include "FlatDomain.h"
 #include "PolyDataConversion.h"
 
 #include <vtkCellArray.h>
@@ -21,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -76,65 +79,32 @@ Eigen::VectorXd readStart(vtkPolyData* input, double area)
   return start;
 }
 
-// Radius of the disk that the boundary loop lies on.
-double diskRadius(const flattening::Points2& positions, const std::vector<int>& loop)
+// From a domain of area pi around the origin to that of the output.
+struct Placement
 {
-  double sum = 0.0;
-  for (const int v : loop)
-  {
-    sum += positions.row(v).norm();
-  }
-  const double radius = sum / loop.size();
-  if (!(radius > 0.0))
-  {
-    throw flattening::InvalidInput(
-      "the boundary of the flat surface is a single point: run Conformal Disk first");
-  }
-  return radius;
-}
-
-// What the flat surface covers: a disk around the origin, or the rectangle whose sides its boundary lies
-// on.
-struct FlatDomain
-{
-  bool IsRectangle = false;
+  double Scale = 1.0;
   Eigen::RowVector2d Centre = Eigen::RowVector2d::Zero();
-  double Width = 0.0; // of the rectangle
-  double Height = 0.0;
-  double Scale = 1.0; // of the input over that of a domain of area pi
 };
 
-FlatDomain domainOf(const flattening::Points2& positions, const std::vector<int>& loop)
+// A disk around the origin, a rectangle with its lower left corner there.
+Placement placementOf(const flattening::FlatDomain& domain, bool isUnit, double surfaceArea)
 {
-  constexpr double tolerance = 1e-6;
-  Eigen::RowVector2d low = positions.row(loop.front());
-  Eigen::RowVector2d high = low;
-  for (const int v : loop)
+  Placement placement;
+  placement.Scale = !isUnit              ? std::sqrt(surfaceArea / EIGEN_PI)
+                    : domain.IsRectangle ? domain.Scale / domain.Height
+                                         : 1.0;
+  if (domain.IsRectangle)
   {
-    low = low.cwiseMin(positions.row(v));
-    high = high.cwiseMax(positions.row(v));
+    placement.Centre =
+      0.5 * placement.Scale / domain.Scale * Eigen::RowVector2d(domain.Width, domain.Height);
   }
-  const double slack = tolerance * (high - low).norm();
-  FlatDomain domain;
-  domain.IsRectangle = std::all_of(loop.begin(),
-    loop.end(),
-    [&](int v)
-    {
-      const Eigen::RowVector2d fromLow = positions.row(v) - low;
-      const Eigen::RowVector2d fromHigh = high - positions.row(v);
-      return std::min(fromLow.minCoeff(), fromHigh.minCoeff()) <= slack;
-    });
-  if (domain.IsRectangle && (high - low).minCoeff() > slack)
-  {
-    domain.Centre = 0.5 * (low + high);
-    domain.Width = high.x() - low.x();
-    domain.Height = high.y() - low.y();
-    domain.Scale = std::sqrt(domain.Width * domain.Height / EIGEN_PI);
-    return domain;
-  }
-  domain.IsRectangle = false;
-  domain.Scale = diskRadius(positions, loop);
-  return domain;
+  return placement;
+}
+
+// A polygon where it was given.
+Placement placementOf(const flattening::DomainPolygon& polygon, bool isUnit, double surfaceArea)
+{
+  return { isUnit ? polygon.Scale : std::sqrt(surfaceArea / EIGEN_PI), polygon.Centroid.transpose() };
 }
 
 void fillPowerDiagram(vtkPolyData* output,
@@ -186,7 +156,33 @@ void fillPowerDiagram(vtkPolyData* output,
 
 vtkOMTAreaPreservingFilter::vtkOMTAreaPreservingFilter()
 {
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
+}
+
+int vtkOMTAreaPreservingFilter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+void vtkOMTAreaPreservingFilter::SetDomainConnection(vtkAlgorithmOutput* polygon)
+{
+  this->SetInputConnection(1, polygon);
+}
+
+void vtkOMTAreaPreservingFilter::SetDomainData(vtkPolyData* polygon)
+{
+  this->SetInputData(1, polygon);
+}
+
+void vtkOMTAreaPreservingFilter::RemoveDomain()
+{
+  this->SetInputConnection(1, nullptr);
 }
 
 vtkPolyData* vtkOMTAreaPreservingFilter::GetPowerDiagram()
@@ -213,7 +209,12 @@ int vtkOMTAreaPreservingFilter::RequestData(vtkInformation* vtkNotUsed(request),
       const flattening::TriangleMesh surface = flattening::surfaceOfFlattened(input);
       const std::vector<int> loop = flattening::requireDisk(surface);
       const flattening::Points2 flat = flattening::toPlanarPositions(input);
-      const FlatDomain domain = domainOf(flat, loop);
+      const flattening::FlatDomain domain = flattening::flatDomain(flat, loop);
+      std::optional<flattening::DomainPolygon> polygon;
+      if (vtkPolyData* given = vtkPolyData::GetData(inputVector[1]))
+      {
+        polygon = flattening::domainPolygon(flattening::polygonOutline(given));
+      }
       Eigen::VectorXd weights;
       if (this->UseAreaWeight)
       {
@@ -227,26 +228,27 @@ int vtkOMTAreaPreservingFilter::RequestData(vtkInformation* vtkNotUsed(request),
       options.VerticesPerSite = this->PointsPerSite;
 
       const flattening::Points2 conformal = (flat.rowwise() - domain.Centre) / domain.Scale;
-      // From a domain of area pi to the surface's area, or to radius 1 or height 1.
       const double surfaceArea = flattening::faceAreas(surface.Vertices, surface.Faces).sum();
-      const double scale = this->NormalizeTo == SURFACE_AREA ? std::sqrt(surfaceArea / EIGEN_PI)
-                           : domain.IsRectangle              ? domain.Scale / domain.Height
-                                                             : 1.0;
+      const bool isUnit = this->NormalizeTo == UNIT_DOMAIN;
+      const auto [scale, centre] =
+        polygon ? placementOf(*polygon, isUnit, surfaceArea) : placementOf(domain, isUnit, surfaceArea);
       const double area = scale * scale;
       options.Transport.StartWeights = readStart(input, area);
       const auto progress = flattening::progressOf(this);
       const flattening::AreaPreservingResult result =
-        domain.IsRectangle
+        polygon ? flattening::areaPreservingPolygonMap(surface,
+                    conformal,
+                    *domain.normalised(),
+                    { polygon->Corners, this->FixCorners },
+                    weights,
+                    options,
+                    progress)
+        : domain.IsRectangle
           ? flattening::areaPreservingRectangleMap(
               surface, conformal, domain.Width / domain.Scale, weights, options, progress)
           : flattening::areaPreservingDiskMap(surface, conformal, weights, options, progress);
       const flattening::AreaPreservingMap& map = result.Map;
 
-      Eigen::RowVector2d centre(0.0, 0.0);
-      if (domain.IsRectangle)
-      {
-        centre = 0.5 * scale / domain.Scale * Eigen::RowVector2d(domain.Width, domain.Height);
-      }
       output->ShallowCopy(input);
       output->SetPoints(
         vtk::TakeSmartPointer(flattening::newPlanarPoints((scale * map.Positions).rowwise() + centre)));
@@ -257,6 +259,14 @@ int vtkOMTAreaPreservingFilter::RequestData(vtkInformation* vtkNotUsed(request),
       fillPowerDiagram(cells, result, scale, centre);
 
       vtkFieldData* figures = output->GetFieldData();
+      if (polygon)
+      {
+        figures->RemoveArray("CornerPointIds"); // of the map before
+      }
+      if (!map.CornerVertices.empty())
+      {
+        flattening::setIds(figures, "CornerPointIds", map.CornerVertices);
+      }
       flattening::setFigure(figures, "NewtonIterations", static_cast<long long>(map.NewtonIterations));
       flattening::setFigure(figures, "Sites", static_cast<long long>(map.Sites));
       flattening::setFigure(figures, "PowerDiagrams", static_cast<long long>(map.PowerDiagrams));
@@ -286,6 +296,7 @@ void vtkOMTAreaPreservingFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NormalizeTo: " << (this->NormalizeTo == SURFACE_AREA ? "SurfaceArea" : "UnitDomain")
      << "\n";
+  os << indent << "FixCorners: " << this->FixCorners << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "UseAreaWeight: " << this->UseAreaWeight << "\n";
   os << indent << "FaceRefinement: " << this->FaceRefinement << "\n";

@@ -11,6 +11,16 @@
  * boundary. The domain is the disk around the origin, or the rectangle with sides along the axes if the
  * boundary lies on them; points in its corners stay there.
  *
+ * The optional input port 1 gives another domain: a polydata with one convex polygon, or one closed
+ * line, in a plane of constant z. The cells are clipped exactly to it. It may be given in either
+ * direction and be of any size; points in the middle of a side are no corners. The sites are then the
+ * points of the input map, disk or rectangle, in the proportions that they have there: of its size and
+ * place the transport is independent, but as the input is turned about the origin, so is what comes to
+ * lie at which side (see UseBoundaryPoint of vtkConformalDiskFilter). A boundary edge across a corner
+ * cuts that off, unless FixCorners is on. The map stays one-to-one if no inner edge joins two boundary
+ * points, as in the output of vtkSurfaceToDiskFilter; else the triangles between it and a straight side
+ * have no area.
+ *
  * The areas of the *cells* are exact to Tolerance. Areas of *triangles* follow the cells only as well as
  * the triangulation allows, so the points are then moved, those of the boundary along it, until the
  * triangles are exact too and none is flipped (FaceRefinement). For that the transport takes a few
@@ -19,8 +29,8 @@
  * hole too small for its number of points it is large.
  *
  * Output port 0 has the input's points and cells, one to one and with all of their arrays (among them
- * `SurfacePoints`), in the plane z = 0, in the disk around the origin or in the rectangle with its lower
- * left corner there, and adds the point arrays (double)
+ * `SurfacePoints`), in the plane z = 0, in the disk around the origin, in the rectangle with its lower
+ * left corner there or in the polygon, scaled about its centroid, and adds the point arrays (double)
  * - `TargetArea`, the area asked for, and `CellArea`, the area of the point's power cell or its share of
  *   its site's cell (output units squared; both sum to the area of the domain)
  * - `PowerWeight` (output units squared), the weight w_i of the point's site in the power diagram,
@@ -35,11 +45,11 @@
  * the position of another; `FlippedFaces`, triangles not positively oriented; `Bijective`, 1 if the map
  * is one-to-one: there are none, and the boundary points are in order; `RefinementRounds`, passes
  * over what is not right yet; `RefinementRepairs`, triangles that had flipped on the way. A warning
- * tells when Bijective is 0.
+ * tells when Bijective is 0. With points in corners also `CornerPointIds`, counter-clockwise.
  *
- * If the input has a point array `PowerWeight`, as an earlier run with the same settings wrote it,
- * the transport starts there where that is nearer than its own starts: after a small change of the
- * weights it takes a few steps only. The result does not depend on it but for Tolerance.
+ * If the input has a point array `PowerWeight`, as an earlier run with the same settings and domain
+ * wrote it, the transport starts there where that is nearer than its own starts: after a small change of
+ * the weights it takes a few steps only. The result does not depend on it but for Tolerance.
  *
  * Newton's method on the convex energy is damped by the rule of Kitagawa, Merigot and Thibert, which
  * converges from any start without empty cells. Where the conformal map puts the points of a long
@@ -49,7 +59,10 @@
  * An empty input gives empty outputs. Errors, each with empty outputs: no array `SurfacePoints`, a
  * boundary that is neither a circle around the origin nor a rectangle with a point in each corner,
  * weights that are not positive and finite, a weight array that does not exist, what
- * vtkConformalDiskFilter refuses, no convergence to Tolerance.
+ * vtkConformalDiskFilter refuses, no convergence to Tolerance; on port 1 not exactly one polygon or
+ * closed line, or one that is not flat, not finite, not convex, crosses itself, has less than three
+ * corners or no area, is smaller than 1e-9 of its coordinates, or has more corners to be fixed than
+ * there are boundary points.
  *
  * Sources: Zhao et al., "Area-Preservation Mapping using Optimal Mass Transport", TVCG 2013, section 4
  * and Algorithm 1; Kitagawa, Merigot, Thibert, "Convergence of a Newton algorithm for semi-discrete
@@ -71,11 +84,11 @@ public:
   vtkTypeMacro(vtkOMTAreaPreservingFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What the size of the disk or rectangle is.
+  /// What the size of the domain is.
   enum Normalization
   {
     SURFACE_AREA = 0, ///< its area = area of the surface, in input units
-    UNIT_DOMAIN = 1   ///< radius 1, or height 1
+    UNIT_DOMAIN = 1   ///< radius 1, or height 1; the polygon as it is
   };
 
   ///@{
@@ -141,6 +154,26 @@ public:
   vtkGetMacro(PointsPerSite, int);
   ///@}
 
+  ///@{
+  /**
+   * The polygon to be filled, input port 1. Default, and after RemoveDomain(): none.
+   */
+  void SetDomainConnection(vtkAlgorithmOutput* polygon);
+  void SetDomainData(vtkPolyData* polygon);
+  void RemoveDomain();
+  ///@}
+
+  ///@{
+  /**
+   * Whether a boundary point lies in each corner of the polygon of port 1: the one whose power cell has
+   * the corner, or the nearest that is free. A rectangular input without a polygon keeps its corners
+   * whatever this is. Default: off.
+   */
+  vtkSetMacro(FixCorners, bool);
+  vtkGetMacro(FixCorners, bool);
+  vtkBooleanMacro(FixCorners, bool);
+  ///@}
+
   /**
    * The power diagram of output port 1.
    */
@@ -150,6 +183,7 @@ protected:
   vtkOMTAreaPreservingFilter();
   ~vtkOMTAreaPreservingFilter() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request,
     vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -160,6 +194,7 @@ protected:
   bool FaceRefinement = true;
   double AngleWeight = 0.0;
   int PointsPerSite = 8;
+  bool FixCorners = false;
 
 private:
   vtkOMTAreaPreservingFilter(const vtkOMTAreaPreservingFilter&) = delete;

@@ -175,7 +175,7 @@ FixedMembers cornersOf(const Target& target,
 
 AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
   const Points2& conformal,
-  const Points2& onDomain, // the same, or another map, one-to-one to the domain
+  const Points2& onDomain, // the same, or another map to the domain, with few faces flipped
   const Target& target,
   const std::vector<int>& loop,
   const Eigen::VectorXd& weights,
@@ -233,6 +233,10 @@ AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
   {
     map.Positions = transportField(
       sites, siteImages(diagram, siteTargets, sites, loop, places), conformal, *target.Domain);
+  }
+  for (const int member : corners.Members)
+  {
+    map.CornerVertices.push_back(loop[member]);
   }
   for (std::size_t k = 0; k < loop.size(); ++k)
   {

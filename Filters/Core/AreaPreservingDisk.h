@@ -48,8 +48,9 @@ struct AreaPreservingMap
   int FlippedFaces = 0;       ///< faces not positively oriented (exact)
   bool Bijective = false;     ///< whether none is, and the boundary vertices are in order
   int RefinementRounds = 0;
-  int RepairedFaces = 0;   ///< that were flipped between the stages of the refinement
-  double StartShare = 1.0; ///< see FaceRefinementResult
+  int RepairedFaces = 0;           ///< that were flipped between the stages of the refinement
+  double StartShare = 1.0;         ///< see FaceRefinementResult
+  std::vector<int> CornerVertices; ///< that stay in the domain's corners, counter-clockwise
 };
 
 struct AreaPreservingResult

@@ -68,6 +68,18 @@ std::vector<Eigen::Vector2d> cornersOf(const Points2& outline, double size)
   return corners;
 }
 
+ConvexPolygon convexPolygon(const Points2& corners, const std::string& remedy)
+{
+  try
+  {
+    return ConvexPolygon(corners);
+  }
+  catch (const InvalidInput&)
+  {
+    throw InvalidInput("the domain's outline is not convex, or crosses itself" + remedy);
+  }
+}
+
 } // namespace
 
 DomainPolygon domainPolygon(const Points2& outline)
@@ -99,7 +111,7 @@ DomainPolygon domainPolygon(const Points2& outline)
   // Near the origin, where areas lose no digits.
   const Eigen::RowVector2d near = polygon.Corners.row(0);
   polygon.Corners.rowwise() -= near;
-  const ConvexPolygon convex(polygon.Corners);
+  const ConvexPolygon convex = convexPolygon(polygon.Corners, remedy);
   polygon.Centroid = near.transpose() + convex.centroid();
   polygon.Scale = std::sqrt(convex.area() / EIGEN_PI);
   polygon.Corners.rowwise() -= convex.centroid().transpose();

@@ -28,7 +28,8 @@ struct TransportedMap
   std::vector<int> Corners; ///< members of the loop that stay
   const Points2& Conformal; ///< n x 2
   const Points2& Positions; ///< n x 2, the same after the transport
-  const Points2& OnDomain;  ///< n x 2, a one-to-one map to the domain: the conformal one, if it is one
+  /// n x 2, a map to the domain with no or few faces flipped: the conformal one, if it is one.
+  const Points2& OnDomain;
 };
 
 struct FaceRefinementResult

@@ -10,6 +10,8 @@ from paraview.simple import (
     DistortionMetrics,
     OMTAreaPreserving,
     OutputPort,
+    Plane,
+    PolyLineSource,
     Sphere,
     SurfaceToDisk,
 )
@@ -122,3 +124,24 @@ assert focus.GetDataInformation().GetNumberOfCells() == 0
 weighted.Function = "1"
 focus.UpdatePipeline()
 assert focus.GetDataInformation().GetNumberOfCells() == cells
+
+# --- Domain: a polygon is filled, its corners too --------------------------------------------------------------
+square = Plane(Origin=[1, 2, 0], Point1=[2, 2, 0], Point2=[1, 3, 0])
+wide = ConformalDisk(Input=SurfaceToDisk(Input=stretched, HoleAreaFraction=0.05))
+into_square = OMTAreaPreserving(Input=wide, Domain=square, FixCorners=1, NormalizeTo="Unit Domain")
+data = fetch(into_square)
+assert data.GetNumberOfCells() == fetch(wide).GetNumberOfCells() > 0
+for bound, expected in zip(data.GetBounds(), (1, 2, 2, 3, 0, 0)):
+    assert math.isclose(bound, expected, abs_tol=1e-12), data.GetBounds()
+assert math.isclose(total(data, "CellArea", data.GetPointData()), 1, rel_tol=1e-12)
+assert figure(data, "Bijective") == 1 and figure(data, "FlippedFaces") == 0
+assert data.GetFieldData().GetArray("CornerPointIds").GetNumberOfTuples() == 4
+measured = fetch(DistortionMetrics(Input=into_square))
+assert figure(measured, "FacesWithin2Percent") > 98, figure(measured, "FacesWithin2Percent")
+assert math.isclose(figure(measured, "FlatArea"), 1, rel_tol=1e-12)
+dart = PolyLineSource(Points=[0, 0, 0, 2, 0, 0, 0.5, 0.5, 0, 0, 2, 0], Closed=1)
+into_square.Domain = dart
+into_square.UpdatePipeline()
+assert into_square.GetDataInformation().GetNumberOfCells() == 0
+into_square.Domain = None
+assert fetch(into_square).GetNumberOfCells() == data.GetNumberOfCells()
