@@ -36,6 +36,61 @@ using flattening::TriangleMesh;
 
 constexpr int FewestBoundaryVertices = 64; // of a disk that is round enough
 
+double meanEdge(const TriangleMesh& mesh, const std::vector<char>& faces)
+{
+  double sum = 0.0;
+  double count = 0.0;
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    for (int k = 0; faces[f] && k < 3; ++k)
+    {
+      sum +=
+        (mesh.Vertices.row(mesh.Faces(f, k)) - mesh.Vertices.row(mesh.Faces(f, (k + 1) % 3))).norm();
+      count += 1.0;
+    }
+  }
+  return count > 0.0 ? sum / count : 0.0;
+}
+
+// With the widest margin of a few edges that leaves a disk; @p margin is its width.
+RegionDisk regionWithMargin(const TriangleMesh& mesh,
+  const std::vector<char>& inside,
+  double largestHoles,
+  double& margin)
+{
+  constexpr int mostEdges = 4;
+  const double edge = meanEdge(mesh, inside);
+  for (int edges = mostEdges; edges > 0; --edges)
+  {
+    try
+    {
+      margin = edges * edge;
+      return flattening::regionDisk(mesh, inside, { margin, largestHoles });
+    }
+    catch (const flattening::TopologyError&)
+    {
+      continue; // the margin meets itself; or the region is no disk, which the last attempt says
+    }
+  }
+  margin = 0.0;
+  return flattening::regionDisk(mesh, inside, { margin, largestHoles });
+}
+
+// Runs one step of the flattening; its errors are of a region here.
+template <typename Step>
+auto ofRegion(const Step& step)
+{
+  try
+  {
+    return step();
+  }
+  catch (const flattening::ConvergenceError& error)
+  {
+    throw flattening::ConvergenceError(std::string("the region could not be flattened (") +
+                                       error.what() + "); here, a wider margin often helps as well");
+  }
+}
+
 // With more triangles at the boundary if it has too few for a circle.
 RegionDisk withFineBoundary(RegionDisk region)
 {
@@ -152,14 +207,20 @@ int vtkFlattenRegion::RequestData(vtkInformation* vtkNotUsed(request),
         this->RegionFrom == SELECTION
           ? flattening::cellsInSelection(input, vtkSelection::GetData(inputVector[1]))
           : this->LabelledFaces(input, mesh);
-      const RegionDisk region =
-        withFineBoundary(flattening::regionDisk(mesh, inside, { this->Margin, this->LargestHoles }));
+      double margin = this->Margin;
+      const RegionDisk region = withFineBoundary(
+        this->AutomaticMargin ? regionWithMargin(mesh, inside, this->LargestHoles, margin)
+                              : flattening::regionDisk(mesh, inside, { margin, this->LargestHoles }));
       const TriangleMesh& disk = region.Disk.Mesh;
 
-      const flattening::ConformalDiskMap conformal =
-        flattening::conformalDiskMap(disk, {}, flattening::subrange(progress, 0.1, 0.4));
-      const flattening::AreaPreservingResult flat = flattening::areaPreservingDiskMap(
-        disk, conformal.Positions, {}, {}, flattening::subrange(progress, 0.4, 0.7));
+      const flattening::AreaPreservingResult flat = ofRegion(
+        [&]
+        {
+          const flattening::ConformalDiskMap conformal =
+            flattening::conformalDiskMap(disk, {}, flattening::subrange(progress, 0.1, 0.4));
+          return flattening::areaPreservingDiskMap(
+            disk, conformal.Positions, {}, {}, flattening::subrange(progress, 0.4, 0.7));
+        });
       const double scale = std::sqrt(flattening::faceAreas(disk.Vertices, disk.Faces).sum() / EIGEN_PI);
       const flattening::Points2 positions = scale * flat.Map.Positions;
 
@@ -178,6 +239,7 @@ int vtkFlattenRegion::RequestData(vtkInformation* vtkNotUsed(request),
       count("FilledHoles", region.FilledHoles);
       count("FlippedFaces", flat.Map.FlippedFaces);
       count("Bijective", flat.Map.Bijective ? 1 : 0);
+      flattening::setFigure(figures, "Margin", margin);
       flattening::setFigure(figures, "DroppedArea", region.DroppedArea);
       flattening::setFigure(figures, "FilledArea", region.FilledArea);
       flattening::setFigure(figures, "MaxCellAreaError", flat.Map.MaxCellError);
@@ -190,6 +252,7 @@ void vtkFlattenRegion::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "RegionFrom: " << this->RegionFrom << "\n";
   os << indent << "Label: " << this->Label << "\n";
+  os << indent << "AutomaticMargin: " << this->AutomaticMargin << "\n";
   os << indent << "Margin: " << this->Margin << "\n";
   os << indent << "LargestHoles: " << this->LargestHoles << "\n";
   os << indent << "LengthUnit: " << this->LengthUnit << "\n";

@@ -30,10 +30,10 @@
  * `SurfacePoints`, so that they can be shown in space, and the cell arrays `Measure` (a string) and
  * `Length`.
  *
- * Field data of port 0 (one tuple each): `Area`, `FlatArea`, `GreatestDiameter`, `ExtentAcross`,
- * `Perimeter`; `RegionPieces`, of which the largest was kept, and `DroppedArea`; `FilledHoles` and
- * `FilledArea`, of other labels within the region, which became a part of it; `MaxCellAreaError`,
- * `FlippedFaces` and `Bijective`, as from vtkOMTAreaPreservingFilter.
+ * Field data of port 0 (one tuple each): `Margin` (input units); `Area`, `FlatArea`, `GreatestDiameter`,
+ * `ExtentAcross`, `Perimeter`; `RegionPieces`, of which the largest was kept, and `DroppedArea`;
+ * `FilledHoles` and `FilledArea`, of other labels within the region, which became a part of it;
+ * `MaxCellAreaError`, `FlippedFaces` and `Bijective`, as from vtkOMTAreaPreservingFilter.
  *
  * An empty input gives empty outputs. Errors, each with empty outputs: a label that no triangle has, an
  * empty selection, a region or margin that is not a disk (with the remedy), a surface that is not an
@@ -94,8 +94,19 @@ public:
 
   ///@{
   /**
-   * Width of what is taken along around the region, along edges (input units). Range [0, inf). Default:
-   * 0.
+   * Whether the margin is four mean edges of the region's triangles wide, or the most of three, two, one
+   * and none that leaves a disk. Without a margin the teeth of the region's boundary become a part of
+   * the circle, and the areas of their triangles suffer. Default: on.
+   */
+  vtkSetMacro(AutomaticMargin, bool);
+  vtkGetMacro(AutomaticMargin, bool);
+  vtkBooleanMacro(AutomaticMargin, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Width of what is taken along around the region if AutomaticMargin is off, along edges (input units).
+   * Range [0, inf). Default: 0.
    */
   vtkSetMacro(Margin, double);
   vtkGetMacro(Margin, double);
@@ -143,6 +154,7 @@ protected:
 
   int RegionFrom = LABEL;
   int Label = 1;
+  bool AutomaticMargin = true;
   double Margin = 0.0;
   double LargestHoles = 0.1;
   std::string LengthUnit = "mm";

@@ -92,6 +92,7 @@ TEST(FlattenRegion, MeasuresACapInSpaceAndOnTheMap)
       filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "CellLabel");
       filter->SetLabel(14);
     }
+    filter->AutomaticMarginOff();
     filter->SetMargin(1.0);
     filter->Update();
     vtkTable* table = filter->GetMeasures();
@@ -127,6 +128,7 @@ TEST(FlattenRegion, TheMapAndItsCurvesKnowWhereTheyAreInSpace)
   vtkNew<vtkFlattenRegion> filter;
   filter->SetInputData(0, input);
   useLabels(filter);
+  filter->AutomaticMarginOff();
   filter->SetMargin(2.0);
   filter->Update();
   vtkPolyData* output = filter->GetOutput();
@@ -257,6 +259,35 @@ TEST(FlattenRegion, ASelectionIsARegion)
   }
 }
 
+// The teeth of the boundary are in the margin, so that the triangles of the region keep their areas.
+TEST(FlattenRegion, TheAutomaticMarginIsFourEdgesOrWhatLeavesADisk)
+{
+  const auto input = hemisphere(3000);
+  vtkNew<vtkFlattenRegion> filter;
+  filter->SetInputData(0, input);
+  useLabels(filter);
+  filter->Update();
+  const double edge = std::sqrt(2.0 * Pi * Radius * Radius / 3000 * 2.0 / std::sqrt(3.0));
+  EXPECT_NEAR(figure(filter->GetOutput(), "Margin") / edge, 4.0, 0.4);
+  EXPECT_NEAR(figure(filter->GetOutput(), "FlatArea") / figure(filter->GetOutput(), "Area"), 1.0, 0.003);
+
+  // Most of the way around an open tube: four edges would close the ring.
+  const TriangleMesh tube = samples::cylinder(40, 20, 3.0);
+  const auto pipe = polyDataOf(tube);
+  vtkNew<vtkIntArray> labels;
+  labels->SetName("Label");
+  for (int v = 0; v < tube.vertexCount(); ++v)
+  {
+    labels->InsertNextValue(v % 40 < 34 && v / 40 >= 8 && v / 40 <= 12 ? 4 : 1);
+  }
+  pipe->GetPointData()->AddArray(labels);
+  filter->SetInputData(0, pipe);
+  filter->Update();
+  ASSERT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_GT(figure(filter->GetOutput(), "Margin"), 0.15);
+  EXPECT_LT(figure(filter->GetOutput(), "Margin"), 4.0 * 0.15);
+}
+
 // A region of a few triangles gets a boundary that can be a circle.
 TEST(FlattenRegion, OfAFewTriangles)
 {
@@ -312,6 +343,7 @@ TEST(FlattenRegion, ReportsWhatIsWrong)
   filter->SetLabel(1); // the rim
   expectWords("not a disk");
   filter->SetLabel(4);
+  filter->AutomaticMarginOff();
   filter->SetMargin(-1.0);
   expectWords("must not be negative");
   filter->SetMargin(0.0);

@@ -39,9 +39,12 @@ assert math.isclose(rows["Perimeter"][0], 2 * math.pi * 16, rel_tol=0.03)
 assert rows["Area"][3] == "mm^2" and rows["Perimeter"][3] == "mm"
 data = servermanager.Fetch(proxy)
 assert data.GetFieldData().GetArray("FilledHoles").GetTuple1(0) == 1
-assert data.GetCellData().GetArray("InRegion").GetRange() == (1, 1)
+assert data.GetCellData().GetArray("InRegion").GetRange() == (0, 1)
+assert 0 < data.GetFieldData().GetArray("Margin").GetTuple1(0) < 10
 assert OutputPort(proxy, 2).GetDataInformation().GetNumberOfCells() == 3
-wide, _ = flat(Margin=5, LengthUnit="cm", **region)
+bare, _ = flat(AutomaticMargin=0, **region)
+assert servermanager.Fetch(bare).GetCellData().GetArray("InRegion").GetRange() == (1, 1)
+wide, _ = flat(AutomaticMargin=0, Margin=5, LengthUnit="cm", **region)
 assert servermanager.Fetch(wide, idx=1).GetValueByName(0, "Unit").ToString() == "cm^2"
 cells = servermanager.Fetch(wide).GetCellData().GetArray("InRegion")
 assert cells.GetRange() == (0, 1)
