@@ -1,15 +1,17 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, times Surface To Disk on surfaces of real scans with up to 700 handles and
 # every stage of the flattening on a hemisphere, a Gaussian bump and a real brain, compares the methods of the
-# conformal disk on the same, and prints the figures as Markdown tables; draws the conformal disk's error on surfaces
-# with known maps. The JSON output of Google Benchmark and the picture stay in the build folder. Safe to run again. Let nothing else run meanwhile.
+# conformal disk on the same, compares area-preserving maps on half a brain, and prints the figures as Markdown
+# tables; draws the conformal disk's error on surfaces with known maps, and area error against angle error of the
+# area-preserving maps. The JSON output of Google Benchmark and the pictures stay in the build folder. Safe to run
+# again. Let nothing else run meanwhile.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 Utilities/build.sh -DSURFACEFLATTENING_BENCHMARKS=ON
 build=${BUILD_DIRECTORY:-build}
 results=()
-for benchmark in BenchmarkSurfaceToDisk BenchmarkFlattening BenchmarkConformal; do
+for benchmark in BenchmarkSurfaceToDisk BenchmarkFlattening BenchmarkConformal BenchmarkAreaMaps; do
   results+=("$build/Testing/$benchmark.json")
   "$build/Testing/bin/$benchmark" --benchmark_out="${results[-1]}" --benchmark_out_format=json "$@" >/dev/null
 done
@@ -20,3 +22,7 @@ convergence=$build/Testing/BenchmarkConvergence.json
 xvfb-run -a -s "-screen 0 1280x1024x24" pvpython Utilities/convergence_picture.py \
   "$convergence" "$build/Testing/convergence.png"
 echo "Picture of the convergence: $build/Testing/convergence.png"
+
+xvfb-run -a -s "-screen 0 1280x1024x24" pvpython Utilities/angle_weight_picture.py \
+  "$build/Testing/BenchmarkAreaMaps.json" "$build/Testing/angle_weight.png"
+echo "Picture of the angle weights: $build/Testing/angle_weight.png"

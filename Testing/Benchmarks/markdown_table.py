@@ -69,6 +69,17 @@ METHODS = {
     "curvature error": lambda b: f"{b['curvature_error']:.0e}" if "curvature_error" in b else "",
 }
 
+AREA_MAPS = {
+    "surface": TIMES["surface"],
+    "vertices": TIMES["vertices"],
+    "map": lambda b: b["name"].split("/")[1],
+    "seconds": lambda b: f"{b['map_cpu_seconds']:.1f}",
+    "faces within 2 %": lambda b: f"{b['faces_within_2_percent']:.1f} %",
+    "mean area error": lambda b: f"{b['area_error_percent']:.2f} %",
+    "mean angle error": lambda b: f"{b['angle_error']:.1f}°",
+    "flipped": lambda b: f"{b['flipped']:.0f}",
+}
+
 
 def table(columns, benchmarks):
     yield "| " + " | ".join(name.strip() for name in columns) + " |"
@@ -80,11 +91,16 @@ def table(columns, benchmarks):
 def main(paths):
     for path in paths:
         with open(path, encoding="utf-8") as file:
-            benchmarks = json.load(file)["benchmarks"]
+            run = json.load(file)["benchmarks"]
+        for b in (b for b in run if b.get("error_occurred")):
+            print(f"{b['name']}: {b['error_message']}", file=sys.stderr)
+        benchmarks = [b for b in run if not b.get("error_occurred")]
         if "genus" in benchmarks[0]:
             kinds = [HANDLES]
         elif "conformal_ratio" in benchmarks[0]:
             kinds = [METHODS]
+        elif any("map_cpu_seconds" in b for b in benchmarks):
+            kinds = [AREA_MAPS]
         else:
             kinds = [TIMES, ERRORS, CELLS]
         for columns in kinds:

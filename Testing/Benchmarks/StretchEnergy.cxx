@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "StretchEnergy.h"
+
+#include "BoundaryAngles.h"
+#include "Errors.h"
+#include "MeshTopology.h"
+#include "SparseCholesky.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace flattening::benchmarks
+{
+namespace
+{
+
+// Of each edge, opposite corner k, half the cotangent at that corner times what its face counts (m x 3).
+// A face with corners p: cot = dot / (2 area).
+template <typename Points>
+Points3 edgeWeights(const Points& positions, const FaceMatrix& faces, const Eigen::VectorXd& perDot)
+{
+  Points3 weights(faces.rows(), 3);
+  for (Eigen::Index f = 0; f < faces.rows(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto corner = positions.row(faces(f, k));
+      const auto a = positions.row(faces(f, (k + 1) % 3)) - corner;
+      const auto b = positions.row(faces(f, (k + 2) % 3)) - corner;
+      weights(f, k) = a.dot(b) * perDot[f];
+    }
+  }
+  return weights;
+}
+
+// Laplace's equation with given values on the boundary. Matrices have the same pattern each time.
+class DirichletProblem
+{
+public:
+  DirichletProblem(const FaceMatrix& faces, const std::vector<int>& loop, int vertexCount)
+    : Faces(faces)
+    , Row(vertexCount, 0)
+    , Cholesky(SparseCholesky::Ordering::Thorough)
+  {
+    for (const int v : loop)
+    {
+      this->Row[v] = -1;
+    }
+    for (int v = 0; v < vertexCount; ++v)
+    {
+      if (this->Row[v] == 0)
+      {
+        this->Row[v] = static_cast<int>(this->Inner.size());
+        this->Inner.push_back(v);
+      }
+    }
+    this->findPattern();
+  }
+
+  // Replaces the inner positions.
+  void solve(const Points3& weights, Points2& positions)
+  {
+    Eigen::MatrixXd rightSide = Eigen::MatrixXd::Zero(this->Inner.size(), 2);
+    double* values = this->Matrix.valuePtr();
+    std::fill(values, values + this->Matrix.nonZeros(), 0.0);
+    for (Eigen::Index f = 0; f < this->Faces.rows(); ++f)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const int i = this->Faces(f, (k + 1) % 3);
+        const int j = this->Faces(f, (k + 2) % 3);
+        this->addEdge(i, j, weights(f, k), 3 * f + k, positions, rightSide);
+      }
+    }
+    this->Factored ? this->Cholesky.recompute(this->Matrix) : this->Cholesky.compute(this->Matrix);
+    this->Factored = true;
+    if (this->Cholesky.info() != Eigen::Success)
+    {
+      throw ConvergenceError("stretch-energy minimisation: a matrix could not be factored");
+    }
+    const Eigen::MatrixXd solution = this->Cholesky.solve(rightSide);
+    if (!solution.allFinite())
+    {
+      throw ConvergenceError("stretch-energy minimisation: a solution is not finite");
+    }
+    for (std::size_t i = 0; i < this->Inner.size(); ++i)
+    {
+      positions.row(this->Inner[i]) = solution.row(i);
+    }
+  }
+
+private:
+  void findPattern()
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::size_t i = 0; i < this->Inner.size(); ++i)
+    {
+      entries.emplace_back(i, i, 1.0);
+    }
+    const auto forInnerEdges = [this](const auto& action)
+    {
+      for (Eigen::Index f = 0; f < this->Faces.rows(); ++f)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          const int i = this->Row[this->Faces(f, (k + 1) % 3)];
+          const int j = this->Row[this->Faces(f, (k + 2) % 3)];
+          if (i >= 0 && j >= 0)
+          {
+            action(3 * f + k, std::max(i, j), std::min(i, j));
+          }
+        }
+      }
+    };
+    forInnerEdges([&entries](Eigen::Index, int i, int j) { entries.emplace_back(i, j, 1.0); });
+    this->Matrix.resize(this->Inner.size(), this->Inner.size());
+    this->Matrix.setFromTriplets(entries.begin(), entries.end());
+    this->Entry.assign(3 * this->Faces.rows(), -1);
+    forInnerEdges(
+      [this](Eigen::Index edge, int i, int j)
+      {
+        const int* rows = this->Matrix.innerIndexPtr();
+        const int* columns = this->Matrix.outerIndexPtr();
+        this->Entry[edge] =
+          static_cast<int>(std::lower_bound(rows + columns[j], rows + columns[j + 1], i) - rows);
+      });
+  }
+
+  // The diagonal comes first in its column of the lower triangle.
+  void addEdge(int i,
+    int j,
+    double weight,
+    Eigen::Index edge,
+    const Points2& positions,
+    Eigen::MatrixXd& rightSide)
+  {
+    double* values = this->Matrix.valuePtr();
+    if (this->Entry[edge] >= 0)
+    {
+      values[this->Entry[edge]] -= weight;
+    }
+    for (const auto& [v, other] : { std::pair(i, j), std::pair(j, i) })
+    {
+      if (const int row = this->Row[v]; row >= 0)
+      {
+        values[this->Matrix.outerIndexPtr()[row]] += weight;
+        if (this->Row[other] < 0)
+        {
+          rightSide.row(row) += weight * positions.row(other);
+        }
+      }
+    }
+  }
+
+  const FaceMatrix& Faces;
+  std::vector<int> Row; // of every vertex; -1 on the boundary
+  std::vector<int> Inner;
+  SparseMatrix Matrix;    // lower triangle
+  std::vector<int> Entry; // of the edge opposite corner k of face f, at 3 f + k; -1 at the boundary
+  SparseCholesky Cholesky;
+  bool Factored = false;
+};
+
+} // namespace
+
+Points2 stretchEnergyDiskMap(const TriangleMesh& mesh, int iterations)
+{
+  const std::vector<int> loop = requireDisk(mesh);
+  const Eigen::VectorXd areas = faceAreas(mesh.Vertices, mesh.Faces);
+  if (areas.minCoeff() <= 0.0)
+  {
+    throw InvalidInput("stretch-energy minimisation divides by the areas of faces: one has none");
+  }
+  const Eigen::VectorXd angles = anglesInProportion(loopLengths(mesh, loop, 0.0));
+  Points2 positions = Points2::Zero(mesh.vertexCount(), 2);
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    positions.row(loop[k]) << std::cos(angles[k]), std::sin(angles[k]);
+  }
+  DirichletProblem laplace(mesh.Faces, loop, mesh.vertexCount());
+  const Eigen::VectorXd perSurfaceDot = 0.25 * areas.cwiseInverse();
+  laplace.solve(edgeWeights(mesh.Vertices, mesh.Faces, perSurfaceDot), positions);
+  // Half a cotangent is dot / (4 flat area): times flat over surface area, dot / (4 surface area). A
+  // common factor does not count, nor does it matter which way round a flat face is.
+  for (int n = 0; n < iterations; ++n)
+  {
+    laplace.solve(edgeWeights(positions, mesh.Faces, perSurfaceDot), positions);
+  }
+  return positions;
+}
+
+} // namespace flattening::benchmarks
