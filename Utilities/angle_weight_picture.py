@@ -77,7 +77,7 @@ def main(source, picture):
     view.LeftAxisLogScale = 1
     view.LeftAxisTitle = "mean area error (%)"
     view.BottomAxisTitle = "mean angle error (degrees)"
-    view.LegendLocation = "TopRight"
+    view.LegendLocation = "BottomLeft"
     for surface, points in curves.items():
         draw(view, f"{surface}: Angle Weight 0 to 0.9", points, COLOURS[surface], SOLID, CIRCLE)
     for (surface, name), points in others.items():
