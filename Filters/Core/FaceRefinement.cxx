@@ -44,6 +44,8 @@ constexpr int RegionSize = 2000;
 constexpr double RegionAngle = 0.5;
 constexpr double RegionTolerance = 0.01;
 constexpr int RoundsPerBalance = 2;
+// The same in the end: regions are what people measure.
+constexpr double FinalRegionTolerance = 2e-4;
 // The shape weight without and with AngleWeight (times AngleWeight / (1 - AngleWeight)).
 constexpr double LeastShapeWeight = 1e-3;
 constexpr double ShapeWeightScale = 0.03;
@@ -186,9 +188,9 @@ private:
   }
 
   // Area that must travel farther than a patch reaches takes steps of the whole mesh.
-  void balance(FlatState& state, const ProgressCallback& progress)
+  void balance(FlatState& state, double tolerance, const ProgressCallback& progress)
   {
-    if (this->imbalance(state, this->presentTargets(state)) < RegionTolerance)
+    if (this->imbalance(state, this->presentTargets(state)) < tolerance)
     {
       return;
     }
@@ -212,7 +214,7 @@ private:
       const double middle = 0.5 * (begin + end);
       if (round % RoundsPerBalance == RoundsPerBalance - 1)
       {
-        this->balance(state, subrange(progress, begin, middle));
+        this->balance(state, RegionTolerance, subrange(progress, begin, middle));
       }
       RefinementPatches::Pass pass;
       pass.Targets = this->presentTargets(state);
@@ -247,7 +249,8 @@ private:
     this->Energy.setTargets(this->Targets);
     this->Energy.setEpsilon(0.0);
     this->KeepsOrientation = true;
-    this->rounds(state, SecondStageRounds, Until::Enough, progress);
+    this->rounds(state, SecondStageRounds, Until::Enough, subrange(progress, 0.0, 0.8));
+    this->balance(state, FinalRegionTolerance, subrange(progress, 0.8, 1.0));
   }
 
   // Most of what is flipped after the first stage turns over in a few more of its rounds, and the rest
