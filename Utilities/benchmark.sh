@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, times Surface To Disk on surfaces of real scans with up to 700 handles and
-# every stage of the flattening on a hemisphere, a Gaussian bump and a real brain, compares the methods of the
+# every stage of the flattening on a real brain and on surfaces as in the paper, compares the methods of the
 # conformal disk on the same, compares area-preserving maps on half a brain, and prints the figures as Markdown
 # tables; draws the conformal disk's error on surfaces with known maps, and area error against angle error of the
 # area-preserving maps. The JSON output of Google Benchmark and the pictures stay in the build folder. Safe to run

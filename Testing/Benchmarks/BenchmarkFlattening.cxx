@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Times every stage of a flattening, and as a yardstick, on the same mesh in the same run, one regular
-// triangulation of its sites and one Cholesky factorization of its Laplacian.
+// triangulation of its sites and one Cholesky factorization of its Laplacian. Times are by the clock
+// and, with _cpu_ in their names, processor time of all threads.
 //   BenchmarkFlattening [scan] [Google Benchmark's options]
 #include "AreaPreservingDisk.h"
 #include "BenchmarkSurfaces.h"
 #include "ConformalDisk.h"
 #include "DistortionSummary.h"
+#include "PaperSurfaces.h"
 #include "PeakMemory.h"
 #include "Yardstick.h"
 
@@ -61,6 +63,7 @@ void transportAll(benchmark::State& state, const TriangleMesh& mesh, const Point
   const StopWatch watch;
   const AreaPreservingResult flat = areaPreservingDiskMap(mesh, conformal, {}, options);
   const double seconds = watch.seconds();
+  counters["transport_cpu_seconds"] = watch.processorSeconds();
   const double triangulation = regularTriangulationSeconds(conformal, flat.Map.PowerWeights);
   const double factorization = factorizationSeconds(mesh);
   const auto cells = summariseDistortion(measureDistortion(mesh, flat.Map.Positions));
@@ -83,21 +86,26 @@ void refineAll(benchmark::State& state, const TriangleMesh& mesh, const Points2&
   auto& counters = state.counters;
   const StopWatch watch;
   double transportSeconds = 0.0;
+  double transportProcessorSeconds = 0.0;
   const auto noteStage = [&](double, const char* stage)
   {
     if (transportSeconds == 0.0 && std::string(stage) == "Face refinement")
     {
       transportSeconds = watch.seconds();
+      transportProcessorSeconds = watch.processorSeconds();
     }
     return true;
   };
   const AreaPreservingResult flat = areaPreservingDiskMap(mesh, conformal, {}, {}, noteStage);
   const double seconds = watch.seconds();
+  const double processorSeconds = watch.processorSeconds();
   const auto faces = summariseDistortion(measureDistortion(mesh, flat.Map.Positions));
   counters["sites"] = flat.Map.Sites;
   counters["sites_seconds"] = transportSeconds;
   counters["refinement_seconds"] = seconds - transportSeconds;
   counters["area_preserving_seconds"] = seconds;
+  counters["sites_cpu_seconds"] = transportProcessorSeconds;
+  counters["refinement_cpu_seconds"] = processorSeconds - transportProcessorSeconds;
   counters["rounds"] = flat.Map.RefinementRounds;
   counters["faces_within_2_percent"] = faces.FacesWithin2Percent;
   counters["area_error_percent"] = faces[Measure::AreaError].AreaWeightedMean;
@@ -118,6 +126,7 @@ void flatten(benchmark::State& state, const std::function<benchmarks::BenchmarkS
     const StopWatch watch;
     const ConformalDiskMap conformal = conformalDiskMap(mesh);
     counters["conformal_seconds"] = watch.seconds();
+    counters["conformal_cpu_seconds"] = watch.processorSeconds();
     refineAll(state, mesh, conformal.Positions);
     state.SetIterationTime(watch.seconds());
     counters["peak_memory"] = benchmarks::peakMemory();
@@ -135,12 +144,34 @@ void flatten(benchmark::State& state, const std::function<benchmarks::BenchmarkS
   }
 }
 
-void add(const char* name, const std::function<benchmarks::BenchmarkSurface()>& load)
+template <typename Run>
+void add(const std::string& name, const Run& run)
 {
-  benchmark::RegisterBenchmark(name, [load](benchmark::State& state) { flatten(state, load); })
+  benchmark::RegisterBenchmark(name.c_str(), run)
     ->Iterations(1)
     ->UseManualTime()
     ->Unit(benchmark::kSecond);
+}
+
+void addSurface(const char* name, const std::function<benchmarks::BenchmarkSurface()>& load)
+{
+  add(name, [load](benchmark::State& state) { flatten(state, load); });
+}
+
+void addPaperSurface(const benchmarks::PaperSurface& surface)
+{
+  add("paper: " + surface.Name,
+    [surface](benchmark::State& state)
+    {
+      flatten(state, surface.Load);
+      state.counters["paper_vertices"] = surface.Vertices;
+      state.counters["paper_seconds"] = surface.Seconds;
+      if (surface.MinimalFlowSeconds > 0.0)
+      {
+        state.counters["paper_minimal_flow_seconds"] = surface.MinimalFlowSeconds;
+        state.counters["paper_lie_advection_seconds"] = surface.LieAdvectionSeconds;
+      }
+    });
 }
 
 } // namespace
@@ -153,16 +184,20 @@ int main(int argc, char** argv)
   { return [load, times] { return benchmarks::subdivided(load(), times); }; };
   const auto half = [scan] { return benchmarks::halfBrain(scan); };
   const auto whole = [scan] { return benchmarks::brainWithResolvedHole(scan); };
-  add("hemisphere", benchmarks::hemisphere);
-  add("Gaussian bump", benchmarks::gaussianSquare);
-  add("half brain, remeshed", [scan] { return benchmarks::remeshedHalfBrain(scan); });
-  add("half brain, raw", half);
-  add("half brain, split once", split(half, 1));
-  add("half brain, split twice", split(half, 2));
-  add("whole brain, remeshed", [scan] { return benchmarks::remeshedBrain(scan); });
-  add("whole brain, raw", whole);
-  add("whole brain, raw, hole 0.1 %", [scan] { return benchmarks::closedBrain(scan); });
-  add("whole brain, split once", split(whole, 1));
+  addSurface("hemisphere", benchmarks::hemisphere);
+  addSurface("Gaussian bump", benchmarks::gaussianSquare);
+  addSurface("half brain, remeshed", [scan] { return benchmarks::remeshedHalfBrain(scan); });
+  addSurface("half brain, raw", half);
+  addSurface("half brain, split once", split(half, 1));
+  addSurface("half brain, split twice", split(half, 2));
+  addSurface("whole brain, remeshed", [scan] { return benchmarks::remeshedBrain(scan); });
+  addSurface("whole brain, raw", whole);
+  addSurface("whole brain, raw, hole 0.1 %", [scan] { return benchmarks::closedBrain(scan); });
+  addSurface("whole brain, split once", split(whole, 1));
+  for (const benchmarks::PaperSurface& surface : benchmarks::paperSurfaces(scan))
+  {
+    addPaperSurface(surface);
+  }
   benchmark::RunSpecifiedBenchmarks();
   return 0;
 }

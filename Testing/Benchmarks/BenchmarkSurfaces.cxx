@@ -18,7 +18,6 @@
 #include <vtkSurfaceToDiskFilter.h>
 
 #include <chrono>
-#include <cmath>
 
 namespace flattening::benchmarks
 {
@@ -68,14 +67,9 @@ vtkSmartPointer<vtkPolyData> brainSurface(const std::string& scan)
   return scanSurface(scan, 2.0, 40.0);
 }
 
-// Edge length 0: not remeshed. Hole fraction 0: the filter's default.
-BenchmarkSurface asDisk(vtkPolyData* surface, double edgeLength, double holeFraction = 0.0)
+// Edge length 0: not remeshed.
+BenchmarkSurface asDisk(vtkSurfaceToDiskFilter* toDisk, vtkPolyData* surface, double edgeLength)
 {
-  vtkNew<vtkSurfaceToDiskFilter> toDisk;
-  if (holeFraction > 0.0)
-  {
-    toDisk->SetHoleAreaFraction(holeFraction);
-  }
   toDisk->SetInputData(surface);
   toDisk->SetRemesh(edgeLength > 0.0);
   toDisk->SetTargetEdgeLength(edgeLength);
@@ -83,6 +77,17 @@ BenchmarkSurface asDisk(vtkPolyData* surface, double edgeLength, double holeFrac
   toDisk->Update();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return { meshOf(toDisk->GetOutput()), seconds };
+}
+
+// Hole fraction 0: the filter's default.
+BenchmarkSurface asDisk(vtkPolyData* surface, double edgeLength, double holeFraction = 0.0)
+{
+  vtkNew<vtkSurfaceToDiskFilter> toDisk;
+  if (holeFraction > 0.0)
+  {
+    toDisk->SetHoleAreaFraction(holeFraction);
+  }
+  return asDisk(toDisk, surface, edgeLength);
 }
 
 // What lies on side 1 or -1 of the mid-plane.
@@ -113,23 +118,29 @@ BenchmarkSurface hemisphere()
 
 BenchmarkSurface gaussianSquare()
 {
-  constexpr int side = 101;
+  BenchmarkSurface surface = squareGrid(101, 101);
+  surface.Mesh.Vertices.col(2) =
+    (-4.0 * surface.Mesh.Vertices.leftCols<2>().rowwise().squaredNorm().array()).exp();
+  return surface;
+}
+
+BenchmarkSurface squareGrid(int columns, int rows)
+{
   BenchmarkSurface surface;
-  surface.Mesh.Vertices.resize(side * side, 3);
-  surface.Mesh.Faces.resize(2 * (side - 1) * (side - 1), 3);
+  TriangleMesh& mesh = surface.Mesh;
+  mesh.Vertices.resize(columns * rows, 3);
+  mesh.Faces.resize(2 * (columns - 1) * (rows - 1), 3);
   int face = 0;
-  for (int j = 0; j < side; ++j)
+  for (int j = 0; j < rows; ++j)
   {
-    for (int i = 0; i < side; ++i)
+    for (int i = 0; i < columns; ++i)
     {
-      const double x = 2.0 * i / (side - 1) - 1.0;
-      const double y = 2.0 * j / (side - 1) - 1.0;
-      const int v = j * side + i;
-      surface.Mesh.Vertices.row(v) << x, y, std::exp(-4.0 * (x * x + y * y));
-      if (i + 1 < side && j + 1 < side)
+      const int v = j * columns + i;
+      mesh.Vertices.row(v) << 2.0 * i / (columns - 1) - 1.0, 2.0 * j / (rows - 1) - 1.0, 0.0;
+      if (i + 1 < columns && j + 1 < rows)
       {
-        surface.Mesh.Faces.row(face++) << v, v + 1, v + side + 1;
-        surface.Mesh.Faces.row(face++) << v, v + side + 1, v + side;
+        mesh.Faces.row(face++) << v, v + 1, v + columns + 1;
+        mesh.Faces.row(face++) << v, v + columns + 1, v + columns;
       }
     }
   }
@@ -149,6 +160,13 @@ BenchmarkSurface remeshedBrain(const std::string& scan)
 BenchmarkSurface brainWithResolvedHole(const std::string& scan)
 {
   return asDisk(brainSurface(scan), 0.0, 0.0075);
+}
+
+BenchmarkSurface unrolled(const TriangleMesh& tube, double edgeLength)
+{
+  vtkNew<vtkSurfaceToDiskFilter> toDisk;
+  toDisk->SetCutModeToSeam();
+  return asDisk(toDisk, polyDataOf(tube), edgeLength);
 }
 
 BenchmarkSurface subdivided(const BenchmarkSurface& coarse, int times)
@@ -175,9 +193,9 @@ BenchmarkSurface fineBrain(const std::string& scan)
   return asDisk(scanSurface(scan, 1.0, 60.0), 0.0);
 }
 
-BenchmarkSurface remeshedHalfBrain(const std::string& scan)
+BenchmarkSurface remeshedHalfBrain(const std::string& scan, double edgeLength)
 {
-  return half(scan, 1.2);
+  return half(scan, edgeLength);
 }
 
 } // namespace flattening::benchmarks

@@ -20,6 +20,8 @@ struct BenchmarkSurface
 BenchmarkSurface hemisphere();
 /// A Gaussian bump on a square grid of 101 x 101 vertices, as in the paper's Table 1.
 BenchmarkSurface gaussianSquare();
+/// The flat square [-1, 1]^2.
+BenchmarkSurface squareGrid(int columns, int rows);
 
 /// The brain in @p scan (`ch2bet.nii.gz`: 1 mm, skull-stripped), smoothed by 2 mm, isovalue 40, as one
 /// closed surface with a hole cut by vtkSurfaceToDiskFilter.
@@ -30,13 +32,18 @@ BenchmarkSurface remeshedBrain(const std::string& scan);
 BenchmarkSurface halfBrain(const std::string& scan);
 /// The half on the other side.
 BenchmarkSurface otherHalfBrain(const std::string& scan);
-/// The same half, remeshed to edges of 1.2 mm.
-BenchmarkSurface remeshedHalfBrain(const std::string& scan);
+/// The same half, remeshed to edges of that length (mm).
+BenchmarkSurface remeshedHalfBrain(const std::string& scan,
+  double edgeLength = 1.2); /// The flat square [-1, 1]^2.
+BenchmarkSurface squareGrid(int columns, int rows);
+
 /// The brain in @p scan (`ch2better.nii.gz`: 0.5 mm, skull-stripped), smoothed by one voxel, isovalue
 /// 60, its 120 handles removed, opened at a hole: a million vertices too, with long narrow parts.
 BenchmarkSurface fineBrain(const std::string& scan);
 /// The closed brain as it came, the hole 0.75 % of its area.
 BenchmarkSurface brainWithResolvedHole(const std::string& scan);
+/// An open tube, cut from end to end and remeshed.
+BenchmarkSurface unrolled(const TriangleMesh& tube, double edgeLength);
 /// Each face split in four, @p times over; the half brain twice: a million vertices.
 BenchmarkSurface subdivided(const BenchmarkSurface& coarse, int times);
 

@@ -4,6 +4,11 @@
 import json
 import sys
 
+
+def given(benchmark, counter):
+    return f"{benchmark[counter]:.2f}" if counter in benchmark else ""
+
+
 TIMES = {
     "surface": lambda b: b["name"].split("/")[0],
     "vertices": lambda b: f"{b['vertices']:,.0f}",
@@ -39,6 +44,24 @@ CELLS = {
     "cell error": lambda b: f"{b['cell_error']:.0e}",
     "faces within 2 %": lambda b: f"{b['cells_within_2_percent']:.1f} %",
     "flipped ": lambda b: f"{b['cells_flipped']:.0f}",
+}
+PAPER = {
+    "surface": lambda b: b["name"].split("/")[0].removeprefix("paper: "),
+    "paper: vertices": lambda b: f"{b['paper_vertices']:,.0f}",
+    "OMT (s)": lambda b: f"{b['paper_seconds']:.2f}",
+    "minimal flow (s)": lambda b: given(b, "paper_minimal_flow_seconds"),
+    "Lie advection (s)": lambda b: given(b, "paper_lie_advection_seconds"),
+    "ours: vertices": TIMES["vertices"],
+    "conformal (s)": lambda b: f"{b['conformal_cpu_seconds']:.2f}",
+    "transport of every vertex (s)": lambda b: f"{b['transport_cpu_seconds']:.2f}",
+    "faces within 2 %": CELLS["faces within 2 %"],
+    "transport of sites + refinement (s)": lambda b: (
+        f"{b['sites_cpu_seconds']:.2f} + {b['refinement_cpu_seconds']:.2f}"
+    ),
+    "faces within 2 % ": ERRORS["area-preserving: faces within 2 %"],
+    "mean area error": ERRORS["mean area error"],
+    "angle error": ERRORS["angle error"],
+    "flipped": ERRORS["flipped  "],
 }
 HANDLES = {
     "surface": TIMES["surface"],
@@ -102,10 +125,12 @@ def main(paths):
         elif any("map_cpu_seconds" in b for b in benchmarks):
             kinds = [AREA_MAPS]
         else:
-            kinds = [TIMES, ERRORS, CELLS]
+            kinds = [TIMES, ERRORS, CELLS, PAPER]
         for columns in kinds:
             rows = [b for b in benchmarks if columns is not CELLS or "transport_seconds" in b]
-            print("\n".join(table(columns, rows)), end="\n\n")
+            rows = [b for b in rows if ("paper_seconds" in b) == (columns is PAPER)]
+            if rows:
+                print("\n".join(table(columns, rows)), end="\n\n")
 
 
 if __name__ == "__main__":
