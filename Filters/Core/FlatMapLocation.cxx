@@ -3,6 +3,7 @@
 
 #include "Errors.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -11,8 +12,29 @@ namespace flattening
 namespace
 {
 
-// Stricter than Rounding: in a thin face a small distance in the plane can be a large one in space.
-constexpr double WalkRounding = 1e-15;
+// From the areas that the point cuts off, which a walk's projections lose in thin triangles; negative
+// where it is outside.
+std::array<double, 3> planarWeights(const TriangleMesh& mesh, int face, const Eigen::RowVector3d& point)
+{
+  std::array<Eigen::RowVector3d, 3> to;
+  for (int k = 0; k < 3; ++k)
+  {
+    to[k] = mesh.Vertices.row(mesh.Faces(face, k)) - point;
+  }
+  std::array<double, 3> weights;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Eigen::RowVector3d& a = to[(k + 1) % 3];
+    const Eigen::RowVector3d& b = to[(k + 2) % 3];
+    weights[k] = a.x() * b.y() - a.y() * b.x();
+  }
+  const double sum = weights[0] + weights[1] + weights[2];
+  for (double& weight : weights)
+  {
+    weight /= sum;
+  }
+  return weights;
+}
 
 TriangleMesh flatMesh(const TriangleMesh& surface, const Points2& positions)
 {
@@ -67,17 +89,12 @@ FlatMapLocation::Searched::Searched(TriangleMesh whole)
   this->Projection = std::make_unique<SurfaceProjection>(this->Mesh);
 }
 
-MapPlace FlatMapLocation::Searched::placeOf(const SurfacePoint& found,
-  const Eigen::RowVector3d& point) const
-{
-  const double distance = (found.Position.transpose() - point).norm();
-  return { this->Faces[found.Face], found.Weights, distance, distance <= Rounding * this->Diagonal };
-}
-
 MapPlace FlatMapLocation::Searched::nearest(const Eigen::RowVector3d& point) const
 {
   requireFinite(point);
-  return this->placeOf(this->Projection->closest(point.transpose()), point);
+  const SurfacePoint found = this->Projection->closest(point.transpose());
+  const double distance = (found.Position.transpose() - point).norm();
+  return { this->Faces[found.Face], found.Weights, distance, distance <= Rounding * this->Diagonal };
 }
 
 FlatMapLocation::FlatMapLocation(const TriangleMesh& surface, const Points2& positions)
@@ -101,11 +118,11 @@ MapPlace FlatMapLocation::onMap(const Eigen::RowVector2d& point, int nearFace) c
   const int start = this->Map.NumberOf[nearFace];
   if (start >= 0)
   {
-    // The walk may end at a bay of the boundary, but never inside of the map but at the point itself.
-    const MapPlace place = this->Map.placeOf(this->MapWalk.closest(inSpace.transpose(), start), inSpace);
-    if (place.Distance <= WalkRounding * this->Map.Diagonal)
+    const int found = this->MapWalk.closest(inSpace.transpose(), start).Face;
+    const std::array<double, 3> weights = planarWeights(this->Map.Mesh, found, inSpace);
+    if (*std::min_element(weights.begin(), weights.end()) >= 0.0)
     {
-      return place;
+      return { this->Map.Faces[found], weights, 0.0, true };
     }
   }
   return this->Map.nearest(inSpace);

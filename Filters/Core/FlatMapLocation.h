@@ -62,7 +62,6 @@ private:
   {
     explicit Searched(TriangleMesh whole);
     MapPlace nearest(const Eigen::RowVector3d& point) const;
-    MapPlace placeOf(const SurfacePoint& found, const Eigen::RowVector3d& point) const;
 
     TriangleMesh Mesh;
     std::vector<int> Faces;
