@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkPlanarWarp.h"
+
+#include "CarriedGraph.h"
+#include "CarriedImage.h"
+#include "CarriedPolyData.h"
+#include "FilterExecution.h"
+#include "PolyDataConversion.h"
+
+#include <vtkDataObjectTypes.h>
+#include <vtkDirectedGraph.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkUndirectedGraph.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+vtkStandardNewMacro(vtkPlanarWarp);
+
+namespace
+{
+
+using flattening::InvalidInput;
+
+double segmentLength(bool subdivide, double maximum, double meanSide)
+{
+  if (!(maximum >= 0.0) || !std::isfinite(maximum))
+  {
+    throw InvalidInput("the maximal segment length is " + std::to_string(maximum) +
+                       ": set it to a length, or to 0 for half of the mean side of the triangles");
+  }
+  if (!subdivide)
+  {
+    return 0.0;
+  }
+  return maximum > 0.0 ? maximum : 0.5 * meanSide;
+}
+
+bool chosenSize(const int size[2])
+{
+  return size[0] != 0 || size[1] != 0;
+}
+
+} // namespace
+
+vtkPlanarWarp::vtkPlanarWarp()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+int vtkPlanarWarp::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  if (port == 1)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkGraph");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  }
+  return 1;
+}
+
+int vtkPlanarWarp::RequestDataObject(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkDataObject* data = vtkDataObject::GetData(inputVector[1]);
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  int type = VTK_POLY_DATA;
+  if (vtkImageData::SafeDownCast(data) && this->ImageOutput == RESAMPLED_IMAGE)
+  {
+    type = VTK_IMAGE_DATA;
+  }
+  else if (vtkGraph::SafeDownCast(data))
+  {
+    type = vtkDirectedGraph::SafeDownCast(data) ? VTK_DIRECTED_GRAPH : VTK_UNDIRECTED_GRAPH;
+  }
+  vtkDataObject* output = vtkDataObject::GetData(info);
+  if (!output || output->GetDataObjectType() != type)
+  {
+    const auto made = vtkSmartPointer<vtkDataObject>::Take(vtkDataObjectTypes::NewDataObject(type));
+    info->Set(vtkDataObject::DATA_OBJECT(), made);
+  }
+  return 1;
+}
+
+int vtkPlanarWarp::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkInformation* data = inputVector[1]->GetInformationObject(0);
+  if (vtkImageData::GetData(info) && data->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  {
+    int extent[6];
+    data->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+    const int width = chosenSize(this->ImageSize) ? this->ImageSize[0] : extent[1] - extent[0] + 1;
+    const int height = chosenSize(this->ImageSize) ? this->ImageSize[1] : extent[3] - extent[2] + 1;
+    info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), 0, width - 1, 0, height - 1, 0, 0);
+  }
+  return 1;
+}
+
+int vtkPlanarWarp::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector,
+  vtkInformationVector* vtkNotUsed(outputVector))
+{
+  vtkInformation* data = inputVector[1]->GetInformationObject(0);
+  if (data->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  {
+    int extent[6];
+    data->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+    data->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+  }
+  return 1;
+}
+
+int vtkPlanarWarp::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkPolyData* flat = vtkPolyData::GetData(inputVector[0]);
+  vtkDataObject* data = vtkDataObject::GetData(inputVector[1]);
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  if (flattening::isEmpty(flat) || !data ||
+      data->GetNumberOfElements(vtkDataObject::POINT) +
+          data->GetNumberOfElements(vtkDataObject::VERTEX) ==
+        0)
+  {
+    return 1;
+  }
+  return flattening::runFilter(this,
+    outputVector,
+    [&]
+    {
+      const flattening::TriangleMesh mesh = flattening::surfaceOfFlattened(flat);
+      const flattening::Points2 positions = flattening::toPlanarPositions(flat);
+      const flattening::PlanarWarp warp(mesh, positions);
+      if (warp.facesDown())
+      {
+        vtkWarningMacro("the mesh faced down (towards negative z) before it was flattened, so what it "
+                        "carries is mirrored: turn its triangles over first, e.g. with Flip Normals in "
+                        "Generate Surface Normals");
+      }
+      const auto progress = flattening::progressOf(this);
+      const flattening::CarryRules rules{ warp,
+        this->OutsidePoints == REMOVE,
+        segmentLength(this->SubdivideLines, this->MaximumSegmentLength, warp.meanSide()),
+        progress };
+      flattening::CarryCounts counts;
+      if (auto* lines = vtkPolyData::SafeDownCast(data))
+      {
+        counts = flattening::carryPolyData(lines, rules, vtkPolyData::SafeDownCast(output));
+      }
+      else if (auto* graph = vtkGraph::SafeDownCast(data))
+      {
+        counts = flattening::carryGraph(graph, rules, vtkGraph::SafeDownCast(output));
+      }
+      else if (auto* textured = vtkPolyData::SafeDownCast(output))
+      {
+        textured->ShallowCopy(flat);
+        counts.Outside =
+          flattening::addTextureCoordinates(vtkImageData::SafeDownCast(data), mesh.Vertices, textured);
+      }
+      else
+      {
+        auto* image = vtkImageData::SafeDownCast(data);
+        const int* chosen = chosenSize(this->ImageSize) ? this->ImageSize : image->GetDimensions();
+        if (std::min(chosen[0], chosen[1]) < 2 || std::max(chosen[0], chosen[1]) > 65535)
+        {
+          throw InvalidInput("the image is to be of " + std::to_string(chosen[0]) + " x " +
+                             std::to_string(chosen[1]) +
+                             " pixels: set both numbers from 2 to 65535, or both to 0");
+        }
+        counts.Outside = flattening::resampleImage(image,
+          flat,
+          { warp,
+            this->OutsidePoints == LEAVE_UNMOVED,
+            this->NearestPixel,
+            { chosen[0], chosen[1] },
+            progress },
+          vtkImageData::SafeDownCast(output));
+      }
+      flattening::setFigure(output->GetFieldData(), "OutsidePoints", counts.Outside);
+      flattening::setFigure(output->GetFieldData(), "InsertedPoints", counts.Inserted);
+    });
+}
+
+void vtkPlanarWarp::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "OutsidePoints: " << this->OutsidePoints << "\n";
+  os << indent << "SubdivideLines: " << this->SubdivideLines << "\n";
+  os << indent << "MaximumSegmentLength: " << this->MaximumSegmentLength << "\n";
+  os << indent << "ImageOutput: " << this->ImageOutput << "\n";
+  os << indent << "ImageSize: " << this->ImageSize[0] << " " << this->ImageSize[1] << "\n";
+  os << indent << "NearestPixel: " << this->NearestPixel << "\n";
+}

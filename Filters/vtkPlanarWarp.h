@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkPlanarWarp
+ * @brief   carries points, lines, graphs and images with a planar mesh that was deformed
+ *
+ * Input port 0 is a flat map of a planar mesh: triangles in a plane z = constant went through
+ * vtkConformalDiskFilter and, with weights, vtkOMTAreaPreservingFilter, and the point array
+ * `SurfacePoints` says where each point was. Input port 1 is what lies on that mesh, in the same
+ * coordinates: polygonal data, a graph or an image. Every point of it is located in a triangle of the
+ * undeformed mesh and goes to the same barycentric coordinates of that triangle in the flat map: what is
+ * in a region of weight 4 becomes four times as large as compared with the rest.
+ *
+ * - vtkPolyData: its points are carried; long segments of lines are subdivided, so that they bend
+ *   (SubdivideLines). Polygons and strips keep their points.
+ * - vtkGraph: its vertices, and points within its edges; straight edges are subdivided. The output is a
+ *   vtkDirectedGraph or vtkUndirectedGraph.
+ * - vtkImageData, of one pixel in z: resampled, all arrays, on a grid over the flat map; or the flat map
+ *   with texture coordinates for the image (ImageOutput).
+ *
+ * Heights above the mesh's plane are kept. Outputs other than images have all arrays of port 1, as point
+ * data or vertex data `SurfacePoints` (double x 3), where each point was, and `InMap` (unsigned char), 1
+ * if it lay on the mesh. On subdivided lines and where several points stand for one, arrays of floating
+ * point numbers are interpolated and others take the nearer end's value. Images have the point array
+ * `InMap`, 1 where the pixel shows a point of the image; other pixels are 0.
+ *
+ * Field data (one tuple each): `OutsidePoints`, points or pixels of port 1's data that lie outside the
+ * mesh (of a resampled image: pixels of the flat map that lie outside the image); `InsertedPoints`, on
+ * lines and edges.
+ *
+ * An empty input on either port gives an empty output. Errors, each with an empty output: no array
+ * `SurfacePoints`, an undeformed mesh that is not in a plane of constant z or folds over itself, data
+ * none of which lies on the mesh, a graph whose vertices have no positions, an image of several slices,
+ * one row or no arrays, settings out of range. A warning tells if
+ * the mesh faced down, so that what it carries is mirrored.
+ *
+ * @sa vtkAreaWeights vtkOMTAreaPreservingFilter
+ */
+#ifndef vtkPlanarWarp_h
+#define vtkPlanarWarp_h
+
+#include "SurfaceFlatteningFiltersModule.h" // for the export macro
+
+#include <vtkDataObjectAlgorithm.h>
+
+class vtkPolyData;
+
+class SURFACEFLATTENINGFILTERS_EXPORT vtkPlanarWarp : public vtkDataObjectAlgorithm
+{
+public:
+  static vtkPlanarWarp* New();
+  vtkTypeMacro(vtkPlanarWarp, vtkDataObjectAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The data to carry, port 1: vtkPolyData, vtkGraph or vtkImageData.
+   */
+  void SetCarriedConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void SetCarriedData(vtkDataObject* data) { this->SetInputData(1, data); }
+  ///@}
+
+  enum OutsideChoices
+  {
+    REMOVE = 0,
+    LEAVE_UNMOVED = 1
+  };
+
+  ///@{
+  /**
+   * What becomes of points outside the undeformed mesh. REMOVE: they go, and with them the polygons,
+   * strips and edges that use them; lines end at the last point inside. LEAVE_UNMOVED: they stay where
+   * they are, and an image grows to cover both its own and the flat map's extent, which makes sense
+   * where the flat map fills the place of the undeformed mesh. Default: REMOVE.
+   */
+  vtkSetClampMacro(OutsidePoints, int, REMOVE, LEAVE_UNMOVED);
+  vtkGetMacro(OutsidePoints, int);
+  void SetOutsidePointsToRemove() { this->SetOutsidePoints(REMOVE); }
+  void SetOutsidePointsToLeaveUnmoved() { this->SetOutsidePoints(LEAVE_UNMOVED); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether long segments of lines and edges of graphs are divided into equal parts before they are
+   * carried. Default: on.
+   */
+  vtkSetMacro(SubdivideLines, bool);
+  vtkGetMacro(SubdivideLines, bool);
+  vtkBooleanMacro(SubdivideLines, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The greatest length of these parts, before they are carried (input units). Range [0, inf). Default:
+   * 0, half of the mean side of the undeformed mesh's triangles.
+   */
+  vtkSetMacro(MaximumSegmentLength, double);
+  vtkGetMacro(MaximumSegmentLength, double);
+  ///@}
+
+  enum ImageOutputs
+  {
+    RESAMPLED_IMAGE = 0,
+    TEXTURED_MESH = 1
+  };
+
+  ///@{
+  /**
+   * What is made of an image. RESAMPLED_IMAGE: an image over the flat map. TEXTURED_MESH: the flat map,
+   * as vtkPolyData, with texture coordinates (`TCoords`) by which the image is drawn on it. Default:
+   * RESAMPLED_IMAGE.
+   */
+  vtkSetClampMacro(ImageOutput, int, RESAMPLED_IMAGE, TEXTURED_MESH);
+  vtkGetMacro(ImageOutput, int);
+  void SetImageOutputToResampledImage() { this->SetImageOutput(RESAMPLED_IMAGE); }
+  void SetImageOutputToTexturedMesh() { this->SetImageOutput(TEXTURED_MESH); }
+  ///@}
+
+  ///@{
+  /**
+   * Width and height of the resampled image in pixels. They are square, and as small as the flat map
+   * allows; what is left over on two sides is not in the map. Range [2, 65535]; 0 0: the size of the
+   * input image. Default: 0 0.
+   */
+  vtkSetVector2Macro(ImageSize, int);
+  vtkGetVector2Macro(ImageSize, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a pixel takes the value of the nearest pixel of the image, as it must where values are
+   * labels, and not one interpolated between four. Default: off.
+   */
+  vtkSetMacro(NearestPixel, bool);
+  vtkGetMacro(NearestPixel, bool);
+  vtkBooleanMacro(NearestPixel, bool);
+  ///@}
+
+protected:
+  vtkPlanarWarp();
+  ~vtkPlanarWarp() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation* request,
+    vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestInformation(vtkInformation* request,
+    vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request,
+    vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request,
+    vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  int OutsidePoints = REMOVE;
+  bool SubdivideLines = true;
+  double MaximumSegmentLength = 0.0;
+  int ImageOutput = RESAMPLED_IMAGE;
+  int ImageSize[2] = { 0, 0 };
+  bool NearestPixel = false;
+
+private:
+  vtkPlanarWarp(const vtkPlanarWarp&) = delete;
+  void operator=(const vtkPlanarWarp&) = delete;
+};
+
+#endif

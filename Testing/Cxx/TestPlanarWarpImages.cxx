@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "FilterTest.h"
+#include "PlanarWarpSamples.h"
+
+#include <vtkPlanarWarp.h>
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+namespace
+{
+
+using namespace flattening::testing;
+
+TEST(PlanarWarpImages, ImagesAreResampledByTheInverseMap)
+{
+  vtkNew<vtkPlanarWarp> filter;
+  filter->SetInputData(deformed(plane(40), bend));
+  filter->SetCarriedData(picture());
+  filter->SetImageSize(200, 150);
+  filter->NearestPixelOff();
+  filter->Update();
+  auto* image = vtkImageData::SafeDownCast(filter->GetOutputDataObject(0));
+  ASSERT_TRUE(image);
+  EXPECT_EQ(image->GetDimensions()[0], 200);
+  EXPECT_EQ(image->GetDimensions()[1], 150);
+  EXPECT_DOUBLE_EQ(image->GetSpacing()[0], 0.01); // two wide, 1.25 high
+  EXPECT_DOUBLE_EQ(image->GetSpacing()[1], 0.01);
+  EXPECT_EQ(std::string(image->GetPointData()->GetScalars()->GetName()), "Ramp");
+  vtkDataArray* ramp = image->GetPointData()->GetArray("Ramp");
+  vtkDataArray* inMap = image->GetPointData()->GetArray("InMap");
+  ASSERT_TRUE(image->GetPointData()->GetArray("Column"));
+  int shown = 0;
+  double worst = 0.0;
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    image->GetPoint(i, x);
+    const double y = x[1] - 0.25 * x[0] * (2.0 - x[0]);
+    const bool inside = y > 1e-3 && y < 1.0 - 1e-3 && x[0] > 0.0 && x[0] < 2.0;
+    const bool outside = y < -1e-3 || y > 1.0 + 1e-3;
+    EXPECT_FALSE(inside && inMap->GetTuple1(i) == 0) << x[0] << " " << y;
+    EXPECT_FALSE(outside && inMap->GetTuple1(i) == 1) << x[0] << " " << y;
+    if (inside)
+    {
+      ++shown;
+      worst = std::max(worst, std::abs(ramp->GetTuple1(i) - (x[0] + 10.0 * y)));
+    }
+    else if (outside)
+    {
+      EXPECT_EQ(ramp->GetTuple1(i), 0.0);
+    }
+  }
+  EXPECT_NEAR(shown, 20000, 100);                    // the area of 2 in pixels
+  EXPECT_LT(worst, 10.0 * 0.5 / 40 / 40 / 8 * 1.01); // ten times what the mesh is off from the curve
+  EXPECT_EQ(figure(image, "OutsidePoints"), 0);
+
+  const auto labels = [&]
+  {
+    std::set<double> values;
+    auto* output = vtkImageData::SafeDownCast(filter->GetOutputDataObject(0));
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      values.insert(output->GetPointData()->GetArray("Label")->GetTuple1(i));
+    }
+    return values;
+  };
+  EXPECT_GT(labels().size(), 3u);
+  filter->NearestPixelOn();
+  filter->Update();
+  EXPECT_EQ(labels(), (std::set<double>{ 0, 3, 900 }));
+
+  filter->SetImageSize(0, 0);
+  filter->Update();
+  EXPECT_EQ(vtkImageData::SafeDownCast(filter->GetOutputDataObject(0))->GetDimensions()[0], 101);
+}
+
+TEST(PlanarWarpImages, AnImageAroundTheMeshIsLeftUnmoved)
+{
+  // The mesh covers the left half of the picture and is deformed within it.
+  const auto half = plane(20);
+  for (vtkIdType i = 0; i < half->GetNumberOfPoints(); ++i)
+  {
+    const double* x = half->GetPoint(i);
+    half->GetPoints()->SetPoint(i, 0.5 * x[0], x[1], 0.0);
+  }
+  vtkNew<vtkPlanarWarp> filter;
+  filter->SetInputData(deformed(half, [](double* x) { x[0] = 0.5 * (x[0] + x[0] * x[0]); }));
+  filter->SetCarriedData(picture());
+  filter->SetOutsidePointsToLeaveUnmoved();
+  filter->SetImageSize(400, 200);
+  filter->Update();
+  auto* image = vtkImageData::SafeDownCast(filter->GetOutputDataObject(0));
+  EXPECT_EQ(sum(image->GetPointData()->GetArray("InMap")), 400 * 200);
+  double unmoved = 0.0;
+  double moved = 0.0;
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    image->GetPoint(i, x);
+    const double value = image->GetPointData()->GetArray("Ramp")->GetTuple1(i) - 10.0 * x[1];
+    if (x[0] > 1.0)
+    {
+      unmoved = std::max(unmoved, std::abs(value - x[0]));
+    }
+    else
+    {
+      moved = std::max(moved, std::abs(0.5 * (value + value * value) - x[0]));
+    }
+  }
+  EXPECT_LT(unmoved, 1e-12);
+  EXPECT_LT(moved, 1.0 / 40 / 40 / 8 * 1.01); // f'' h^2 / 8
+}
+
+TEST(PlanarWarpImages, TheMeshCanCarryTheImageAsATexture)
+{
+  vtkNew<vtkPlanarWarp> filter;
+  const auto mesh = doubled();
+  filter->SetInputData(mesh);
+  filter->SetCarriedData(picture());
+  filter->SetImageOutputToTexturedMesh();
+  filter->Update();
+  auto* output = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0));
+  ASSERT_TRUE(output);
+  EXPECT_EQ(output->GetNumberOfCells(), mesh->GetNumberOfCells());
+  vtkDataArray* coordinates = output->GetPointData()->GetTCoords();
+  ASSERT_TRUE(coordinates);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const double* x = output->GetPoint(i); // twice what it was; pixel 0's centre is half a pixel inside
+    EXPECT_NEAR(coordinates->GetComponent(i, 0), (x[0] / 2.0 / 0.02 + 0.5) / 101, 1e-6);
+    EXPECT_NEAR(coordinates->GetComponent(i, 1), (x[1] / 2.0 / 0.02 + 0.5) / 51, 1e-6);
+  }
+  EXPECT_EQ(figure(output, "OutsidePoints"), 0);
+  EXPECT_FALSE(mesh->GetPointData()->GetTCoords());
+}
+
+} // namespace
