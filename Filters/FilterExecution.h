@@ -5,6 +5,7 @@
 
 #include "Core/Errors.h"
 #include "Core/Progress.h"
+#include "vtkBlockwisePolyDataAlgorithm.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkDataObject.h>
@@ -13,6 +14,8 @@
 #include <vtkVersionMacros.h>
 
 #include <exception>
+#include <new>
+#include <string>
 
 namespace flattening
 {
@@ -49,6 +52,20 @@ inline void emptyOutputs(vtkInformationVector* outputs)
   }
 }
 
+/// Reports an error of the filter; while it works on a block of a composite data set, with the block's
+/// name.
+inline void reportError(vtkAlgorithm* filter, const std::string& message)
+{
+  std::string text = message;
+  auto* blockwise = vtkBlockwisePolyDataAlgorithm::SafeDownCast(filter);
+  if (blockwise && !blockwise->GetBlockPrefix().empty())
+  {
+    text = blockwise->GetBlockPrefix() + message;
+    blockwise->RecordBlockError(text);
+  }
+  vtkErrorWithObjectMacro(filter, << text);
+}
+
 /// Runs the body of RequestData. A failure is reported once as an error of the filter, with word for
 /// word the exception's message, and leaves empty outputs; so does an abort, without an error.
 /// Returns what RequestData returns: 1, after a failure too. With 0 the pipeline would not go on to what
@@ -68,15 +85,15 @@ int runFilter(vtkAlgorithm* filter, vtkInformationVector* outputs, Body&& body)
   }
   catch (const std::bad_alloc&)
   {
-    vtkErrorWithObjectMacro(filter, "out of memory: reduce the surface, e.g. with Decimate");
+    reportError(filter, "out of memory: reduce the surface, e.g. with Decimate");
   }
   catch (const std::exception& error)
   {
-    vtkErrorWithObjectMacro(filter, << error.what());
+    reportError(filter, error.what());
   }
   catch (...)
   {
-    vtkErrorWithObjectMacro(filter, "failed for an unknown reason");
+    reportError(filter, "failed for an unknown reason");
   }
   emptyOutputs(outputs);
   return 1;

@@ -104,11 +104,12 @@ vtkAreaWeights::~vtkAreaWeights() = default;
 
 int vtkAreaWeights::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkSelection");
-  if (port == 1)
+  if (port == 0)
   {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    return this->Superclass::FillInputPortInformation(port, info);
   }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkSelection");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
 

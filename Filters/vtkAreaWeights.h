@@ -39,7 +39,8 @@
 
 #include "SurfaceFlatteningFiltersModule.h" // for the export macro
 
-#include <vtkPolyDataAlgorithm.h>
+#include "vtkBlockwisePolyDataAlgorithm.h"
+
 #include <vtkSmartPointer.h>
 
 #include <utility>
@@ -55,11 +56,11 @@ struct TriangleMesh;
 struct WeightedRegion;
 }
 
-class SURFACEFLATTENINGFILTERS_EXPORT vtkAreaWeights : public vtkPolyDataAlgorithm
+class SURFACEFLATTENINGFILTERS_EXPORT vtkAreaWeights : public vtkBlockwisePolyDataAlgorithm
 {
 public:
   static vtkAreaWeights* New();
-  vtkTypeMacro(vtkAreaWeights, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkAreaWeights, vtkBlockwisePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
   vtkMTimeType GetMTime() override;
 

@@ -222,7 +222,7 @@ int vtkConformalDiskFilter::RequestData(vtkInformation* vtkNotUsed(request),
       if (map.FlippedFaces > 0)
       {
         vtkWarningMacro(
-          << map.FlippedFaces
+          << this->GetBlockPrefix() << map.FlippedFaces
           << " faces of the map are flipped and could not be turned over, so that it is not one-to-one "
              "there: "
           << (this->Method == RICCI_FLOW
@@ -233,7 +233,7 @@ int vtkConformalDiskFilter::RequestData(vtkInformation* vtkNotUsed(request),
       flattening::setFigure(figures, "BoundaryAnisotropy", anisotropy);
       if (this->Domain == DISK && map.SpreadVertices > SpreadShare * mesh.vertexCount())
       {
-        vtkWarningMacro(<< map.SpreadVertices << " of " << mesh.vertexCount()
+        vtkWarningMacro(<< this->GetBlockPrefix() << map.SpreadVertices << " of " << mesh.vertexCount()
                         << " points lie in long narrow parts of the surface, which a conformal disk "
                            "shrinks to less than "
                            "1e-5 of the rest: they were moved apart, and the map is not conformal "

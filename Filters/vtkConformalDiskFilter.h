@@ -81,14 +81,13 @@
 #define vtkConformalDiskFilter_h
 
 #include "SurfaceFlatteningFiltersModule.h" // for the export macro
+#include "vtkBlockwisePolyDataAlgorithm.h"
 
-#include <vtkPolyDataAlgorithm.h>
-
-class SURFACEFLATTENINGFILTERS_EXPORT vtkConformalDiskFilter : public vtkPolyDataAlgorithm
+class SURFACEFLATTENINGFILTERS_EXPORT vtkConformalDiskFilter : public vtkBlockwisePolyDataAlgorithm
 {
 public:
   static vtkConformalDiskFilter* New();
-  vtkTypeMacro(vtkConformalDiskFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkConformalDiskFilter, vtkBlockwisePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// How the map is found.

@@ -268,14 +268,9 @@ vtkTable* vtkDistortionMetrics::GetSummary()
   return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
 }
 
-int vtkDistortionMetrics::FillOutputPortInformation(int port, vtkInformation* info)
+const char* vtkDistortionMetrics::GetBlockOutputType(int port)
 {
-  if (port == 1)
-  {
-    info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
-    return 1;
-  }
-  return this->Superclass::FillOutputPortInformation(port, info);
+  return port == 1 ? "vtkTable" : this->Superclass::GetBlockOutputType(port);
 }
 
 vtkDataArray* vtkDistortionMetrics::RegionArray(vtkPolyData* input, int& association)

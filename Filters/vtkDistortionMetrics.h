@@ -54,17 +54,16 @@
 #define vtkDistortionMetrics_h
 
 #include "SurfaceFlatteningFiltersModule.h" // for the export macro
-
-#include <vtkPolyDataAlgorithm.h>
+#include "vtkBlockwisePolyDataAlgorithm.h"
 
 class vtkDataArray;
 class vtkTable;
 
-class SURFACEFLATTENINGFILTERS_EXPORT vtkDistortionMetrics : public vtkPolyDataAlgorithm
+class SURFACEFLATTENINGFILTERS_EXPORT vtkDistortionMetrics : public vtkBlockwisePolyDataAlgorithm
 {
 public:
   static vtkDistortionMetrics* New();
-  vtkTypeMacro(vtkDistortionMetrics, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkDistortionMetrics, vtkBlockwisePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -114,7 +113,7 @@ protected:
   vtkDistortionMetrics();
   ~vtkDistortionMetrics() override;
 
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  const char* GetBlockOutputType(int port) override;
   int RequestData(vtkInformation* request,
     vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

@@ -54,12 +54,6 @@ vtkFlatMapTransfer::vtkFlatMapTransfer()
   this->SetNumberOfInputPorts(2);
 }
 
-int vtkFlatMapTransfer::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  return 1;
-}
-
 int vtkFlatMapTransfer::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)

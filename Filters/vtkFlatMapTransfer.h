@@ -32,14 +32,13 @@
 #define vtkFlatMapTransfer_h
 
 #include "SurfaceFlatteningFiltersModule.h" // for the export macro
+#include "vtkBlockwisePolyDataAlgorithm.h"
 
-#include <vtkPolyDataAlgorithm.h>
-
-class SURFACEFLATTENINGFILTERS_EXPORT vtkFlatMapTransfer : public vtkPolyDataAlgorithm
+class SURFACEFLATTENINGFILTERS_EXPORT vtkFlatMapTransfer : public vtkBlockwisePolyDataAlgorithm
 {
 public:
   static vtkFlatMapTransfer* New();
-  vtkTypeMacro(vtkFlatMapTransfer, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkFlatMapTransfer, vtkBlockwisePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -63,7 +62,6 @@ protected:
   vtkFlatMapTransfer();
   ~vtkFlatMapTransfer() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request,
     vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

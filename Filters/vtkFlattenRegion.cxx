@@ -136,18 +136,18 @@ vtkPolyData* vtkFlattenRegion::GetCurves()
 
 int vtkFlattenRegion::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkSelection");
-  if (port == 1)
+  if (port == 0)
   {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    return this->Superclass::FillInputPortInformation(port, info);
   }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkSelection");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
 
-int vtkFlattenRegion::FillOutputPortInformation(int port, vtkInformation* info)
+const char* vtkFlattenRegion::GetBlockOutputType(int port)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 1 ? "vtkTable" : "vtkPolyData");
-  return 1;
+  return port == 1 ? "vtkTable" : this->Superclass::GetBlockOutputType(port);
 }
 
 std::vector<char> vtkFlattenRegion::LabelledFaces(vtkPolyData* input, const TriangleMesh& mesh)

@@ -47,7 +47,7 @@
 
 #include "SurfaceFlatteningFiltersModule.h" // for the export macro
 
-#include <vtkPolyDataAlgorithm.h>
+#include "vtkBlockwisePolyDataAlgorithm.h"
 
 #include <string>
 #include <vector>
@@ -59,11 +59,11 @@ namespace flattening
 struct TriangleMesh;
 }
 
-class SURFACEFLATTENINGFILTERS_EXPORT vtkFlattenRegion : public vtkPolyDataAlgorithm
+class SURFACEFLATTENINGFILTERS_EXPORT vtkFlattenRegion : public vtkBlockwisePolyDataAlgorithm
 {
 public:
   static vtkFlattenRegion* New();
-  vtkTypeMacro(vtkFlattenRegion, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkFlattenRegion, vtkBlockwisePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum RegionSources
@@ -147,7 +147,7 @@ protected:
   ~vtkFlattenRegion() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  const char* GetBlockOutputType(int port) override;
   int RequestData(vtkInformation* request,
     vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

@@ -36,14 +36,13 @@
 #define vtkMeshSaliency_h
 
 #include "SurfaceFlatteningFiltersModule.h" // for the export macro
+#include "vtkBlockwisePolyDataAlgorithm.h"
 
-#include <vtkPolyDataAlgorithm.h>
-
-class SURFACEFLATTENINGFILTERS_EXPORT vtkMeshSaliency : public vtkPolyDataAlgorithm
+class SURFACEFLATTENINGFILTERS_EXPORT vtkMeshSaliency : public vtkBlockwisePolyDataAlgorithm
 {
 public:
   static vtkMeshSaliency* New();
-  vtkTypeMacro(vtkMeshSaliency, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkMeshSaliency, vtkBlockwisePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{

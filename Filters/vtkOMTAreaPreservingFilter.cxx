@@ -166,8 +166,7 @@ int vtkOMTAreaPreservingFilter::FillInputPortInformation(int port, vtkInformatio
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  return 1;
+  return this->Superclass::FillInputPortInformation(port, info);
 }
 
 void vtkOMTAreaPreservingFilter::SetDomainConnection(vtkAlgorithmOutput* polygon)
@@ -278,15 +277,17 @@ int vtkOMTAreaPreservingFilter::RequestData(vtkInformation* vtkNotUsed(request),
       flattening::setFigure(figures, "RefinementRepairs", static_cast<long long>(map.RepairedFaces));
       if (this->FaceRefinement && !map.Bijective)
       {
-        vtkWarningMacro(<< map.FlippedFaces
+        vtkWarningMacro(<< this->GetBlockPrefix() << map.FlippedFaces
                         << " triangles of the area-preserving map are flipped and could not be turned "
                            "over: remesh the surface (Surface To Disk, Remesh)");
       }
       if (map.StartShare < 1.0)
       {
-        vtkWarningMacro("the face refinement had to begin with a map between the conformal and the "
-                        "transported one, as triangles of the latter could not be turned over: expect "
-                        "area errors; remesh the surface or cut a larger hole (Surface To Disk)");
+        vtkWarningMacro(
+          << this->GetBlockPrefix()
+          << "the face refinement had to begin with a map between the conformal and the "
+             "transported one, as triangles of the latter could not be turned over: expect "
+             "area errors; remesh the surface or cut a larger hole (Surface To Disk)");
       }
     });
 }

@@ -74,14 +74,13 @@
 #define vtkOMTAreaPreservingFilter_h
 
 #include "SurfaceFlatteningFiltersModule.h" // for the export macro
+#include "vtkBlockwisePolyDataAlgorithm.h"
 
-#include <vtkPolyDataAlgorithm.h>
-
-class SURFACEFLATTENINGFILTERS_EXPORT vtkOMTAreaPreservingFilter : public vtkPolyDataAlgorithm
+class SURFACEFLATTENINGFILTERS_EXPORT vtkOMTAreaPreservingFilter : public vtkBlockwisePolyDataAlgorithm
 {
 public:
   static vtkOMTAreaPreservingFilter* New();
-  vtkTypeMacro(vtkOMTAreaPreservingFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOMTAreaPreservingFilter, vtkBlockwisePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// What the size of the domain is.

@@ -169,14 +169,14 @@ int vtkSurfaceToDiskFilter::RequestData(vtkInformation* vtkNotUsed(request),
       flattening::setReport(output, disk.Report, input->GetNumberOfVerts() + input->GetNumberOfLines());
       if (disk.Report.RemovedRegionPoints > 0)
       {
-        vtkWarningMacro("the hole took "
-                        << disk.Report.RemovedRegionPoints
+        vtkWarningMacro(<< this->GetBlockPrefix() << "the hole took " << disk.Report.RemovedRegionPoints
                         << " points of the region of interest, which leaves it no other "
                            "place: mark a smaller region or lower the hole's area");
       }
       if (disk.Report.SeamRegionPoints > 0)
       {
-        vtkWarningMacro("the cut of handles, or of a tube from end to end, runs through "
+        vtkWarningMacro(<< this->GetBlockPrefix()
+                        << "the cut of handles, or of a tube from end to end, runs through "
                         << disk.Report.SeamRegionPoints
                         << " points of the region of interest: set Handles to Remove, or choose points "
                            "for the seam, to keep it whole");

@@ -71,7 +71,7 @@
 
 #include "SurfaceFlatteningFiltersModule.h" // for the export macro
 
-#include <vtkPolyDataAlgorithm.h>
+#include "vtkBlockwisePolyDataAlgorithm.h"
 
 #include <array>
 #include <vector>
@@ -81,11 +81,11 @@ namespace flattening
 struct SurfaceToDiskOptions;
 }
 
-class SURFACEFLATTENINGFILTERS_EXPORT vtkSurfaceToDiskFilter : public vtkPolyDataAlgorithm
+class SURFACEFLATTENINGFILTERS_EXPORT vtkSurfaceToDiskFilter : public vtkBlockwisePolyDataAlgorithm
 {
 public:
   static vtkSurfaceToDiskFilter* New();
-  vtkTypeMacro(vtkSurfaceToDiskFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkSurfaceToDiskFilter, vtkBlockwisePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{

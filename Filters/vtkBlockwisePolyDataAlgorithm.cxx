@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkBlockwisePolyDataAlgorithm.h"
+
+#include "BlockInputs.h"
+#include "FilterExecution.h"
+#include "PolyDataConversion.h"
+
+#include <vtkCompositeDataIterator.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataObjectTypes.h>
+#include <vtkDemandDrivenPipeline.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
+
+#include <array>
+
+namespace
+{
+
+constexpr std::array<const char*, 3> CompositeTypes = { "vtkMultiBlockDataSet",
+  "vtkPartitionedDataSet",
+  "vtkPartitionedDataSetCollection" };
+constexpr const char* BlockErrorsName = "BlockErrors";
+
+bool hasResult(vtkDataObject* data)
+{
+  return data->GetNumberOfElements(vtkDataObject::POINT) > 0 ||
+         data->GetNumberOfElements(vtkDataObject::CELL) > 0 ||
+         data->GetNumberOfElements(vtkDataObject::ROW) > 0;
+}
+
+// Those of the filters before, which came with the input's field data, and these.
+void addBlockErrors(vtkFieldData* figures, const std::vector<std::string>& errors)
+{
+  vtkNew<vtkStringArray> all;
+  all->SetName(BlockErrorsName);
+  if (auto* earlier = vtkStringArray::SafeDownCast(figures->GetAbstractArray(BlockErrorsName)))
+  {
+    all->DeepCopy(earlier);
+  }
+  for (const std::string& error : errors)
+  {
+    all->InsertNextValue(error);
+  }
+  flattening::setFigure(figures, "FailedBlocks", static_cast<long long>(all->GetNumberOfValues()));
+  if (all->GetNumberOfValues() > 0)
+  {
+    figures->AddArray(all);
+  }
+}
+
+} // namespace
+
+vtkTypeBool vtkBlockwisePolyDataAlgorithm::ProcessRequest(vtkInformation* request,
+  vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    return this->CreateOutputs(inputVector, outputVector);
+  }
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    const int leading = flattening::leadingPort(inputVector, this->GetNumberOfInputPorts());
+    if (leading >= 0)
+    {
+      return this->RequestBlocks(request, inputVector, outputVector, leading);
+    }
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+void vtkBlockwisePolyDataAlgorithm::RecordBlockError(const std::string& message)
+{
+  this->BlockErrors.push_back(message);
+}
+
+int vtkBlockwisePolyDataAlgorithm::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  for (const char* type : CompositeTypes)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
+  }
+  return 1;
+}
+
+int vtkBlockwisePolyDataAlgorithm::FillOutputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
+  return 1;
+}
+
+const char* vtkBlockwisePolyDataAlgorithm::GetBlockOutputType(int vtkNotUsed(port))
+{
+  return "vtkPolyData";
+}
+
+int vtkBlockwisePolyDataAlgorithm::CreateOutputs(vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  const int leading = flattening::leadingPort(inputVector, this->GetNumberOfInputPorts());
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    const char* type = leading >= 0 ? vtkDataObject::GetData(inputVector[leading])->GetClassName()
+                                    : this->GetBlockOutputType(port);
+    vtkDataObject* output = vtkDataObject::GetData(outputVector, port);
+    if (!output || std::string(output->GetClassName()) != type)
+    {
+      const auto created = vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(type));
+      outputVector->GetInformationObject(port)->Set(vtkDataObject::DATA_OBJECT(), created);
+    }
+  }
+  return 1;
+}
+
+int vtkBlockwisePolyDataAlgorithm::RequestBlocks(vtkInformation* request,
+  vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector,
+  int leadingPort)
+{
+  auto* input = vtkCompositeDataSet::GetData(inputVector[leadingPort]);
+  const int ports = this->GetNumberOfOutputPorts();
+  std::vector<vtkCompositeDataSet*> outputs;
+  for (int port = 0; port < ports; ++port)
+  {
+    outputs.push_back(vtkCompositeDataSet::GetData(outputVector, port));
+    outputs.back()->CopyStructure(input);
+  }
+  this->BlockErrors.clear();
+  flattening::runFilter(this,
+    outputVector,
+    [&]
+    {
+      flattening::BlockInputs inputs(this, inputVector, leadingPort);
+      const auto names = flattening::leafNames(input);
+      auto leaf = vtk::TakeSmartPointer(input->NewIterator()); // the leaves with data
+      double count = 0.0;
+      for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+      {
+        count += 1.0;
+      }
+      double done = 0.0;
+      for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+      {
+        this->BlockPrefix = "block " + names.at(leaf->GetCurrentFlatIndex()) + ": ";
+        this->SetProgressShiftScale(done / count, 1.0 / count);
+        vtkNew<vtkInformationVector> results;
+        for (int port = 0; port < ports; ++port)
+        {
+          const auto result =
+            vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(this->GetBlockOutputType(port)));
+          result->GetFieldData()->PassData(leaf->GetCurrentDataObject()->GetFieldData());
+          vtkNew<vtkInformation> information;
+          information->Set(vtkDataObject::DATA_OBJECT(), result);
+          results->Append(information);
+        }
+        flattening::runFilter(
+          this, results, [&] { this->RequestData(request, inputs.of(leaf), results); });
+        this->BlockPrefix.clear();
+        this->SetProgressShiftScale(0.0, 1.0);
+        if (flattening::abortRequested(this))
+        {
+          throw flattening::Cancelled();
+        }
+        for (int port = 0; port < ports; ++port)
+        {
+          vtkDataObject* result = vtkDataObject::GetData(results, port);
+          outputs[port]->SetDataSet(leaf, hasResult(result) ? result : nullptr);
+        }
+        done += 1.0;
+      }
+      for (vtkCompositeDataSet* output : outputs)
+      {
+        addBlockErrors(output->GetFieldData(), this->BlockErrors);
+      }
+    });
+  return 1;
+}
