@@ -53,6 +53,17 @@ void forEachArray(vtkDataSetAttributes* from, vtkIdType tuples, vtkDataSetAttrib
   }
 }
 
+void setZero(vtkAbstractArray* array, vtkIdType tuple)
+{
+  if (auto* numbers = vtkDataArray::SafeDownCast(array))
+  {
+    for (int component = 0; component < numbers->GetNumberOfComponents(); ++component)
+    {
+      numbers->SetComponent(tuple, component, 0.0);
+    }
+  }
+}
+
 bool isFloatingPoint(vtkAbstractArray* array)
 {
   return array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
@@ -62,7 +73,7 @@ bool isFloatingPoint(vtkAbstractArray* array)
 
 void transferPointData(vtkPointData* from, const VertexOrigins& origins, vtkPointData* to)
 {
-  std::vector<vtkIdType> nearest(origins.rows());
+  std::vector<vtkIdType> nearest(origins.rows(), -1);
   for (int v = 0; v < origins.rows(); ++v)
   {
     double largest = 0.0;
@@ -90,7 +101,11 @@ void transferPointData(vtkPointData* from, const VertexOrigins& origins, vtkPoin
         ids->InsertNextId(weight.col());
         weights.push_back(weight.value());
       }
-      if (weights.size() > 1)
+      if (nearest[v] < 0)
+      {
+        setZero(result, v);
+      }
+      else if (weights.size() > 1)
       {
         result->InterpolateTuple(v, ids, array, weights.data());
       }
@@ -108,19 +123,15 @@ void transferCellData(vtkCellData* from, const std::vector<vtkIdType>& origins, 
   const auto cells = static_cast<vtkIdType>(origins.size());
   const auto carry = [&](vtkAbstractArray* array, vtkAbstractArray* result)
   {
-    auto* numbers = vtkDataArray::SafeDownCast(result);
     for (vtkIdType cell = 0; cell < cells; ++cell)
     {
       if (origins[cell] >= 0)
       {
         result->SetTuple(cell, origins[cell], array);
       }
-      else if (numbers)
+      else
       {
-        for (int component = 0; component < numbers->GetNumberOfComponents(); ++component)
-        {
-          numbers->SetComponent(cell, component, 0.0);
-        }
+        setZero(result, cell);
       }
     }
   };

@@ -15,8 +15,8 @@ namespace flattening
 {
 
 /// Arrays of floating point numbers are interpolated with the weights; all others take the value of the
-/// original vertex of the largest weight, the first of equals. Active attributes stay active; global ids
-/// are left out.
+/// original vertex of the largest weight, the first of equals; 0 (an empty string) without weights.
+/// Active attributes stay active; global ids are left out.
 void transferPointData(vtkPointData* from, const VertexOrigins& origins, vtkPointData* to);
 
 /// Every array takes the values of the original cells, 0 (an empty string) where there is none (-1).

@@ -4,6 +4,7 @@
 #include "AttributeTransfer.h"
 #include "DiskOutput.h"
 #include "PolyDataConversion.h"
+#include "TextureCoordinates.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -68,6 +69,8 @@ void setFlatPart(vtkPolyData* output,
   output->GetPointData()->AddArray(pointIds);
   output->GetCellData()->AddArray(cellIds);
   addSurfacePoints(output, part.Mesh.Vertices);
+  keepSurfaceTextureCoordinates(output);
+  setTextureCoordinates(output, positions);
   deactivateNormals(output);
 }
 

@@ -10,7 +10,8 @@ namespace flattening
 {
 
 /// Fills @p output with @p part at @p positions (n x 2, z = 0): all arrays of @p original, the point
-/// arrays SurfacePoints and vtkOriginalPointIds (-1 for new points), the cell array vtkOriginalCellIds.
+/// arrays SurfacePoints, TCoords and vtkOriginalPointIds (-1 for new points), the cell array
+/// vtkOriginalCellIds. An array TCoords of @p original is called SurfaceTCoords.
 void setFlatPart(vtkPolyData* output,
   vtkPolyData* original,
   const DerivedMesh& part,

@@ -6,6 +6,7 @@
 #include "Core/MeshTopology.h"
 #include "FilterExecution.h"
 #include "PolyDataConversion.h"
+#include "TextureCoordinates.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -214,6 +215,8 @@ int vtkConformalDiskFilter::RequestData(vtkInformation* vtkNotUsed(request),
       const double area = flattening::faceAreas(mesh.Vertices, mesh.Faces).sum();
       const double scale = this->NormalizeTo == SURFACE_AREA ? std::sqrt(area / domainArea) : 1.0;
       output->SetPoints(vtk::TakeSmartPointer(flattening::newPlanarPoints(scale * map.Positions)));
+      flattening::keepSurfaceTextureCoordinates(output);
+      flattening::setTextureCoordinates(output, map.Positions);
       flattening::deactivateNormals(output);
       flattening::addSurfacePoints(output, mesh.Vertices);
       flattening::addPointArray(

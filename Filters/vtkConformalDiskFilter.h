@@ -6,10 +6,13 @@
  * The input is one oriented triangle surface with one boundary loop and no handle, as
  * vtkSurfaceToDiskFilter makes it. The output has the same points and cells, one to one and with all of
  * their arrays, but the points lie in the disk around the origin of the plane z = 0, boundary vertices
- * exactly on its circle. Two point arrays are added:
+ * exactly on its circle. Three point arrays are added:
  * - `SurfacePoints` (double x 3, input units), where each point came from; warping by it restores the
  *   surface
  * - `ConformalFactor` (double), natural logarithm of flat length over surface length at the point
+ * - `TCoords` (float x 2), the active texture coordinates: the flat position in the smallest square
+ *   around the map with the same centre, [0,1]^2. An array of that name of the surface itself, a
+ *   photograph's, is called `SurfaceTCoords`.
  *
  * There are three methods (SetMethod), with centre and rotation of the disk in common;
  * docs/conformal_methods.md compares them.

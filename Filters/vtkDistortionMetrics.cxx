@@ -5,6 +5,7 @@
 #include "Core/DistortionSummary.h"
 #include "FilterExecution.h"
 #include "PolyDataConversion.h"
+#include "TextureCoordinates.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -135,27 +136,6 @@ void addCellArrays(vtkPolyData* output, const FaceDistortion& distortion)
   const int count = distortion.faceCount();
   addCellFlags(output, "Flipped", count, [&](int f) { return distortion.Flipped[f]; });
   addCellFlags(output, "Degenerate", count, [&](int f) { return distortion.degenerate(f); });
-}
-
-void setTextureCoordinates(vtkPolyData* output, const flattening::Points2& flat)
-{
-  const Eigen::RowVector2d low = flat.colwise().minCoeff();
-  const Eigen::RowVector2d high = flat.colwise().maxCoeff();
-  const Eigen::RowVector2d centre = 0.5 * (low + high);
-  const double side = (high - low).maxCoeff();
-  vtkNew<vtkDoubleArray> coordinates;
-  coordinates->SetName("TCoords");
-  coordinates->SetNumberOfComponents(2);
-  coordinates->SetNumberOfTuples(flat.rows());
-  for (Eigen::Index v = 0; v < flat.rows(); ++v)
-  {
-    for (int k = 0; k < 2; ++k)
-    {
-      const double t = 0.5 + (flat(v, k) - centre[k]) / side;
-      coordinates->SetTypedComponent(v, k, std::clamp(t, 0.0, 1.0));
-    }
-  }
-  output->GetPointData()->SetTCoords(coordinates);
 }
 
 // The figures of a summary, in the order of the table's columns. @p visit is called with (name, value).
@@ -332,7 +312,7 @@ int vtkDistortionMetrics::RequestData(vtkInformation* vtkNotUsed(request),
       const FaceDistortion distortion = flattening::measureDistortion(surface, flat, weights);
       output->ShallowCopy(input);
       addCellArrays(output, distortion);
-      setTextureCoordinates(output, flat);
+      flattening::setTextureCoordinates(output, flat);
 
       flattening::report(progress, 0.6, "Summing up the regions");
       std::vector<Row> rows;

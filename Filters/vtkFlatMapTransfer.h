@@ -13,7 +13,8 @@
  * patch that is not there any more, farther away than the tolerance, or where only the other side of a
  * fold is near (normals that differ by more than 90 degrees). The output has the original cells whose
  * points all survived, and their points, in the plane z = 0, with all of the original's arrays and:
- * - point `SurfacePoints` (double x 3), the original points
+ * - point `SurfacePoints` (double x 3), the original points; the active `TCoords` (see
+ *   vtkConformalDiskFilter)
  * - point `vtkOriginalPointIds`, cell `vtkOriginalCellIds`: which they were
  *
  * Field data (one tuple each): `TransferredPoints`, the points of the output; `LostPoints` and

@@ -7,6 +7,7 @@
 #include "FilterExecution.h"
 #include "FlatDomain.h"
 #include "PolyDataConversion.h"
+#include "TextureCoordinates.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -252,6 +253,7 @@ int vtkOMTAreaPreservingFilter::RequestData(vtkInformation* vtkNotUsed(request),
       output->SetPoints(
         vtk::TakeSmartPointer(flattening::newPlanarPoints((scale * map.Positions).rowwise() + centre)));
       flattening::deactivateNormals(output);
+      flattening::setTextureCoordinates(output, map.Positions);
       flattening::addPointArray(output, "TargetArea", area * map.TargetAreas);
       flattening::addPointArray(output, "CellArea", area * map.CellAreas);
       flattening::addPointArray(output, "PowerWeight", area * map.PowerWeights);

@@ -36,6 +36,8 @@
  * - `PowerWeight` (output units squared), the weight w_i of the point's site in the power diagram,
  * scaled to the size of the output
  *
+ * and the active texture coordinates `TCoords`, of this map (see vtkConformalDiskFilter).
+ *
  * Output port 1 is the power diagram: one polygon per cell, arcs as polylines of steps of at most one
  * degree, with the cell arrays `SiteId` (point id), `CellArea` and `TargetArea` (paper, figure 4).
  * Points that share a position or a site share a cell; SiteId is the lowest of their ids.

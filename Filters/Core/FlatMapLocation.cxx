@@ -102,8 +102,12 @@ FlatMapLocation::FlatMapLocation(const TriangleMesh& surface, const Points2& pos
   , Positions(positions)
   , Map(flatMesh(surface, positions))
   , MapWalk(this->Map.Mesh)
-  , Space(surface)
 {
+  if (!surface.Vertices.allFinite())
+  {
+    throw InvalidInput(
+      "the surface of the flat map has a coordinate that is not finite: flatten it again");
+  }
 }
 
 MapPlace FlatMapLocation::onMap(const Eigen::RowVector2d& point) const
@@ -130,7 +134,9 @@ MapPlace FlatMapLocation::onMap(const Eigen::RowVector2d& point, int nearFace) c
 
 MapPlace FlatMapLocation::onSurface(const Eigen::RowVector3d& point) const
 {
-  return this->Space.nearest(point);
+  std::call_once(
+    this->SpaceSearched, [this] { this->Space = std::make_unique<Searched>(this->Surface); });
+  return this->Space->nearest(point);
 }
 
 Eigen::RowVector3d FlatMapLocation::surfacePoint(const MapPlace& place) const

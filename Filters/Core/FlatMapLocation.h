@@ -10,6 +10,7 @@
 
 #include <array>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace flattening
@@ -37,7 +38,7 @@ public:
 
   /// @p surface and @p positions (n x 2) share vertices and faces. Copies both.
   /// @throws InvalidInput if a coordinate is not finite, the sizes differ, or no face has an area in the
-  /// map (or on the surface).
+  /// map.
   FlatMapLocation(const TriangleMesh& surface, const Points2& positions);
 
   /// The place on the map nearest to @p point of the plane; Distance is in the plane.
@@ -49,7 +50,7 @@ public:
   MapPlace onMap(const Eigen::RowVector2d& point, int nearFace) const;
 
   /// The place on the surface nearest to @p point in space; Distance is in space.
-  /// @throws InvalidInput if it is not finite.
+  /// @throws InvalidInput if it is not finite or no face has an area on the surface.
   MapPlace onSurface(const Eigen::RowVector3d& point) const;
 
   /// Where a place is on the surface, and in the plane.
@@ -74,7 +75,8 @@ private:
   Points2 Positions;
   Searched Map;
   SurfaceWalk MapWalk;
-  Searched Space;
+  mutable std::once_flag SpaceSearched; // most look up on the map alone
+  mutable std::unique_ptr<Searched> Space;
 };
 
 } // namespace flattening

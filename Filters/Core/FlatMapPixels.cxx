@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "FlatMapPixels.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+namespace flattening
+{
+namespace
+{
+
+constexpr int RowsPerReport = 64;
+
+void fillRow(const FlatMapLocation& map, const PixelGrid& grid, int row, double reach, MapPlace* places)
+{
+  int near = -1;
+  for (int column = 0; column < grid.Columns; ++column)
+  {
+    const Eigen::RowVector2d centre =
+      grid.First +
+      grid.Length * Eigen::RowVector2d(static_cast<double>(column), static_cast<double>(row));
+    MapPlace place = near < 0 ? map.onMap(centre) : map.onMap(centre, near);
+    near = place.Face;
+    if (!place.Inside && place.Distance > reach)
+    {
+      place.Face = -1;
+    }
+    places[column] = place;
+  }
+}
+
+} // namespace
+
+std::vector<MapPlace> placesOfPixels(const FlatMapLocation& map,
+  const PixelGrid& grid,
+  double reach,
+  const ProgressCallback& progress)
+{
+  std::vector<MapPlace> places(static_cast<std::size_t>(grid.Columns) * grid.Rows);
+  for (int begin = 0; begin < grid.Rows; begin += RowsPerReport)
+  {
+    report(progress, static_cast<double>(begin) / grid.Rows, "Looking up the pixels");
+    tbb::parallel_for(begin,
+      std::min(begin + RowsPerReport, grid.Rows),
+      [&](int row)
+      { fillRow(map, grid, row, reach, places.data() + static_cast<std::size_t>(row) * grid.Columns); });
+  }
+  return places;
+}
+
+} // namespace flattening

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkFlatMapImage.h"
+
+#include "AttributeTransfer.h"
+#include "Core/FlatMapPixels.h"
+#include "FilterExecution.h"
+#include "PolyDataConversion.h"
+#include "TextureCoordinates.h"
+
+#include <vtkAbstractArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkFlatMapImage);
+
+namespace
+{
+
+using flattening::FaceMatrix;
+using flattening::MapPlace;
+using flattening::PixelGrid;
+
+PixelGrid gridOver(const flattening::TextureSquare& square, int size)
+{
+  const double length = square.Side / size;
+  return { square.Low.array() + 0.5 * length, length, size, size };
+}
+
+// A row per pixel; empty where there is no place.
+flattening::VertexOrigins cornersOf(const std::vector<MapPlace>& places,
+  const FaceMatrix& faces,
+  Eigen::Index vertices)
+{
+  std::vector<Eigen::Triplet<double>> weights;
+  weights.reserve(3 * places.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    for (int k = 0; places[i].Face >= 0 && k < 3; ++k)
+    {
+      if (places[i].Weights[k] > 0.0)
+      {
+        weights.emplace_back(static_cast<int>(i), faces(places[i].Face, k), places[i].Weights[k]);
+      }
+    }
+  }
+  flattening::VertexOrigins origins(static_cast<Eigen::Index>(places.size()), vertices);
+  origins.setFromTriplets(weights.begin(), weights.end());
+  return origins;
+}
+
+void addCellArrays(vtkPolyData* map, const std::vector<MapPlace>& places, vtkPointData* pixels)
+{
+  std::vector<vtkIdType> cells(places.size());
+  std::transform(
+    places.begin(), places.end(), cells.begin(), [](const MapPlace& place) { return place.Face; });
+  vtkNew<vtkCellData> underPixels;
+  flattening::transferCellData(map->GetCellData(), cells, underPixels);
+  for (int i = 0; i < underPixels->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = underPixels->GetAbstractArray(i);
+    if (pixels->HasArray(array->GetName()))
+    {
+      array->SetName((std::string(array->GetName()) + "Cell").c_str());
+    }
+    pixels->AddArray(array);
+  }
+}
+
+void setNoNumber(vtkPointData* pixels, const std::vector<MapPlace>& places)
+{
+  for (int a = 0; a < pixels->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* array = pixels->GetArray(a);
+    if (!array || (array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE))
+    {
+      continue;
+    }
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      for (int k = 0; places[i].Face < 0 && k < array->GetNumberOfComponents(); ++k)
+      {
+        array->SetComponent(static_cast<vtkIdType>(i), k, std::numeric_limits<double>::quiet_NaN());
+      }
+    }
+  }
+}
+
+// Returns how many pixels are in the map.
+long long addInverse(const std::vector<MapPlace>& places, vtkPointData* pixels)
+{
+  vtkNew<vtkIdTypeArray> cells;
+  cells->SetName("CellId");
+  cells->SetNumberOfTuples(static_cast<vtkIdType>(places.size()));
+  vtkNew<vtkUnsignedCharArray> inMap;
+  inMap->SetName("InMap");
+  inMap->SetNumberOfTuples(static_cast<vtkIdType>(places.size()));
+  long long count = 0;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    const bool inside = places[i].Face >= 0 && places[i].Inside;
+    cells->SetValue(static_cast<vtkIdType>(i), inside ? places[i].Face : -1);
+    inMap->SetValue(static_cast<vtkIdType>(i), inside ? 1 : 0);
+    count += inside;
+  }
+  pixels->AddArray(cells);
+  pixels->AddArray(inMap);
+  return count;
+}
+
+double sideOf(vtkPolyData* map)
+{
+  double bounds[6];
+  map->GetBounds(bounds);
+  return std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
+}
+
+} // namespace
+
+int vtkFlatMapImage::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+double vtkFlatMapImage::PixelsFor(double side) const
+{
+  return this->PixelLength > 0.0 ? std::max(2.0, std::ceil(side / this->PixelLength)) : this->Size;
+}
+
+int vtkFlatMapImage::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  int size = this->Size;
+  if (this->PixelLength > 0.0)
+  {
+    // An image's extent must be known before its data, and here it follows from the map.
+    int port = 0;
+    vtkAlgorithm* before = this->GetInputAlgorithm(0, 0, port);
+    before->Update(port);
+    if (vtkPolyData* map = vtkPolyData::GetData(inputVector[0]); !flattening::isEmpty(map))
+    {
+      size = static_cast<int>(std::min<double>(this->PixelsFor(sideOf(map)), GreatestSize));
+    }
+  }
+  const int extent[6] = { 0, size - 1, 0, size - 1, 0, 0 };
+  outputVector->GetInformationObject(0)->Set(
+    vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  return 1;
+}
+
+int vtkFlatMapImage::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkImageData* output = vtkImageData::GetData(outputVector);
+  if (flattening::isEmpty(input))
+  {
+    return 1;
+  }
+  return flattening::runFilter(this,
+    outputVector,
+    [&]
+    {
+      const flattening::ProgressCallback progress = flattening::progressOf(this);
+      flattening::report(progress, 0.0, "Reading the flat map");
+      const flattening::TriangleMesh surface = flattening::surfaceOfFlattened(input);
+      const flattening::Points2 positions = flattening::toPlanarPositions(input);
+      const flattening::FlatMapLocation map(surface, positions);
+      const flattening::TextureSquare square = flattening::textureSquare(positions);
+      if (const double pixels = this->PixelsFor(square.Side); !(pixels <= GreatestSize))
+      {
+        std::ostringstream text;
+        text << "the map is " << square.Side << " wide, which is " << pixels << " pixels of "
+             << this->PixelLength << ", more than " << GreatestSize << ": raise PixelLength";
+        throw flattening::InvalidInput(text.str());
+      }
+      const int size = static_cast<int>(this->PixelsFor(square.Side));
+      const PixelGrid grid = gridOver(square, size);
+      const std::vector<MapPlace> places = flattening::placesOfPixels(
+        map, grid, this->Margin * grid.Length, flattening::subrange(progress, 0.1, 0.5));
+
+      flattening::report(progress, 0.5, "Sampling the arrays");
+      output->SetExtent(0, size - 1, 0, size - 1, 0, 0);
+      output->SetOrigin(grid.First.x(), grid.First.y(), 0.0);
+      output->SetSpacing(grid.Length, grid.Length, grid.Length);
+      vtkPointData* pixels = output->GetPointData();
+      flattening::transferPointData(
+        input->GetPointData(), cornersOf(places, surface.Faces, surface.vertexCount()), pixels);
+      addCellArrays(input, places, pixels);
+      setNoNumber(pixels, places);
+      const long long count = addInverse(places, pixels);
+      flattening::setFigure(output->GetFieldData(), "PixelLength", grid.Length);
+      flattening::setFigure(output->GetFieldData(), "PixelsInMap", count);
+      flattening::report(progress, 1.0, "Done");
+    });
+}
+
+void vtkFlatMapImage::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Size: " << this->Size << "\n";
+  os << indent << "PixelLength: " << this->PixelLength << "\n";
+  os << indent << "Margin: " << this->Margin << "\n";
+}

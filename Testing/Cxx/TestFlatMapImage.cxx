@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "AnalyticSurfaces.h"
+#include "FilterTest.h"
+
+#include <vtkConformalDiskFilter.h>
+#include <vtkFlatMapImage.h>
+#include <vtkOMTAreaPreservingFilter.h>
+
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTransform.h>
+#include <vtkTransformPolyDataFilter.h>
+
+#include <cmath>
+#include <set>
+
+namespace
+{
+
+using namespace flattening;
+using namespace flattening::testing;
+
+constexpr double Pi = 3.14159265358979323846;
+
+// A hemisphere of radius 30, flattened, with a linear function of the map, labels on points and cells,
+// and two arrays of one name.
+vtkSmartPointer<vtkPolyData> flatHemisphere()
+{
+  vtkNew<vtkConformalDiskFilter> conformal;
+  TriangleMesh mesh = analytic::sunflowerMesh(analytic::sphericalCap(0.5 * Pi), 2000).Mesh;
+  mesh.Vertices *= 30.0;
+  conformal->SetInputData(polyDataOf(mesh));
+  vtkNew<vtkOMTAreaPreservingFilter> transported;
+  transported->SetInputConnection(conformal->GetOutputPort());
+  transported->Update();
+  auto map = vtkSmartPointer<vtkPolyData>::New();
+  map->ShallowCopy(transported->GetOutput());
+  vtkNew<vtkDoubleArray> linear;
+  linear->SetName("Linear");
+  vtkNew<vtkIntArray> side;
+  side->SetName("Side");
+  for (vtkIdType i = 0; i < map->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    map->GetPoint(i, x);
+    linear->InsertNextValue(3.0 * x[0] - 2.0 * x[1] + 7.0);
+    side->InsertNextValue(x[0] < 0.0 ? 10 : 20);
+  }
+  map->GetPointData()->AddArray(linear);
+  map->GetPointData()->AddArray(side);
+  vtkNew<vtkIntArray> number;
+  number->SetName("Number");
+  vtkNew<vtkIntArray> cellSide;
+  cellSide->SetName("Side");
+  for (int c = 0; c < map->GetNumberOfCells(); ++c)
+  {
+    number->InsertNextValue(5 * c);
+    cellSide->InsertNextValue(c % 2);
+  }
+  map->GetCellData()->AddArray(number);
+  map->GetCellData()->AddArray(cellSide);
+  return map;
+}
+
+class FlatMapImage : public ::testing::Test
+{
+protected:
+  static void SetUpTestSuite() { Map = flatHemisphere(); }
+  static void TearDownTestSuite() { Map = nullptr; }
+
+  static vtkSmartPointer<vtkPolyData> Map;
+};
+
+vtkSmartPointer<vtkPolyData> FlatMapImage::Map;
+
+TEST_F(FlatMapImage, SamplesPointsAndCellsUnderTheCentreOfEachPixel)
+{
+  vtkNew<vtkFlatMapImage> filter;
+  filter->SetInputData(Map);
+  filter->SetSize(200);
+  filter->Update();
+  vtkImageData* image = filter->GetOutput();
+  vtkPointData* pixels = image->GetPointData();
+  ASSERT_EQ(image->GetNumberOfPoints(), 40000);
+  const double radius = 30.0 * std::sqrt(2.0);
+  EXPECT_NEAR(image->GetSpacing()[0], 2.0 * radius / 200.0, 0.01);
+  EXPECT_DOUBLE_EQ(figure(image, "PixelLength"), image->GetSpacing()[0]);
+
+  vtkDataArray* surface = pixels->GetArray("SurfacePoints");
+  vtkDataArray* cells = pixels->GetArray("CellId");
+  int inside = 0;
+  std::set<double> labels;
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    image->GetPoint(i, x);
+    const bool inMap = pixels->GetArray("InMap")->GetTuple1(i) == 1;
+    inside += inMap;
+    // The map's boundary is a polygon in the circle: within 0.1 of it both answers are right.
+    const double distance = std::hypot(x[0], x[1]);
+    ASSERT_TRUE(std::abs(distance - radius) < 0.1 || inMap == (distance < radius)) << distance;
+    EXPECT_EQ(cells->GetTuple1(i) >= 0.0, inMap);
+    if (inMap)
+    {
+      ASSERT_NEAR(pixels->GetArray("Linear")->GetTuple1(i), 3.0 * x[0] - 2.0 * x[1] + 7.0, 1e-10);
+      ASSERT_EQ(pixels->GetArray("Number")->GetTuple1(i), 5.0 * cells->GetTuple1(i));
+      ASSERT_EQ(pixels->GetArray("SideCell")->GetTuple1(i), std::fmod(cells->GetTuple1(i), 2.0));
+      labels.insert(pixels->GetArray("Side")->GetTuple1(i));
+      // What lies at this distance from the centre on the hemisphere, by area.
+      const double height = 30.0 * (1.0 - std::pow(distance / radius, 2));
+      ASSERT_NEAR(surface->GetComponent(i, 2), height, 0.5);
+    }
+  }
+  EXPECT_EQ(inside, figure(image, "PixelsInMap"));
+  EXPECT_NEAR(inside * std::pow(image->GetSpacing()[0], 2), Pi * radius * radius, 0.002 * Pi * 1800.0);
+  EXPECT_EQ(labels, (std::set<double>{ 10.0, 20.0 })) << "labels were averaged";
+}
+
+TEST_F(FlatMapImage, APixelIsWhereTextureCoordinatesLookForIt)
+{
+  vtkNew<vtkFlatMapImage> filter;
+  filter->SetInputData(Map);
+  filter->SetSize(100);
+  filter->Update();
+  vtkDataArray* coordinates = filter->GetOutput()->GetPointData()->GetArray("TCoords");
+  for (const int column : { 20, 50, 81 })
+  {
+    const vtkIdType id = 33 * 100 + column;
+    ASSERT_EQ(filter->GetOutput()->GetPointData()->GetArray("InMap")->GetTuple1(id), 1);
+    EXPECT_NEAR(coordinates->GetComponent(id, 0), (column + 0.5) / 100.0, 1e-7);
+    EXPECT_NEAR(coordinates->GetComponent(id, 1), 33.5 / 100.0, 1e-7);
+  }
+}
+
+TEST_F(FlatMapImage, BeyondTheMapOnlyTheMarginHasValues)
+{
+  vtkNew<vtkFlatMapImage> filter;
+  filter->SetInputData(Map);
+  filter->SetSize(100);
+  for (const int margin : { 0, 3 })
+  {
+    filter->SetMargin(margin);
+    filter->Update();
+    vtkImageData* image = filter->GetOutput();
+    vtkPointData* pixels = image->GetPointData();
+    const double radius = 30.0 * std::sqrt(2.0);
+    int filled = 0;
+    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+    {
+      double x[3];
+      image->GetPoint(i, x);
+      const double beyond = (std::hypot(x[0], x[1]) - radius) / image->GetSpacing()[0];
+      const bool isNumber = !std::isnan(pixels->GetArray("Linear")->GetTuple1(i));
+      if (pixels->GetArray("InMap")->GetTuple1(i) == 0)
+      {
+        EXPECT_EQ(pixels->GetArray("CellId")->GetTuple1(i), -1);
+        EXPECT_TRUE(std::abs(beyond - margin) < 0.1 || isNumber == (beyond < margin)) << beyond;
+        EXPECT_EQ(pixels->GetArray("Side")->GetTuple1(i) != 0.0, isNumber);
+        EXPECT_EQ(std::isnan(pixels->GetArray("SurfacePoints")->GetComponent(i, 1)), !isNumber);
+        filled += isNumber;
+      }
+    }
+    // A ring as wide as the margin, but for the four parts of it beyond the image.
+    const double outer = 50.0 + margin;
+    const double cut =
+      outer * outer * std::acos(50.0 / outer) - 50.0 * std::sqrt(outer * outer - 2500.0);
+    EXPECT_NEAR(filled, Pi * (outer * outer - 2500.0) - 4.0 * cut, 40.0);
+  }
+}
+
+TEST_F(FlatMapImage, PixelsOfAGivenLength)
+{
+  vtkNew<vtkTransform> twice;
+  twice->Scale(2.0, 2.0, 1.0);
+  vtkNew<vtkTransformPolyDataFilter> larger;
+  larger->SetTransform(twice);
+  larger->SetInputData(Map);
+  vtkNew<vtkFlatMapImage> filter;
+  filter->SetInputConnection(larger->GetOutputPort());
+  filter->SetPixelLength(1.0);
+  filter->Update();
+  const int before = filter->GetOutput()->GetDimensions()[0];
+  EXPECT_EQ(before, static_cast<int>(std::ceil(120.0 * std::sqrt(2.0))));
+  EXPECT_LE(figure(filter->GetOutput(), "PixelLength"), 1.0);
+  EXPECT_GT(figure(filter->GetOutput(), "PixelLength"), 1.0 - 1.0 / before);
+
+  twice->Scale(0.5, 0.5, 1.0); // the map changes: what is downstream must know the extent at once
+  filter->UpdateInformation();
+  int extent[6];
+  filter->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  EXPECT_EQ(extent[1] + 1, static_cast<int>(std::ceil(60.0 * std::sqrt(2.0))));
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetDimensions()[0], extent[1] + 1);
+}
+
+TEST_F(FlatMapImage, EmptyInputGivesAnEmptyImage)
+{
+  vtkNew<vtkFlatMapImage> filter;
+  ErrorLog errors(filter);
+  filter->SetInputData(vtkNew<vtkPolyData>());
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_TRUE(errors.messages().empty());
+}
+
+TEST_F(FlatMapImage, ReportsWhatIsWrong)
+{
+  vtkNew<vtkFlatMapImage> filter;
+  const auto expectMessage = [&filter](const std::string& words)
+  {
+    ErrorLog errors(filter);
+    filter->Update();
+    ASSERT_EQ(errors.messages().size(), 1u);
+    EXPECT_NE(errors.messages().front().find(words), std::string::npos) << errors.messages().front();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  };
+  filter->SetInputData(polyDataOf(analytic::ringMesh(analytic::flatDisk(), 100).Mesh));
+  expectMessage("no point array SurfacePoints");
+  filter->SetInputData(Map);
+  filter->SetPixelLength(1e-3);
+  expectMessage("raise PixelLength");
+  filter->SetPixelLength(0.0);
+  ErrorLog errors(filter);
+  filter->Update();
+  EXPECT_TRUE(errors.messages().empty());
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 512 * 512);
+}
+
+} // namespace
