@@ -9,6 +9,8 @@
 #include "DistortionSummary.h"
 #include "PaperSurfaces.h"
 #include "PeakMemory.h"
+#include "PlainNewton.h"
+#include "TransportSites.h"
 #include "Yardstick.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -29,8 +31,16 @@ using benchmarks::StopWatch;
 
 // Of larger meshes the transport of every vertex takes minutes.
 constexpr int MostSites = 150000;
+// Processor time that the plain Newton iteration is given.
+constexpr double MostPlainSeconds = 60.0;
 
-double regularTriangulationSeconds(const Points2& sites, const Eigen::VectorXd& weights)
+struct Time
+{
+  double Clock;
+  double Processor;
+};
+
+Time regularTriangulationTime(const Points2& sites, const Eigen::VectorXd& weights)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   std::vector<Kernel::Weighted_point_2> points;
@@ -40,18 +50,18 @@ double regularTriangulationSeconds(const Points2& sites, const Eigen::VectorXd& 
   }
   const StopWatch watch;
   const CGAL::Regular_triangulation_2<Kernel> triangulation(points.begin(), points.end());
-  const double seconds = watch.seconds();
+  const Time time{ watch.seconds(), watch.processorSeconds() };
   benchmark::DoNotOptimize(triangulation.number_of_vertices());
-  return seconds;
+  return time;
 }
 
-double factorizationSeconds(const TriangleMesh& mesh)
+Time factorizationTime(const TriangleMesh& mesh)
 {
   const SparseMatrix laplacian = benchmarks::meshLaplacian(mesh);
   const StopWatch watch;
   const SparseCholesky cholesky(laplacian);
   benchmark::DoNotOptimize(cholesky.info());
-  return watch.seconds();
+  return { watch.seconds(), watch.processorSeconds() };
 }
 
 // The transport of every vertex, as without refinement.
@@ -64,13 +74,14 @@ void transportAll(benchmark::State& state, const TriangleMesh& mesh, const Point
   const AreaPreservingResult flat = areaPreservingDiskMap(mesh, conformal, {}, options);
   const double seconds = watch.seconds();
   counters["transport_cpu_seconds"] = watch.processorSeconds();
-  const double triangulation = regularTriangulationSeconds(conformal, flat.Map.PowerWeights);
-  const double factorization = factorizationSeconds(mesh);
+  const Time triangulation = regularTriangulationTime(conformal, flat.Map.PowerWeights);
+  const Time factorization = factorizationTime(mesh);
   const auto cells = summariseDistortion(measureDistortion(mesh, flat.Map.Positions));
   counters["transport_seconds"] = seconds;
-  counters["triangulation_seconds"] = triangulation;
-  counters["factorization_seconds"] = factorization;
-  counters["transport_ratio"] = seconds / (triangulation + factorization);
+  counters["triangulation_seconds"] = triangulation.Clock;
+  counters["factorization_seconds"] = factorization.Clock;
+  counters["yardstick_cpu_seconds"] = triangulation.Processor + factorization.Processor;
+  counters["transport_ratio"] = seconds / (triangulation.Clock + factorization.Clock);
   counters["newton_steps"] = flat.Map.NewtonIterations;
   counters["power_diagrams"] = flat.Map.PowerDiagrams;
   counters["cell_error"] = flat.Map.MaxCellError;
@@ -78,6 +89,24 @@ void transportAll(benchmark::State& state, const TriangleMesh& mesh, const Point
   counters["cells_area_error_percent"] = cells[Measure::AreaError].AreaWeightedMean;
   counters["cells_angle_error"] = cells[Measure::AngleError].Mean;
   counters["cells_flipped"] = flat.Map.FlippedFaces;
+}
+
+// The same without the accelerations.
+void transportPlainly(benchmark::State& state, const TriangleMesh& mesh, const Points2& conformal)
+{
+  auto& counters = state.counters;
+  const TransportSites sites = distinctSites(conformal);
+  const Eigen::VectorXd targets = sites.sums(targetAreas(mesh, {}));
+  const StopWatch watch;
+  PowerDiagram diagram(sites.Positions);
+  const benchmarks::PlainNewtonResult plain =
+    benchmarks::plainNewton(diagram, targets, TransportOptions().Tolerance, MostPlainSeconds);
+  counters["plain_newton_seconds"] = watch.seconds();
+  counters["plain_newton_cpu_seconds"] = watch.processorSeconds();
+  counters["plain_newton_steps"] = plain.Steps;
+  counters["plain_newton_power_diagrams"] = diagram.updates();
+  counters["plain_newton_cell_error"] = plain.CellError;
+  counters["plain_newton_converged"] = plain.Converged;
 }
 
 // As the filter does it: the transport of groups of vertices, and the refinement.
@@ -133,6 +162,7 @@ void flatten(benchmark::State& state, const std::function<benchmarks::BenchmarkS
     if (mesh.vertexCount() <= MostSites)
     {
       transportAll(state, mesh, conformal.Positions);
+      transportPlainly(state, mesh, conformal.Positions);
     }
     const auto before = summariseDistortion(measureDistortion(mesh, conformal.Positions));
     counters["vertices"] = mesh.vertexCount();

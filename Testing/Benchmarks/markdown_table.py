@@ -9,6 +9,12 @@ def given(benchmark, counter):
     return f"{benchmark[counter]:.2f}" if counter in benchmark else ""
 
 
+def plain_newton(benchmark):
+    seconds = f"{benchmark['plain_newton_cpu_seconds']:.2f}"
+    reached = benchmark["plain_newton_cell_error"]
+    return seconds if benchmark["plain_newton_converged"] else f"{seconds}, at a cell error of {reached:.0e}"
+
+
 TIMES = {
     "surface": lambda b: b["name"].split("/")[0],
     "vertices": lambda b: f"{b['vertices']:,.0f}",
@@ -44,6 +50,16 @@ CELLS = {
     "cell error": lambda b: f"{b['cell_error']:.0e}",
     "faces within 2 %": lambda b: f"{b['cells_within_2_percent']:.1f} %",
     "flipped ": lambda b: f"{b['cells_flipped']:.0f}",
+}
+PLAIN = {
+    "surface": TIMES["surface"],
+    "vertices": TIMES["vertices"],
+    "ours (s)": lambda b: f"{b['transport_cpu_seconds']:.2f}",
+    "steps": CELLS["Newton steps "],
+    "power diagrams": CELLS["power diagrams"],
+    "plain Newton (s)": lambda b: plain_newton(b),
+    "steps ": lambda b: f"{b['plain_newton_steps']:.0f}",
+    "power diagrams ": lambda b: f"{b['plain_newton_power_diagrams']:.0f}",
 }
 PAPER = {
     "surface": lambda b: b["name"].split("/")[0].removeprefix("paper: "),
@@ -125,10 +141,11 @@ def main(paths):
         elif any("map_cpu_seconds" in b for b in benchmarks):
             kinds = [AREA_MAPS]
         else:
-            kinds = [TIMES, ERRORS, CELLS, PAPER]
+            kinds = [TIMES, ERRORS, CELLS, PLAIN, PAPER]
         for columns in kinds:
-            rows = [b for b in benchmarks if columns is not CELLS or "transport_seconds" in b]
-            rows = [b for b in rows if ("paper_seconds" in b) == (columns is PAPER)]
+            rows = [b for b in benchmarks if columns not in (CELLS, PLAIN) or "transport_seconds" in b]
+            if columns is not PLAIN:
+                rows = [b for b in rows if ("paper_seconds" in b) == (columns is PAPER)]
             if rows:
                 print("\n".join(table(columns, rows)), end="\n\n")
 
