@@ -2,9 +2,9 @@
 # Installs what is missing, builds, times Surface To Disk on surfaces of real scans with up to 700 handles and
 # every stage of the flattening on a real brain and on surfaces as in the paper, compares the methods of the
 # conformal disk on the same, compares area-preserving maps on half a brain, and prints the figures as Markdown
-# tables; draws the conformal disk's error on surfaces with known maps, and area error against angle error of the
-# area-preserving maps. The JSON output of Google Benchmark and the pictures stay in the build folder. Safe to run
-# again. Let nothing else run meanwhile.
+# tables; draws the conformal disk's error on surfaces with known maps, area error against angle error of the
+# area-preserving maps, and time against size. The JSON output of Google Benchmark and the pictures stay in the build
+# folder. Safe to run again. Let nothing else run meanwhile.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -26,3 +26,7 @@ echo "Picture of the convergence: $build/Testing/convergence.png"
 xvfb-run -a -s "-screen 0 1280x1024x24" pvpython Utilities/angle_weight_picture.py \
   "$build/Testing/BenchmarkAreaMaps.json" "$build/Testing/angle_weight.png"
 echo "Picture of the angle weights: $build/Testing/angle_weight.png"
+
+xvfb-run -a -s "-screen 0 1280x1024x24" pvpython Utilities/time_picture.py \
+  "$build/Testing/BenchmarkFlattening.json" "$build/Testing/BenchmarkAreaMaps.json" "$build/Testing/time_against_size.png"
+echo "Picture of the times: $build/Testing/time_against_size.png"
