@@ -22,7 +22,7 @@ namespace
 // may lie. Steps that are accepted at once lengthen the way to the next ones, rejected trials shorten
 // it.
 constexpr double LongestWay = 2.3;
-constexpr double ShortestWay = 0.7;
+constexpr double ShortestWay = 0.1;
 // How much of its area, or of its aim if that is smaller, a cell must keep in a step.
 constexpr double KeptShare = 0.1;
 // A cell error below which rounding is what may have stopped the iteration.
@@ -269,6 +269,8 @@ TransportResult transportNewton(PowerDiagram& diagram,
   result.Weights = startWeights(diagram, targets, options.StartWeights);
 
   Eigen::VectorXd areas = diagram.areas();
+  // Convergence rests on it: a bound that followed the areas down would let them vanish.
+  const double smallest = 0.5 * std::min(areas.minCoeff(), targets.minCoeff());
   double error = relativeError(areas, targets);
   // Progress measures the way in decades, of ratios first and of the error afterwards.
   const double start = largestLogRatio(areas, targets) - std::log(options.Tolerance);
@@ -301,7 +303,6 @@ TransportResult transportNewton(PowerDiagram& diagram,
       break;
     }
 
-    const double smallest = 0.5 * std::min(areas.minCoeff(), aims.minCoeff());
     const Eigen::VectorXd least = (KeptShare * areas.array().min(aims.array())).max(smallest);
     const Eigen::VectorXd slopes = ownSlopes(diagram);
     bool accepted = false;
