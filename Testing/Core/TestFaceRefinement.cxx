@@ -5,6 +5,7 @@
 #include "DistortionSummary.h"
 #include "FaceOrientation.h"
 #include "MeshTopology.h"
+#include "PlanarParts.h"
 #include "SampleSurfaces.h"
 #include "SliverRefinement.h"
 
@@ -12,8 +13,10 @@
 
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <vector>
 
 namespace
 {
@@ -160,6 +163,42 @@ TEST(FaceRefinement, WeightsCountForFacesAsForCells)
   EXPECT_NEAR((ratios[1] / areas[1]) / (ratios[0] / areas[0]), 4.0, 0.02);
 }
 
+// Faces may each be right to 2 % and all those of a region be off to the same side. Without the last
+// steps of the whole mesh it is 0.26 % here.
+TEST(FaceRefinement, RegionsKeepTheirAreaOnAnUnevenSurface)
+{
+  TriangleMesh mesh = sunflowerMesh(sphericalCap(0.5 * EIGEN_PI), 20000).Mesh;
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    const Eigen::RowVector3d p = mesh.Vertices.row(v);
+    mesh.Vertices.row(v) *=
+      1.0 + 0.1 * std::sin(8.0 * p.x() + 1.0) * std::sin(8.0 * p.y() + 2.0) * std::sin(8.0 * p.z());
+  }
+  const Points2 flat = conformal(mesh);
+  const AreaPreservingMap map = areaPreservingDiskMap(mesh, flat).Map;
+  expectBijective(mesh, map);
+  EXPECT_GE(measured(mesh, map).FacesWithin2Percent, 99.6);
+  const int n = mesh.vertexCount();
+  const Eigen::VectorXd has = vertexAreas(mesh.Faces, signedFaceAreas(map.Positions, mesh.Faces), n) /
+                              signedFaceAreas(map.Positions, mesh.Faces).sum();
+  const Eigen::VectorXd wants = vertexAreas(mesh.Faces, faceAreas(mesh.Vertices, mesh.Faces), n) /
+                                faceAreas(mesh.Vertices, mesh.Faces).sum();
+  double largest = 0.0;
+  for (const std::vector<int>& region : planarParts(flat, 400, 0.3))
+  {
+    double hasArea = 0.0;
+    double wantsArea = 0.0;
+    for (const int v : region)
+    {
+      hasArea += has[v];
+      wantsArea += wants[v];
+    }
+    largest = std::max(largest, std::abs(hasArea / wantsArea - 1.0));
+  }
+  std::cout << "greatest error of a region: " << largest << "\n";
+  EXPECT_LT(largest, 1e-3);
+}
+
 TEST(FaceRefinement, SameBitsWhateverTheThreads)
 {
   const TriangleMesh mesh = sunflowerMesh(sphericalCap(2.5), 10000).Mesh;
@@ -178,25 +217,9 @@ TEST(FaceRefinement, CornersOfARectangleStay)
   // A square with a bump, in place of its conformal map the square itself.
   constexpr int n = 41;
   const double width = std::sqrt(Pi);
-  TriangleMesh mesh;
-  mesh.Vertices.resize(n * n, 3);
-  mesh.Faces.resize(2 * (n - 1) * (n - 1), 3);
-  int face = 0;
-  for (int j = 0; j < n; ++j)
-  {
-    for (int i = 0; i < n; ++i)
-    {
-      const double x = width * (i / (n - 1.0) - 0.5);
-      const double y = width * (j / (n - 1.0) - 0.5);
-      mesh.Vertices.row(j * n + i) << x, y, 0.5 * std::exp(-8.0 * (x * x + y * y));
-      if (i + 1 < n && j + 1 < n)
-      {
-        const int v = j * n + i;
-        mesh.Faces.row(face++) << v, v + 1, v + n + 1;
-        mesh.Faces.row(face++) << v, v + n + 1, v + n;
-      }
-    }
-  }
+  TriangleMesh mesh = samples::rectangleGrid(n, n, width);
+  mesh.Vertices.col(2) =
+    0.5 * (-8.0 * mesh.Vertices.leftCols<2>().rowwise().squaredNorm().array()).exp();
   const Points2 flat = mesh.Vertices.leftCols<2>();
   const AreaPreservingMap map = areaPreservingRectangleMap(mesh, flat, width).Map;
   EXPECT_TRUE(map.Bijective);
