@@ -6,6 +6,7 @@
 #include "TriangleAngles.h"
 #include "TriangleMesh.h"
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -64,6 +65,9 @@ public:
       this->scaledLogLength(3 * f + 2, u));
   }
 
+  /// The logarithm of the distance of a vertex on the mirror from its image.
+  static constexpr long double OnMirror = -std::numeric_limits<long double>::infinity();
+
   /// An edge of the boundary, with the surface on its left.
   struct BoundaryEdge
   {
@@ -72,7 +76,7 @@ public:
     int Next;
     int Inner; ///< half-edge along it, or -1 - b if boundary edge b runs along its other side
     long double LogLength;
-    long double LogCrossing; ///< from its origin to the image of that; minus infinity on the mirror
+    long double LogCrossing; ///< from its origin to the image of that; OnMirror if it lies there
     bool AtInfinity;         ///< seen from the vertex at infinity: no mirror cell
   };
   const std::vector<BoundaryEdge>& boundaryEdges() const { return this->Boundary; }
