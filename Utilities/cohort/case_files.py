@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reads a surface, or a volume, from one file into VTK; what goes wrong is an exception."""
+
+import os
+import re
+
+from vtkmodules.vtkCommonCore import vtkOutputWindow
+from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
+from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkNIFTIImageReader, vtkNrrdReader
+from vtkmodules.vtkIOLegacy import vtkPolyDataReader
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
+
+SURFACE_READERS = {
+    ".vtk": vtkPolyDataReader,
+    ".vtp": vtkXMLPolyDataReader,
+    ".ply": vtkPLYReader,
+    ".stl": vtkSTLReader,
+    ".obj": vtkOBJReader,
+}
+VOLUME_READERS = {
+    ".nii": vtkNIFTIImageReader,
+    ".nii.gz": vtkNIFTIImageReader,
+    ".mha": vtkMetaImageReader,
+    ".mhd": vtkMetaImageReader,
+    ".nrrd": vtkNrrdReader,
+    ".nhdr": vtkNrrdReader,
+    ".vti": vtkXMLImageDataReader,
+}
+
+
+class CaseError(Exception):
+    """Why a case has no result, in words for the summary."""
+
+
+class Messages:
+    """The errors and warnings of some algorithms while it is open, or with none those of all VTK."""
+
+    def __init__(self, *algorithms):
+        self.errors = []
+        self.warnings = []
+        self._tags = []
+        observed = [a for algorithm in algorithms for a in (algorithm, algorithm.GetExecutive())]
+        observed = observed or [vtkOutputWindow.GetInstance()]
+        for event, texts in (("ErrorEvent", self.errors), ("WarningEvent", self.warnings)):
+            for item in observed:
+                self._tags.append((item, item.AddObserver(event, self._recorder(texts))))
+
+    @staticmethod
+    def _recorder(texts):
+        def record(_caller, _event, text=""):
+            texts.append(cause(text))
+
+        record.CallDataType = "string0"
+        return record
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_exception):
+        for item, tag in self._tags:
+            item.RemoveObserver(tag)
+
+
+def cause(text):
+    """The message in one line, without VTK's source file, class and address before it."""
+    text = " ".join(text.split()).split("): ", 1)[-1]
+    return re.sub(r"^Generic Warning: In \S+, line \d+ ", "", text)
+
+
+def extension(path):
+    name = path.lower()
+    return ".nii.gz" if name.endswith(".nii.gz") else os.path.splitext(name)[1]
+
+
+def is_volume(path):
+    """Whether the file is a volume, by its extension. Raises CaseError if it is nothing known."""
+    if extension(path) in VOLUME_READERS:
+        return True
+    if extension(path) in SURFACE_READERS:
+        return False
+    known = ", ".join([*SURFACE_READERS, *VOLUME_READERS])
+    raise CaseError(f"unknown kind of file {extension(path) or path}: known are {known}")
+
+
+def read(path):
+    """The polydata or image in a file. Raises CaseError."""
+    volume = is_volume(path)
+    if not os.path.isfile(path):
+        raise CaseError(f"there is no file {path}")
+    reader = (VOLUME_READERS if volume else SURFACE_READERS)[extension(path)]()
+    with Messages() as messages:  # readers warn of a truncated file, and go on with what was in memory
+        reader.SetFileName(path)
+        reader.Update()
+    data = reader.GetOutput()
+    for text in messages.errors + messages.warnings:
+        raise CaseError(f"cannot be read, the file may be damaged: {text}")
+    if data is None or data.GetNumberOfPoints() == 0:
+        raise CaseError("there are no points in it; the file may be damaged")
+    return data

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The cases of a cohort: their names and their order."""
+
+import os
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Case:
+    """One surface or volume; its name is that of its result."""
+
+    name: str
+    path: str
+
+    def size(self):
+        """Bytes of the file, which the time grows with; 0 if there is no such file."""
+        return os.path.getsize(self.path) if os.path.isfile(self.path) else 0
+
+    def identity(self):
+        """Tells whether the file is still the one that a result was made of."""
+        if not os.path.isfile(self.path):
+            return "missing"
+        status = os.stat(self.path)
+        return f"{os.path.abspath(self.path)} {status.st_size} {status.st_mtime_ns}"
+
+
+def stem(path):
+    """The file's name without .vtk, .nii.gz and the like."""
+    name = os.path.basename(os.path.normpath(path))
+    if name.endswith(".gz"):
+        name = name[: -len(".gz")]
+    return os.path.splitext(name)[0]
+
+
+def named_cases(paths):
+    """A case per file, named by its stem; files of one stem get the names of their folders before it."""
+    paths = list(dict.fromkeys(os.path.abspath(path) for path in paths))
+    stems = [stem(path) for path in paths]
+    if len(set(stems)) < len(stems):
+        common = os.path.commonpath([os.path.dirname(path) for path in paths])
+        stems = [
+            "__".join(os.path.relpath(path, common).split(os.sep)[:-1] + [stem(path)]) for path in paths
+        ]
+    if len(set(stems)) < len(stems):
+        twice = sorted({name for name in stems if stems.count(name) > 1})
+        raise ValueError(
+            f"two files would both be the case {twice[0]}: rename one, or give their folders apart"
+        )
+    return [Case(name, path) for name, path in zip(stems, paths)]
+
+
+def in_order(cases, last=()):
+    """The largest first, so that no rank is left alone with a large one at the end.
+
+    @last: names that come at the end, whatever their size.
+    """
+    return sorted(cases, key=lambda case: (case.name in last, -case.size(), case.name))

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One case from its file to a measured flat map, by the filters that ParaView's menus have."""
+
+import resource
+import time
+from dataclasses import dataclass, field
+
+from case_files import CaseError, Messages, is_volume, read
+from vtkmodules.vtkFiltersCore import vtkContourFilter
+from vtkmodules.vtkImagingCore import vtkImageCast, vtkImageConstantPad
+from vtkmodules.vtkImagingGeneral import vtkImageGaussianSmooth
+
+try:
+    from surfaceflattening import (
+        vtkConformalDiskFilter,
+        vtkDistortionMetrics,
+        vtkOMTAreaPreservingFilter,
+        vtkSurfaceToDiskFilter,
+    )
+except ImportError as error:
+    raise SystemExit(
+        f"{error}: set PYTHONPATH to the folder with the package surfaceflattening, "
+        "such as build/lib/python3/dist-packages"
+    ) from None
+
+CUTS = ("hole", "seam", "plane")
+HANDLES = ("remove", "cut", "error")
+MARGIN = 10  # voxels around a volume
+
+# Field data of the flat map that the summary has, in this order.
+FIGURES = (
+    "Genus",
+    "RemovedHandles",
+    "SelfIntersections",
+    "SurfaceArea",
+    "FlatArea",
+    "MaxCellAreaError",
+    "FacesWithin2Percent",
+    "AreaWeightedMeanAreaError",
+    "AreaWeightedMeanAngleError",
+    "FlippedFaces",
+    "Bijective",
+)
+
+
+@dataclass
+class CaseResult:
+    """The flat map, with what the summary says of it."""
+
+    flat: object
+    figures: dict
+    warnings: list = field(default_factory=list)
+
+
+def run(algorithm, warnings):
+    """Executes a filter; returns its output. Raises CaseError with the filter's own message."""
+    with Messages(algorithm) as messages:
+        algorithm.Update()
+    warnings += messages.warnings
+    if messages.errors:
+        raise CaseError(messages.errors[0])
+    data = algorithm.GetOutput()
+    if data.GetNumberOfPoints() == 0:
+        raise CaseError(f"{algorithm.GetClassName()} has no output")
+    return data
+
+
+def isosurface(image, isovalue, smoothing):
+    """The steps of docs/volumes.md: cast, pad, smooth by @smoothing mm, contour."""
+    scalars = image.GetPointData().GetScalars()
+    if scalars is None or scalars.GetNumberOfComponents() != 1:
+        raise CaseError("the volume has no single value per voxel")
+    low, high = scalars.GetRange()
+    cast = vtkImageCast()
+    cast.SetInputData(image)
+    cast.SetOutputScalarTypeToFloat()
+    pad = vtkImageConstantPad()
+    pad.SetInputConnection(cast.GetOutputPort())
+    pad.SetOutputWholeExtent(
+        [e + m for e, m in zip(image.GetExtent(), (-MARGIN, MARGIN) * 3)]
+    )
+    pad.SetConstant(low)
+    last = pad
+    if smoothing > 0:
+        last = vtkImageGaussianSmooth()
+        last.SetInputConnection(pad.GetOutputPort())
+        last.SetStandardDeviations([smoothing / s for s in image.GetSpacing()])
+        last.SetRadiusFactors(3, 3, 3)
+    last.Update()
+    low, high = last.GetOutput().GetScalarRange()
+    if not low < isovalue < high:
+        raise CaseError(
+            f"the isovalue {isovalue:g} is not between the least and greatest value, {low:g} and {high:g}"
+        )
+    contour = vtkContourFilter()
+    contour.SetInputConnection(last.GetOutputPort())
+    contour.SetValue(0, isovalue)
+    contour.ComputeNormalsOff()
+    contour.Update()
+    return contour.GetOutput()
+
+
+def flatten(path, settings):
+    """Takes one file to its CaseResult. Raises CaseError.
+
+    @settings: isovalue, smoothing, cut, plane_normal, plane_origin, hole_area, handles, remesh, edge_length.
+    """
+    began = time.process_time()
+    data = read(path)
+    if is_volume(path):
+        if settings["isovalue"] is None:
+            raise CaseError("it is a volume: give --isovalue")
+        data = isosurface(data, settings["isovalue"], settings["smoothing"])
+    warnings = []
+    disk = vtkSurfaceToDiskFilter()
+    disk.SetInputData(data)
+    disk.SetCutMode(CUTS.index(settings["cut"]))
+    disk.SetHandleMode(HANDLES.index(settings["handles"]))
+    disk.SetHoleAreaFraction(settings["hole_area"])
+    disk.SetPlaneNormal(settings["plane_normal"])
+    disk.SetPlaneOrigin(settings["plane_origin"] or data.GetCenter())
+    disk.SetRemesh(settings["remesh"])
+    disk.SetTargetEdgeLength(settings["edge_length"])
+    run(disk, warnings)
+    conformal = vtkConformalDiskFilter()
+    conformal.SetInputData(disk.GetOutput())
+    run(conformal, warnings)
+    area_preserving = vtkOMTAreaPreservingFilter()
+    area_preserving.SetInputData(conformal.GetOutput())
+    run(area_preserving, warnings)
+    metrics = vtkDistortionMetrics()
+    metrics.SetInputData(area_preserving.GetOutput())
+    flat = run(metrics, warnings)
+    figures = {"Points": flat.GetNumberOfPoints(), "Faces": flat.GetNumberOfCells()}
+    for name in FIGURES:
+        array = flat.GetFieldData().GetArray(name)
+        figures[name] = array.GetTuple1(0) if array and array.GetNumberOfTuples() == 1 else None
+    figures["ProcessorSeconds"] = round(time.process_time() - began, 2)
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    figures["PeakMemoryMB"] = round(peak / 1024)
+    return CaseResult(flat, figures, warnings)
