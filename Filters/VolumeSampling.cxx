@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "VolumeSampling.h"
+
+#include "Core/Errors.h"
+
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkProbeFilter.h>
+
+#include <cmath>
+#include <limits>
+
+namespace flattening
+{
+namespace
+{
+
+// The centre of the voxel that a point within the volume is in.
+void moveToVoxel(vtkImageData* volume, Eigen::RowVector3d& point)
+{
+  double index[3];
+  volume->TransformPhysicalPointToContinuousIndex(point.data(), index);
+  int voxel[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    const int low = volume->GetExtent()[2 * k];
+    const int high = volume->GetExtent()[2 * k + 1];
+    if (!(index[k] >= low && index[k] <= high))
+    {
+      return; // outside, where it must stay
+    }
+    voxel[k] = static_cast<int>(std::lround(index[k]));
+  }
+  volume->TransformIndexToPhysicalPoint(voxel, point.data());
+}
+
+// In the centres of @p voxels, if there are any.
+vtkSmartPointer<vtkPolyData> pointsOnly(const Points3& points, vtkImageData* voxels)
+{
+  vtkNew<vtkPoints> positions;
+  positions->SetDataTypeToDouble();
+  positions->SetNumberOfPoints(points.rows());
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+  {
+    // What is not finite would make VTK look in a cell that does not exist.
+    Eigen::RowVector3d point = points.row(i).allFinite()
+                                 ? Eigen::RowVector3d(points.row(i))
+                                 : Eigen::RowVector3d::Constant(std::numeric_limits<float>::max());
+    if (voxels)
+    {
+      moveToVoxel(voxels, point);
+    }
+    positions->SetPoint(i, point.data());
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(positions);
+  return data;
+}
+
+} // namespace
+
+VolumeSampling::VolumeSampling(vtkImageData* volume, bool nearest)
+  : Volume(vtkSmartPointer<vtkImageData>::New())
+  , Nearest(nearest)
+{
+  this->Volume->CopyStructure(volume);
+  for (int a = 0; a < volume->GetPointData()->GetNumberOfArrays(); ++a)
+  {
+    if (vtkDataArray* array = volume->GetPointData()->GetArray(a); array && array->GetName())
+    {
+      vtkNew<vtkFloatArray> values;
+      values->DeepCopy(array);
+      values->SetName(array->GetName());
+      this->Volume->GetPointData()->AddArray(values);
+    }
+  }
+  if (this->Volume->GetPointData()->GetNumberOfArrays() == 0)
+  {
+    throw InvalidInput(
+      "the volume has no numbers at its points: choose another, or turn its cell arrays "
+      "into point arrays (Cell Data To Point Data)");
+  }
+}
+
+VolumeSampling::~VolumeSampling() = default;
+
+std::vector<VolumeSamples> VolumeSampling::at(const Points3& points) const
+{
+  vtkNew<vtkProbeFilter> probe;
+  // vtkProbeFilter's own CategoricalData is for one array, the active scalars.
+  probe->SetInputData(pointsOnly(points, this->Nearest ? this->Volume.Get() : nullptr));
+  probe->SetSourceData(this->Volume);
+  probe->Update();
+  vtkPointData* found = probe->GetOutput()->GetPointData();
+  vtkDataArray* valid = found->GetArray(probe->GetValidPointMaskArrayName());
+  std::vector<VolumeSamples> result;
+  for (int a = 0; a < this->Volume->GetPointData()->GetNumberOfArrays(); ++a)
+  {
+    VolumeSamples samples;
+    samples.Values =
+      vtkFloatArray::SafeDownCast(found->GetArray(this->Volume->GetPointData()->GetArrayName(a)));
+    samples.Inside.resize(points.rows());
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
+    {
+      samples.Inside[i] = valid->GetTuple1(i) != 0.0;
+      for (int k = 0; !samples.Inside[i] && k < samples.Values->GetNumberOfComponents(); ++k)
+      {
+        samples.Values->SetComponent(i, k, std::numeric_limits<double>::quiet_NaN());
+      }
+    }
+    result.push_back(std::move(samples));
+  }
+  return result;
+}
+
+} // namespace flattening

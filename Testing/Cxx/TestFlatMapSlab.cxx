@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "AnalyticSurfaces.h"
+#include "FilterTest.h"
+
+#include <vtkConformalDiskFilter.h>
+#include <vtkFlatMapSlab.h>
+
+#include <vtkDoubleArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkShortArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace
+{
+
+using namespace flattening;
+using namespace flattening::testing;
+
+constexpr double Pi = 3.14159265358979323846;
+constexpr double Radius = 20.0;
+constexpr double HalfSide = 30.0; // of the volume, around the sphere's centre
+
+vtkSmartPointer<vtkPolyData> flatHemisphere()
+{
+  TriangleMesh mesh = analytic::sunflowerMesh(analytic::sphericalCap(0.5 * Pi), 4000).Mesh;
+  mesh.Vertices *= Radius;
+  vtkNew<vtkConformalDiskFilter> conformal;
+  conformal->SetInputData(polyDataOf(mesh));
+  conformal->Update();
+  return conformal->GetOutput();
+}
+
+template <typename Array>
+vtkSmartPointer<vtkImageData> volumeOf(const std::string& name,
+  const std::function<double(double, double, double)>& value)
+{
+  auto volume = vtkSmartPointer<vtkImageData>::New();
+  volume->SetDimensions(61, 61, 61);
+  volume->SetOrigin(-HalfSide, -HalfSide, -HalfSide);
+  volume->SetSpacing(1.0, 1.0, 1.0);
+  vtkNew<Array> array;
+  array->SetName(name.c_str());
+  for (vtkIdType i = 0; i < volume->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    volume->GetPoint(i, x);
+    array->InsertNextTuple1(value(x[0], x[1], x[2]));
+  }
+  volume->GetPointData()->SetScalars(array);
+  return volume;
+}
+
+double distance(double x, double y, double z)
+{
+  return std::hypot(x, y, z);
+}
+
+void setDepths(vtkFlatMapSlab* slab, const std::vector<double>& depths)
+{
+  slab->ClearDepths();
+  for (const double depth : depths)
+  {
+    slab->AddDepth(depth);
+  }
+}
+
+class FlatMapSlab : public ::testing::Test
+{
+protected:
+  static void SetUpTestSuite()
+  {
+    Map = flatHemisphere();
+    Distance = volumeOf<vtkDoubleArray>("Distance", distance);
+  }
+  static void TearDownTestSuite() { Map = Distance = nullptr; }
+  static vtkSmartPointer<vtkDataObject> Map;
+  static vtkSmartPointer<vtkDataObject> Distance;
+
+  static void connect(vtkFlatMapSlab* slab)
+  {
+    slab->SetInputDataObject(0, Map);
+    slab->SetInputDataObject(1, Distance);
+  }
+};
+
+vtkSmartPointer<vtkDataObject> FlatMapSlab::Map;
+vtkSmartPointer<vtkDataObject> FlatMapSlab::Distance;
+
+// Linear interpolation of the distance is off by 1 / (4 r) at most in voxels of 1.
+constexpr double InterpolationError = 0.017;
+
+TEST_F(FlatMapSlab, AtEachDepthBelowASphereIsTheRadiusLessTheDepth)
+{
+  vtkNew<vtkFlatMapSlab> slab;
+  connect(slab);
+  const std::vector<double> depths{ 0.0, 1.0, 2.5, 5.0, -2.0 };
+  setDepths(slab, depths);
+  slab->Update();
+  vtkPolyData* output = slab->GetOutput();
+  vtkDataArray* values = output->GetPointData()->GetArray("DistanceSlab");
+  ASSERT_NE(values, nullptr);
+  ASSERT_EQ(values->GetNumberOfComponents(), 5);
+  EXPECT_EQ(std::string(values->GetComponentName(2)), "2.5");
+  double greatest = 0.0;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    for (int d = 0; d < 5; ++d)
+    {
+      greatest = std::max(greatest, std::abs(values->GetComponent(i, d) - (Radius - depths[d])));
+    }
+  }
+  std::cout << "greatest difference from radius - depth: " << greatest << " voxels\n";
+  EXPECT_LT(greatest, InterpolationError);
+  EXPECT_EQ(figure(output, "OutsideSamples"), 0);
+  EXPECT_EQ(output->GetFieldData()->GetArray("Depths")->GetTuple1(3), 5.0);
+
+  slab->OutwardsOn();
+  slab->Update();
+  EXPECT_NEAR(output->GetPointData()->GetArray("DistanceSlab")->GetComponent(7, 3), 25.0, 0.017);
+}
+
+TEST_F(FlatMapSlab, TheStackHasALayerPerDepth)
+{
+  vtkNew<vtkFlatMapSlab> slab;
+  connect(slab);
+  setDepths(slab, { 0.5, 1.0, 1.5, 2.0 });
+  slab->SetStackSize(120);
+  slab->Update();
+  vtkImageData* stack = slab->GetStack();
+  ASSERT_EQ(stack->GetNumberOfPoints(), 120 * 120 * 4);
+  vtkDataArray* values = stack->GetPointData()->GetArray("Distance");
+  vtkDataArray* inside = stack->GetPointData()->GetArray("InVolume");
+  double greatest = 0.0;
+  int seen = 0;
+  for (vtkIdType i = 0; i < stack->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    stack->GetPoint(i, x);
+    ASSERT_EQ(inside->GetTuple1(i) == 1, !std::isnan(values->GetTuple1(i)));
+    if (inside->GetTuple1(i) == 1)
+    {
+      greatest = std::max(greatest, std::abs(values->GetTuple1(i) - (Radius - x[2])));
+      ++seen;
+    }
+  }
+  // Triangles of edges up to 1.5 lie up to 1.5^2 / (6 R) below the sphere.
+  std::cout << "greatest difference from radius - depth in the stack: " << greatest << " voxels\n";
+  EXPECT_LT(greatest, InterpolationError + 0.02);
+  EXPECT_NEAR(seen, 4 * 0.25 * Pi * 120 * 120, 400);
+
+  // Steps that are not equal: one pixel apart.
+  setDepths(slab, { 0.0, 1.0, 3.0 });
+  slab->Update();
+  EXPECT_EQ(stack->GetDimensions()[2], 3);
+  EXPECT_DOUBLE_EQ(stack->GetSpacing()[2], stack->GetSpacing()[0]);
+  EXPECT_EQ(stack->GetFieldData()->GetArray("Depths")->GetTuple1(2), 3.0);
+
+  slab->SetStackSize(0);
+  slab->Update();
+  EXPECT_EQ(stack->GetNumberOfPoints(), 0);
+}
+
+TEST_F(FlatMapSlab, OutsideOfTheVolumeIsMaskedAndCounted)
+{
+  vtkNew<vtkFlatMapSlab> slab;
+  connect(slab);
+  setDepths(slab, { 0.0, -15.0 });
+  slab->Update();
+  vtkPolyData* output = slab->GetOutput();
+  vtkDataArray* values = output->GetPointData()->GetArray("DistanceSlab");
+  vtkDataArray* mask = output->GetPointData()->GetArray("InVolume");
+  vtkDataArray* surface = output->GetPointData()->GetArray("SurfacePoints");
+  int outside = 0;
+  int doubtful = 0;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const double* p = surface->GetTuple3(i);
+    const double reach = 35.0 / Radius * std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
+    doubtful += std::abs(reach - HalfSide) < 0.1;
+    EXPECT_TRUE(
+      std::abs(reach - HalfSide) < 0.1 || (reach < HalfSide) == (mask->GetComponent(i, 1) == 1));
+    EXPECT_EQ(mask->GetComponent(i, 0), 1);
+    EXPECT_EQ(std::isnan(values->GetComponent(i, 1)), mask->GetComponent(i, 1) == 0);
+    outside += mask->GetComponent(i, 1) == 0;
+  }
+  EXPECT_LT(doubtful, 200);
+  EXPECT_GT(outside, 500);
+  EXPECT_EQ(figure(output, "OutsideSamples"), outside);
+}
+
+TEST_F(FlatMapSlab, IntegersAreInterpolatedAndLabelsAreNot)
+{
+  vtkNew<vtkFlatMapSlab> slab;
+  connect(slab);
+  slab->SetVolumeData(volumeOf<vtkShortArray>("Ramp", [](double x, double, double) { return x; }));
+  setDepths(slab, { 0.0 });
+  slab->SetStackSize(0);
+  slab->Update();
+  vtkDataArray* ramp = slab->GetOutput()->GetPointData()->GetArray("RampSlab");
+  vtkDataArray* surface = slab->GetOutput()->GetPointData()->GetArray("SurfacePoints");
+  for (vtkIdType i = 0; i < ramp->GetNumberOfTuples(); ++i)
+  {
+    ASSERT_NEAR(ramp->GetTuple1(i), surface->GetComponent(i, 0), 1e-5);
+  }
+
+  slab->SetVolumeData(volumeOf<vtkShortArray>(
+    "Label", [](double x, double y, double z) { return distance(x, y, z) < Radius ? 4.0 : 9.0; }));
+  slab->NearestVoxelOn();
+  slab->Update();
+  vtkDataArray* labels = slab->GetOutput()->GetPointData()->GetArray("LabelSlab");
+  int of[2] = { 0, 0 };
+  for (vtkIdType i = 0; i < labels->GetNumberOfTuples(); ++i)
+  {
+    ASSERT_TRUE(labels->GetTuple1(i) == 4.0 || labels->GetTuple1(i) == 9.0) << labels->GetTuple1(i);
+    ++of[labels->GetTuple1(i) == 9.0];
+  }
+  EXPECT_GT(std::min(of[0], of[1]), labels->GetNumberOfTuples() / 4);
+}
+
+TEST_F(FlatMapSlab, EmptyInputGivesEmptyOutputs)
+{
+  vtkNew<vtkFlatMapSlab> slab;
+  connect(slab);
+  ErrorLog errors(slab);
+  slab->SetInputData(vtkNew<vtkPolyData>());
+  slab->Update();
+  EXPECT_EQ(slab->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_EQ(slab->GetStack()->GetNumberOfPoints(), 0);
+  EXPECT_TRUE(errors.messages().empty());
+}
+
+TEST_F(FlatMapSlab, ReportsWhatIsWrong)
+{
+  vtkNew<vtkFlatMapSlab> slab;
+  const auto expectMessage = [&slab](const std::string& words)
+  {
+    ErrorLog errors(slab);
+    slab->Update();
+    ASSERT_EQ(errors.messages().size(), 1u) << words;
+    EXPECT_NE(errors.messages().front().find(words), std::string::npos) << errors.messages().front();
+    EXPECT_EQ(slab->GetOutput()->GetNumberOfCells(), 0);
+    EXPECT_EQ(slab->GetStack()->GetNumberOfPoints(), 0);
+  };
+  connect(slab);
+  slab->ClearDepths();
+  expectMessage("no depth");
+  setDepths(slab, { 1.0, 1.0 });
+  expectMessage("given twice");
+  setDepths(slab, { std::numeric_limits<double>::quiet_NaN() });
+  expectMessage("not a number");
+  setDepths(slab, { -100.0 });
+  expectMessage("no sample lies in the volume");
+  setDepths(slab, { 0.0 });
+  vtkNew<vtkImageData> bare;
+  bare->SetDimensions(4, 4, 4);
+  slab->SetVolumeData(bare);
+  expectMessage("no numbers at its points");
+  connect(slab);
+  slab->SetInputData(polyDataOf(analytic::ringMesh(analytic::flatDisk(), 100).Mesh));
+  expectMessage("no point array SurfacePoints");
+  connect(slab);
+  ErrorLog errors(slab);
+  slab->Update();
+  EXPECT_TRUE(errors.messages().empty());
+  EXPECT_GT(slab->GetOutput()->GetNumberOfCells(), 1000);
+}
+
+} // namespace
