@@ -34,6 +34,18 @@ vtkSmartPointer<vtkCellArray> cellsOf(const TriangleMesh& mesh)
   return cells;
 }
 
+vtkSmartPointer<vtkPoints> pointsOf(const TriangleMesh& mesh)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(mesh.vertexCount());
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    points->SetPoint(v, mesh.Vertices.row(v).data());
+  }
+  return points;
+}
+
 // -1 if it is made of several.
 vtkIdType originalPoint(const VertexOrigins& origins, int v)
 {
@@ -43,12 +55,9 @@ vtkIdType originalPoint(const VertexOrigins& origins, int v)
 
 } // namespace
 
-void setFlatPart(vtkPolyData* output,
-  vtkPolyData* original,
-  const DerivedMesh& part,
-  const Points2& positions)
+void setPart(vtkPolyData* output, vtkPolyData* original, const DerivedMesh& part)
 {
-  output->SetPoints(vtk::TakeSmartPointer(newPlanarPoints(positions)));
+  output->SetPoints(pointsOf(part.Mesh));
   output->SetPolys(cellsOf(part.Mesh));
   vtkNew<vtkIdTypeArray> pointIds;
   pointIds->SetName(OriginalPointIdsName);
@@ -68,6 +77,15 @@ void setFlatPart(vtkPolyData* output,
     output->GetCellData());
   output->GetPointData()->AddArray(pointIds);
   output->GetCellData()->AddArray(cellIds);
+}
+
+void setFlatPart(vtkPolyData* output,
+  vtkPolyData* original,
+  const DerivedMesh& part,
+  const Points2& positions)
+{
+  setPart(output, original, part);
+  output->SetPoints(vtk::TakeSmartPointer(newPlanarPoints(positions)));
   addSurfacePoints(output, part.Mesh.Vertices);
   keepSurfaceTextureCoordinates(output);
   setTextureCoordinates(output, positions);

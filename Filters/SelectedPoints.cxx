@@ -71,6 +71,36 @@ std::vector<char> insidedness(vtkDataSetAttributes* attributes)
 
 } // namespace
 
+std::vector<char> pointsWhereNotZero(vtkPolyData* data, const ChosenArray& array)
+{
+  std::vector<char> marked(data->GetNumberOfPoints(), 0);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < array.Array->GetNumberOfTuples(); ++i)
+  {
+    const double value = array.Array->GetTuple1(i);
+    if (!std::isfinite(value))
+    {
+      throw InvalidInput("the array " + std::string(array.Array->GetName()) + " has no number at " +
+                         std::to_string(i) + ": give every point or cell a value");
+    }
+    if (value == 0.0)
+    {
+      continue;
+    }
+    if (!array.OnCells)
+    {
+      marked[i] = 1;
+      continue;
+    }
+    data->GetCellPoints(i, corners);
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+    {
+      marked[corners->GetId(k)] = 1;
+    }
+  }
+  return marked;
+}
+
 std::vector<char> pointsInSelection(vtkPolyData* data, vtkSelection* selection)
 {
   const vtkSmartPointer<vtkDataSet> result = marked(data, selection);

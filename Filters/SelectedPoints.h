@@ -2,6 +2,7 @@
 /// Which points of a surface a ParaView selection, an implicit function or labels choose.
 #pragma once
 
+#include "ChosenArray.h"
 #include "Core/TriangleMesh.h"
 
 #include <string>
@@ -18,6 +19,11 @@ namespace flattening
 /// One flag per point of @p data: the points that @p selection holds, and the corners of its cells.
 /// @throws InvalidInput if there is no selection, or it is a query, which VTK alone does not evaluate.
 std::vector<char> pointsInSelection(vtkPolyData* data, vtkSelection* selection);
+
+/// One flag per point of @p data: those where the array is not 0, or that are corners of a cell where it
+/// is not.
+/// @throws InvalidInput if a value is no number.
+std::vector<char> pointsWhereNotZero(vtkPolyData* data, const ChosenArray& array);
 
 /// One flag per cell of @p data, triangles: those that @p selection holds, or of whose corners it holds
 /// two.

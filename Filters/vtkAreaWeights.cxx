@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkAreaWeights.h"
 
+#include "ChosenArray.h"
 #include "Core/RegionWeights.h"
 #include "FilterExecution.h"
 #include "PolyDataConversion.h"
@@ -162,29 +163,21 @@ vtkImplicitFunction* vtkAreaWeights::GetImplicitFunction()
   return this->ImplicitFunction;
 }
 
-vtkDataArray* vtkAreaWeights::RequireArray(vtkPolyData* input, int& association)
+flattening::ChosenArray vtkAreaWeights::RequireArray(vtkPolyData* input)
 {
-  const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  if (!name || !*name || std::string(name) == "None")
+  const flattening::ChosenArray chosen = flattening::chosenArray(this, input);
+  if (!chosen.Array)
   {
     throw InvalidInput("no array is chosen to take the weights from: choose a point or cell array");
   }
-  vtkDataArray* array = this->GetInputArrayToProcess(0, input, association);
-  if (!array || array->GetNumberOfComponents() != 1 ||
-      (association != vtkDataObject::FIELD_ASSOCIATION_CELLS &&
-        association != vtkDataObject::FIELD_ASSOCIATION_POINTS))
-  {
-    throw InvalidInput("the array " + std::string(name) +
-                       " is not a point or cell array of one number each: choose another");
-  }
-  return array;
+  return chosen;
 }
 
 std::vector<WeightedRegion> vtkAreaWeights::LabelRegions(vtkPolyData* input, const TriangleMesh& mesh)
 {
-  int association = -1;
-  std::vector<long long> labels = flattening::labelsOf(this->RequireArray(input, association));
-  if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
+  const flattening::ChosenArray chosen = this->RequireArray(input);
+  std::vector<long long> labels = flattening::labelsOf(chosen.Array);
+  if (chosen.OnCells)
   {
     labels = flattening::vertexLabels(mesh, labels, VTK_LONG_LONG_MIN);
   }
@@ -244,8 +237,8 @@ std::vector<char> vtkAreaWeights::EnclosedPoints(vtkPolyData* input)
 
 std::vector<double> vtkAreaWeights::ScalarFactors(vtkPolyData* input, const TriangleMesh& mesh)
 {
-  int association = -1;
-  vtkDataArray* array = this->RequireArray(input, association);
+  const flattening::ChosenArray chosen = this->RequireArray(input);
+  vtkDataArray* array = chosen.Array;
   std::vector<double> values(array->GetNumberOfTuples());
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
@@ -256,7 +249,7 @@ std::vector<double> vtkAreaWeights::ScalarFactors(vtkPolyData* input, const Tria
                          std::to_string(i) + ": give every point or cell a value");
     }
   }
-  if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
+  if (chosen.OnCells)
   {
     values = averaged(mesh, values);
   }

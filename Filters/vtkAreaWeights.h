@@ -46,12 +46,12 @@
 #include <utility>
 #include <vector>
 
-class vtkDataArray;
 class vtkImplicitFunction;
 class vtkPiecewiseFunction;
 
 namespace flattening
 {
+struct ChosenArray;
 struct TriangleMesh;
 struct WeightedRegion;
 }
@@ -192,7 +192,7 @@ private:
   vtkAreaWeights(const vtkAreaWeights&) = delete;
   void operator=(const vtkAreaWeights&) = delete;
 
-  vtkDataArray* RequireArray(vtkPolyData* input, int& association);
+  flattening::ChosenArray RequireArray(vtkPolyData* input);
   std::vector<flattening::WeightedRegion> LabelRegions(vtkPolyData* input,
     const flattening::TriangleMesh& mesh);
   std::vector<char> EnclosedPoints(vtkPolyData* input);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkDistortionMetrics.h"
 
+#include "ChosenArray.h"
 #include "Core/DistortionMeasures.h"
 #include "Core/DistortionSummary.h"
 #include "FilterExecution.h"
@@ -74,8 +75,9 @@ Eigen::VectorXd weightsFromTargetArea(vtkPolyData* input, const TriangleMesh& su
 }
 
 // Labels per face from an array of labels per face or per vertex.
-std::vector<Label> faceLabels(vtkDataArray* labels, int association, const TriangleMesh& surface)
+std::vector<Label> faceLabels(const flattening::ChosenArray& chosen, const TriangleMesh& surface)
 {
+  vtkDataArray* labels = chosen.Array;
   const auto labelAt = [labels](vtkIdType i)
   {
     const double value = labels->GetComponent(i, 0);
@@ -89,7 +91,7 @@ std::vector<Label> faceLabels(vtkDataArray* labels, int association, const Trian
   std::vector<Label> result(surface.faceCount());
   for (int f = 0; f < surface.faceCount(); ++f)
   {
-    if (association == vtkDataObject::FIELD_ASSOCIATION_CELLS)
+    if (chosen.OnCells)
     {
       result[f] = labelAt(f);
       continue;
@@ -253,25 +255,6 @@ const char* vtkDistortionMetrics::GetBlockOutputType(int port)
   return port == 1 ? "vtkTable" : this->Superclass::GetBlockOutputType(port);
 }
 
-vtkDataArray* vtkDistortionMetrics::RegionArray(vtkPolyData* input, int& association)
-{
-  vtkInformation* choice = this->GetInputArrayInformation(0);
-  const char* name = choice->Get(vtkDataObject::FIELD_NAME());
-  if (!this->UseRegionArray || !name || !*name || std::string(name) == "None")
-  {
-    return nullptr;
-  }
-  vtkDataArray* labels = this->GetInputArrayToProcess(0, input, association);
-  if (!labels || labels->GetNumberOfComponents() != 1 ||
-      (association != vtkDataObject::FIELD_ASSOCIATION_CELLS &&
-        association != vtkDataObject::FIELD_ASSOCIATION_POINTS))
-  {
-    throw InvalidInput("the region array " + std::string(name) +
-                       " is not a point or cell array of one number each: choose another, or None");
-  }
-  return labels;
-}
-
 int vtkDistortionMetrics::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
@@ -298,10 +281,12 @@ int vtkDistortionMetrics::RequestData(vtkInformation* vtkNotUsed(request),
         weights = weightsFromTargetArea(input, surface);
       }
       Regions regions;
-      int association = -1;
-      if (vtkDataArray* labels = this->RegionArray(input, association))
+      const flattening::ChosenArray chosen = this->UseRegionArray
+                                               ? flattening::chosenArray(this, input, "the region array")
+                                               : flattening::ChosenArray();
+      if (chosen.Array)
       {
-        const std::vector<Label> labelOfFace = faceLabels(labels, association, surface);
+        const std::vector<Label> labelOfFace = faceLabels(chosen, surface);
         for (int f = 0; f < surface.faceCount(); ++f)
         {
           regions[labelOfFace[f]].push_back(f);

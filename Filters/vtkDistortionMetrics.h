@@ -56,7 +56,6 @@
 #include "SurfaceFlatteningFiltersModule.h" // for the export macro
 #include "vtkBlockwisePolyDataAlgorithm.h"
 
-class vtkDataArray;
 class vtkTable;
 
 class SURFACEFLATTENINGFILTERS_EXPORT vtkDistortionMetrics : public vtkBlockwisePolyDataAlgorithm
@@ -123,9 +122,6 @@ protected:
   char* RegionNamesArray = nullptr;
 
 private:
-  // The labels chosen as input array to process 0; nullptr if none is chosen.
-  vtkDataArray* RegionArray(vtkPolyData* input, int& association);
-
   vtkDistortionMetrics(const vtkDistortionMetrics&) = delete;
   void operator=(const vtkDistortionMetrics&) = delete;
 };

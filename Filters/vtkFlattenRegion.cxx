@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkFlattenRegion.h"
 
+#include "ChosenArray.h"
 #include "Core/AreaPreservingDisk.h"
 #include "Core/BoundaryRefinement.h"
 #include "Core/ConformalDisk.h"
@@ -152,28 +153,19 @@ const char* vtkFlattenRegion::GetBlockOutputType(int port)
 
 std::vector<char> vtkFlattenRegion::LabelledFaces(vtkPolyData* input, const TriangleMesh& mesh)
 {
-  const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  if (!name || !*name || std::string(name) == "None")
+  const flattening::ChosenArray chosen = flattening::chosenArray(this, input);
+  if (!chosen.Array)
   {
     throw InvalidInput("no array of labels is chosen: choose a point or cell array");
   }
-  int association = -1;
-  vtkDataArray* array = this->GetInputArrayToProcess(0, input, association);
-  if (!array || array->GetNumberOfComponents() != 1 ||
-      (association != vtkDataObject::FIELD_ASSOCIATION_CELLS &&
-        association != vtkDataObject::FIELD_ASSOCIATION_POINTS))
-  {
-    throw InvalidInput("the array " + std::string(name) +
-                       " is not a point or cell array of one number each: choose another");
-  }
-  const std::vector<long long> labels = flattening::labelsOf(array);
+  const std::vector<long long> labels = flattening::labelsOf(chosen.Array);
   std::vector<char> inside(mesh.faceCount());
   for (int f = 0; f < mesh.faceCount(); ++f)
   {
     int corners = 0;
     for (int k = 0; k < 3; ++k)
     {
-      const int element = association == vtkDataObject::FIELD_ASSOCIATION_CELLS ? f : mesh.Faces(f, k);
+      const int element = chosen.OnCells ? f : mesh.Faces(f, k);
       corners += labels[element] == this->Label;
     }
     inside[f] = corners >= 2;

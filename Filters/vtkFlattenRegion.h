@@ -11,8 +11,8 @@
  *
  * Output port 0 is the flat region with its margin, in the plane z = 0 and of the surface's area, with
  * all of the input's arrays and
- * - point `SurfacePoints` (double x 3): where each point came from; `vtkOriginalPointIds`; the active `TCoords`
- *   (see vtkConformalDiskFilter)
+ * - point `SurfacePoints` (double x 3): where each point came from; `vtkOriginalPointIds`; the active
+ * `TCoords` (see vtkConformalDiskFilter)
  * - cell `InRegion` (unsigned char): 1 in the region, 0 in the margin; `vtkOriginalCellIds`
  *
  * Output port 1 is a table with a row for each of

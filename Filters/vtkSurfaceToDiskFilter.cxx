@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkSurfaceToDiskFilter.h"
 
+#include "ChosenArray.h"
 #include "DiskOutput.h"
 #include "FilterExecution.h"
 #include "PolyDataConversion.h"
+#include "SelectedPoints.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
@@ -94,47 +96,6 @@ std::vector<vtkIdType> cellsOf(vtkPolyData* triangles)
   return { ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfTuples() };
 }
 
-bool isNotZero(vtkDataArray* array, vtkIdType tuple)
-{
-  return array->GetComponent(tuple, 0) != 0.0;
-}
-
-// Per point: whether the array marks it or a cell that it is a corner of.
-std::vector<char> regionOfInterest(vtkPolyData* input, vtkDataArray* array, int association)
-{
-  const bool perPoint = association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  const vtkIdType expected = perPoint ? input->GetNumberOfPoints() : input->GetNumberOfCells();
-  if (array->GetNumberOfTuples() != expected)
-  {
-    throw InvalidInput("the region of interest \"" + std::string(array->GetName()) + "\" has " +
-                       std::to_string(array->GetNumberOfTuples()) + " values for " +
-                       std::to_string(expected) + (perPoint ? " points" : " cells") +
-                       ": pass an array of the surface itself");
-  }
-  std::vector<char> marked(input->GetNumberOfPoints(), 0);
-  if (perPoint)
-  {
-    for (vtkIdType i = 0; i < expected; ++i)
-    {
-      marked[i] = isNotZero(array, i);
-    }
-    return marked;
-  }
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType cell = 0; cell < expected; ++cell)
-  {
-    if (isNotZero(array, cell))
-    {
-      input->GetCellPoints(cell, corners);
-      for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
-      {
-        marked[corners->GetId(k)] = 1;
-      }
-    }
-  }
-  return marked;
-}
-
 const char* nameOf(int mode, std::initializer_list<const char*> names)
 {
   return names.begin()[mode];
@@ -223,19 +184,15 @@ flattening::SurfaceToDiskOptions vtkSurfaceToDiskFilter::GetOptions(vtkPolyData*
   options.CountSelfIntersections = this->CountSelfIntersections;
   if (this->UseRegionOfInterest)
   {
-    vtkInformation* choice = this->GetInputArrayInformation(0);
-    const bool isChosen =
-      choice->Has(vtkDataObject::FIELD_NAME()) || choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
-    int association = -1;
-    vtkDataArray* array = isChosen ? this->GetInputArrayToProcess(0, input, association) : nullptr;
-    if (!array || array->GetNumberOfComponents() != 1 ||
-        (association != vtkDataObject::FIELD_ASSOCIATION_CELLS &&
-          association != vtkDataObject::FIELD_ASSOCIATION_POINTS))
+    const flattening::ChosenArray chosen =
+      flattening::chosenArray(this, input, "the region of interest");
+    if (!chosen.Array)
     {
-      throw InvalidInput("the region of interest is not an array of the surface with one number per "
-                         "point or cell: choose another, or turn Use Region Of Interest off");
+      throw InvalidInput(
+        "no array is chosen for the region of interest: choose a point or cell array, or "
+        "turn Use Region Of Interest off");
     }
-    options.RegionOfInterest = regionOfInterest(input, array, association);
+    options.RegionOfInterest = flattening::pointsWhereNotZero(input, chosen);
   }
   return options;
 }

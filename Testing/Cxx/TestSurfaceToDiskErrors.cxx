@@ -195,9 +195,9 @@ TEST(SurfaceToDiskErrors, RegionsOfInterest)
   const auto input = sphere(20);
   vtkNew<vtkSurfaceToDiskFilter> filter;
   filter->UseRegionOfInterestOn();
-  expectError(filter, input, "not an array of the surface");
+  expectError(filter, input, "no array is chosen for the region of interest");
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Region");
-  expectError(filter, input, "not an array of the surface");
+  expectError(filter, input, "the region of interest Region is not a point or cell array");
 
   vtkNew<vtkIntArray> region;
   region->SetName("Region");
@@ -215,7 +215,7 @@ TEST(SurfaceToDiskErrors, RegionsOfInterest)
   vectors->SetNumberOfTuples(input->GetNumberOfPoints());
   input->GetPointData()->AddArray(vectors);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Vectors");
-  expectError(filter, input, "with one number per point or cell");
+  expectError(filter, input, "Vectors is not a point or cell array of one number each");
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Region");
 
   region->SetNumberOfTuples(input->GetNumberOfPoints());

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkContextResolution.h"
+
+#include "ChosenArray.h"
+#include "Core/ContextCoarsening.h"
+#include "FilterExecution.h"
+#include "FlatPart.h"
+#include "PolyDataConversion.h"
+#include "SelectedPoints.h"
+
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <vector>
+
+vtkStandardNewMacro(vtkContextResolution);
+
+namespace
+{
+
+long long cellsAround(const flattening::TriangleMesh& mesh, const std::vector<char>& inRegion)
+{
+  long long count = 0;
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    count += inRegion[mesh.Faces(f, 0)] || inRegion[mesh.Faces(f, 1)] || inRegion[mesh.Faces(f, 2)];
+  }
+  return count;
+}
+
+} // namespace
+
+int vtkContextResolution::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  if (flattening::isEmpty(input))
+  {
+    return 1;
+  }
+  return flattening::runFilter(this,
+    outputVector,
+    [&]
+    {
+      const flattening::TriangleMesh mesh = flattening::toTriangleMesh(input);
+      const flattening::ChosenArray regions = flattening::chosenArray(this, input);
+      if (!regions.Array)
+      {
+        throw flattening::InvalidInput("no array of regions is chosen: choose a point or cell array "
+                                       "that is not 0 in the regions, such "
+                                       "as SaliencyRegion of Mesh Saliency");
+      }
+      const std::vector<char> inRegion = flattening::pointsWhereNotZero(input, regions);
+      const flattening::DerivedMesh coarse =
+        flattening::coarsenContext(mesh, inRegion, this->ContextFaces, flattening::progressOf(this));
+      flattening::setPart(output, input, coarse);
+      const long long kept = cellsAround(mesh, inRegion);
+      vtkFieldData* figures = output->GetFieldData();
+      flattening::setFigure(figures,
+        "RegionPoints",
+        static_cast<long long>(std::count(inRegion.begin(), inRegion.end(), 1)));
+      flattening::setFigure(figures, "KeptCells", kept);
+      flattening::setFigure(figures, "ContextCells", coarse.Mesh.faceCount() - kept);
+    });
+}
+
+void vtkContextResolution::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ContextFaces: " << this->ContextFaces << "\n";
+}
