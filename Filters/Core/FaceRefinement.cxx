@@ -196,6 +196,7 @@ private:
     }
     if (!this->Descent)
     {
+      report(progress, 0.0, "Face refinement: order of elimination");
       this->Descent.emplace(this->Energy, this->Unknowns, this->Surface.Faces);
     }
     this->Descent->keepOrientation(this->KeepsOrientation);

@@ -196,7 +196,7 @@ std::vector<Vertex> verticesAround(const ResampledSurface& surface, const std::p
 int removeSelfIntersections(ResampledSurface& surface, const ProgressCallback& progress)
 {
   report(progress, 0.0, "removing self-intersections");
-  FacePairs pairs = intersectingFaces(surface);
+  FacePairs pairs = intersectingFaces(surface, subrange(progress, 0.0, 0.5));
   for (int round = 0; !pairs.empty() && round < Rounds; ++round)
   {
     report(progress, 0.5 + 0.5 * round / Rounds, "removing self-intersections");

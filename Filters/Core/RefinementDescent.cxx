@@ -113,9 +113,10 @@ RefinementDescent::RefinementDescent(RefinementEnergy& energy,
 }
 
 // With more damping where slivers leave the last digits of the matrix indefinite.
-void RefinementDescent::factorise(const FlatState& state)
+void RefinementDescent::factorise(const FlatState& state, const ProgressCallback& progress)
 {
   SparseMatrix matrix = this->Energy.hessian(state);
+  report(progress, 0.0, "Face refinement: factorization");
   double added = 0.0;
   for (int trial = 0; trial < FactorTrials; ++trial)
   {
@@ -208,8 +209,9 @@ double RefinementDescent::lengthToFlip(const FlatState& state, const Eigen::Vect
 double RefinementDescent::round(FlatState& state, const ProgressCallback& progress)
 {
   Eigen::VectorXd gradient;
+  report(progress, 0.0, "Face refinement: whole mesh");
   const double before = this->Energy.gradient(state, gradient);
-  this->factorise(state);
+  this->factorise(state, progress);
   double energy = before;
   for (int k = 0; k <= QuasiNewtonSteps; ++k)
   {

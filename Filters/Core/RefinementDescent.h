@@ -30,7 +30,7 @@ public:
   double round(FlatState& state, const ProgressCallback& progress = {});
 
 private:
-  void factorise(const FlatState& state);
+  void factorise(const FlatState& state, const ProgressCallback& progress);
   Eigen::VectorXd direction(const Eigen::VectorXd& gradient) const;
   double lengthToFlip(const FlatState& state, const Eigen::VectorXd& step) const;
 

@@ -155,8 +155,7 @@ private:
     {
       const double gain = std::log(startError / this->System.error());
       fraction = std::max(fraction, std::clamp(gain / std::log(startError / tolerance), 0.0, 1.0));
-      report(progress, fraction, "Ricci flow");
-      this->step();
+      this->step(subrange(progress, fraction, fraction));
       ++this->Result.NewtonIterations;
       this->settleInfinity();
       this->settleOutliers();
@@ -177,7 +176,7 @@ private:
 
   // Near the solution the linear system is solved the more exactly the smaller the error, so that
   // convergence stays quadratic.
-  Eigen::VectorXd direction()
+  Eigen::VectorXd direction(const ProgressCallback& progress)
   {
     SparseMatrix hessian = this->System.hessian();
     if (this->System.degenerateFaces() > 0)
@@ -193,6 +192,8 @@ private:
     const double tolerance =
       std::max(std::min(LinearTolerance, error), 0.1 * this->Options.Tolerance / error);
     Eigen::VectorXd step;
+    report(
+      progress, 0.0, this->Solver.hasFactor() ? "Ricci flow: solution" : "Ricci flow: factorization");
     if (!this->Solver.solve(hessian, -this->System.gradient(), tolerance, step))
     {
       throw ConvergenceError("the Ricci flow's Hessian could not be factored after " +
@@ -219,15 +220,17 @@ private:
 
   // The energy is convex: along a descent direction its derivative grows, and a step is long enough as
   // soon as the derivative has shrunk, too long once it is as steep upwards as it was downwards.
-  void step()
+  void step(const ProgressCallback& progress)
   {
-    const Eigen::VectorXd step = this->direction();
+    report(progress, 0.0, "Ricci flow: direction");
+    const Eigen::VectorXd step = this->direction(progress);
     const double slope = this->System.gradient().dot(step);
     const double previous = this->System.error();
     const IntrinsicTriangulation::Factors origin = this->Result.LogFactors;
     double length = std::min(1.0, LongestStep / std::max(this->System.greatestDifference(step), 1e-300));
     for (int trial = 0; trial < MostTrials; ++trial)
     {
+      report(progress, 0.0, "Ricci flow: step");
       this->Result.LogFactors = origin;
       this->System.addTo(this->Result.LogFactors, step, length);
       this->evaluate();
@@ -284,7 +287,7 @@ private:
     }
     for (int k = 0; k < MostLocalSteps && local.System.error() > OutlierTolerance; ++k)
     {
-      local.step();
+      local.step({});
     }
     for (int v = 0; v < count; ++v)
     {

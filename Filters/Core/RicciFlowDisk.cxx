@@ -81,13 +81,16 @@ HalfPlaneMap mapToHalfPlane(Workpiece& piece,
     start[spoke.Vertex] = -2.0 * spoke.LogLength;
   }
 
-  const RicciFlowResult flow = discreteRicciFlow(t, targets, fixed, start, options, progress);
+  const RicciFlowResult flow =
+    discreteRicciFlow(t, targets, fixed, start, options, subrange(progress, 0.0, 0.9));
+  report(progress, 0.9, "Layout");
   map.NewtonIterations += flow.NewtonIterations;
   map.Flips += flow.Flips;
   map.MaxCurvatureError = flow.MaxCurvatureError;
 
   const ComplexVector positions =
     layOutInHalfPlane(t, flow.LogFactors, star.FirstBoundaryEdge, flow.Elimination);
+  report(progress, 0.95, "Layout");
   map.LayoutError = layoutError(t, flow.LogFactors, positions);
   requireLayout(map.LayoutError);
   return { std::move(t), positions, flow.LogFactors, atInfinity };

@@ -17,7 +17,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <thread>
 
 namespace flattening
 {
@@ -220,15 +222,21 @@ Pairs overlappingBoxes(const std::vector<PlacedTriangle>& some, const std::vecto
   return pairs;
 }
 
-Pairs intersectingPairs(const std::vector<PlacedTriangle>& triangles)
+Pairs intersectingPairs(const std::vector<PlacedTriangle>& triangles, const ProgressCallback& progress)
 {
   const std::vector<Box> boxes = boxesOf(triangles);
   const Slabs slabs(boxes);
   std::vector<Pairs> found(slabs.count());
+  std::atomic<int> done = 0;
+  const std::thread::id caller = std::this_thread::get_id();
   tbb::parallel_for(0,
     slabs.count(),
     [&](int slab)
     {
+      if (std::this_thread::get_id() == caller)
+      {
+        report(progress, static_cast<double>(done) / slabs.count(), "looking for self-intersections");
+      }
       BoxPointers pointers = slabs.boxes(slab);
       CGAL::box_self_intersection_d(
         pointers.begin(),
@@ -241,6 +249,7 @@ Pairs intersectingPairs(const std::vector<PlacedTriangle>& triangles)
           }
         },
         Cutoff);
+      ++done;
     });
   Pairs pairs;
   for (const Pairs& some : found)
@@ -251,7 +260,7 @@ Pairs intersectingPairs(const std::vector<PlacedTriangle>& triangles)
   return pairs;
 }
 
-Pairs selfIntersections(const TriangleMesh& mesh)
+Pairs selfIntersections(const TriangleMesh& mesh, const ProgressCallback& progress)
 {
   std::vector<PlacedTriangle> triangles(mesh.faceCount());
   for (int f = 0; f < mesh.faceCount(); ++f)
@@ -262,7 +271,7 @@ Pairs selfIntersections(const TriangleMesh& mesh)
       triangles[f].Points[k] = mesh.Vertices.row(mesh.Faces(f, k));
     }
   }
-  return intersectingPairs(triangles);
+  return intersectingPairs(triangles, progress);
 }
 
 } // namespace flattening

@@ -2,6 +2,7 @@
 /// Faces of a surface that pass through each other.
 #pragma once
 
+#include "Progress.h"
 #include "TriangleMesh.h"
 
 #include <Eigen/Core>
@@ -25,7 +26,8 @@ struct PlacedTriangle
 bool intersect(const PlacedTriangle& a, const PlacedTriangle& b);
 
 /// Pairs of indices (i < j, sorted) of the triangles that intersect.
-std::vector<std::pair<int, int>> intersectingPairs(const std::vector<PlacedTriangle>& triangles);
+std::vector<std::pair<int, int>> intersectingPairs(const std::vector<PlacedTriangle>& triangles,
+  const ProgressCallback& progress = {});
 
 /// Pairs of indices (i in @p some, j in @p all, sorted) of the triangles whose boxes overlap.
 std::vector<std::pair<int, int>> overlappingBoxes(const std::vector<PlacedTriangle>& some,
@@ -33,6 +35,7 @@ std::vector<std::pair<int, int>> overlappingBoxes(const std::vector<PlacedTriang
 
 /// Pairs of faces (smaller index first, sorted) that intersect, as CGAL self_intersections finds them.
 /// Faces without area must have been repaired.
-std::vector<std::pair<int, int>> selfIntersections(const TriangleMesh& mesh);
+std::vector<std::pair<int, int>> selfIntersections(const TriangleMesh& mesh,
+  const ProgressCallback& progress = {});
 
 } // namespace flattening

@@ -79,7 +79,7 @@ double boundaryLength(const TriangleMesh& mesh)
 }
 
 // The two sides of a seam coincide; they are one for this purpose.
-int countSelfIntersections(const TriangleMesh& mesh)
+int countSelfIntersections(const TriangleMesh& mesh, const ProgressCallback& progress)
 {
   const std::vector<int> representative = coincidentPoints(mesh.Vertices, 0.0);
   TriangleMesh joined = mesh;
@@ -90,7 +90,7 @@ int countSelfIntersections(const TriangleMesh& mesh)
       joined.Faces(f, k) = representative[mesh.Faces(f, k)];
     }
   }
-  return static_cast<int>(selfIntersections(joined).size());
+  return static_cast<int>(selfIntersections(joined, progress).size());
 }
 
 // Flags of vertices made of others: whether all of those are flagged, or any.
@@ -127,7 +127,8 @@ public:
     if (this->Options.CountSelfIntersections)
     {
       report(progress, 0.17, "looking for self-intersections");
-      this->Figures.SelfIntersectionsBefore = countSelfIntersections(this->mesh());
+      this->Figures.SelfIntersectionsBefore =
+        countSelfIntersections(this->mesh(), subrange(progress, 0.17, 0.19));
     }
     if (this->Options.FlattenFolds && this->Options.Handles != HandleMode::Cut)
     {
@@ -162,7 +163,8 @@ public:
     report(progress, 0.98, "looking for self-intersections");
     if (this->Options.CountSelfIntersections)
     {
-      this->Figures.SelfIntersections = countSelfIntersections(this->mesh());
+      this->Figures.SelfIntersections =
+        countSelfIntersections(this->mesh(), subrange(progress, 0.98, 1.0));
     }
     report(progress, 1.0, "done");
     return std::move(this->Disk);

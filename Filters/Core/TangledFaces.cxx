@@ -40,15 +40,17 @@ PlacedTriangle placed(const CornerTriangle& triangle)
   return result;
 }
 
-FacePairs intersectingFaces(const ResampledSurface& surface)
+FacePairs intersectingFaces(const ResampledSurface& surface, const ProgressCallback& progress)
 {
-  return intersectingFaces(surface, allFaces(surface));
+  return intersectingFaces(surface, allFaces(surface), progress);
 }
 
-FacePairs intersectingFaces(const ResampledSurface& surface, const std::vector<Face>& faces)
+FacePairs intersectingFaces(const ResampledSurface& surface,
+  const std::vector<Face>& faces,
+  const ProgressCallback& progress)
 {
   FacePairs pairs;
-  for (const auto& [i, j] : intersectingPairs(placed(surface, faces)))
+  for (const auto& [i, j] : intersectingPairs(placed(surface, faces), progress))
   {
     pairs.emplace_back(faces[i], faces[j]);
   }

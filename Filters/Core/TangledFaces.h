@@ -16,9 +16,10 @@ using FacePairs = std::vector<std::pair<ResampledSurface::Face, ResampledSurface
 PlacedTriangle placed(const CornerTriangle& triangle);
 
 /// All pairs, or those among some of the faces.
-FacePairs intersectingFaces(const ResampledSurface& surface);
+FacePairs intersectingFaces(const ResampledSurface& surface, const ProgressCallback& progress = {});
 FacePairs intersectingFaces(const ResampledSurface& surface,
-  const std::vector<ResampledSurface::Face>& faces);
+  const std::vector<ResampledSurface::Face>& faces,
+  const ProgressCallback& progress = {});
 
 /// How many pairs of `some`, ascending, with each other or with others of `near` intersect.
 int countIntersections(const ResampledSurface& surface,
