@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Between numpy and the data sets of a ParaView pipeline."""
+
+import numpy as np
+from paraview import servermanager, simple
+from vtkmodules.numpy_interface import dataset_adapter as dsa
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+
+def source_of(data):
+    """A data set as a source in the pipeline."""
+    producer = simple.TrivialProducer()
+    producer.GetClientSideObject().SetOutput(data)
+    producer.UpdatePipeline()
+    return producer
+
+
+def poly_data(points, polygons=None, lines=None, vertices=False, point_arrays=None, cell_arrays=None):
+    """vtkPolyData of n x 3 points; m x k corners of polygons, ends of lines, and a vertex in every point."""
+    ends = np.arange(len(points))[:, None] if vertices else None
+    data = vtkPolyData()
+    vtk_points = vtkPoints()
+    vtk_points.SetData(numpy_to_vtk(np.ascontiguousarray(points, float), deep=1))
+    data.SetPoints(vtk_points)
+    for cells, put in ((ends, data.SetVerts), (polygons, data.SetPolys), (lines, data.SetLines)):
+        if cells is not None:
+            cells = np.asarray(cells)
+            array = vtkCellArray()
+            sizes = np.arange(0, cells.size + 1, cells.shape[1])
+            array.SetData(
+                numpy_to_vtkIdTypeArray(sizes.astype(np.int64), deep=1),
+                numpy_to_vtkIdTypeArray(np.ascontiguousarray(cells.ravel(), np.int64), deep=1),
+            )
+            put(array)
+    for arrays, attributes in ((point_arrays, data.GetPointData()), (cell_arrays, data.GetCellData())):
+        for name, values in (arrays or {}).items():
+            array = numpy_to_vtk(np.ascontiguousarray(values), deep=1)
+            array.SetName(name)
+            attributes.AddArray(array)
+    return data
+
+
+def fetched(source):
+    """The data set of a source, for numpy."""
+    data = dsa.WrapDataObject(servermanager.Fetch(source))
+    if data.GetNumberOfPoints() == 0:
+        raise RuntimeError("a step of the pipeline came out empty; see the error above")
+    return data
+
+
+def triangles(data):
+    return np.asarray(data.Polygons).reshape(-1, 4)[:, 1:]
+
+
+def flat_areas(points, faces):
+    u, v = (points[faces[:, k], :2] - points[faces[:, 0], :2] for k in (1, 2))
+    return 0.5 * (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
+
+
+def vertex_normals(points, faces):
+    """Of length 1; a mean over the triangles around each point by their areas."""
+    u, v = (points[faces[:, k]] - points[faces[:, 0]] for k in (1, 2))
+    normals = np.zeros_like(points)
+    for k in range(3):
+        np.add.at(normals, faces[:, k], np.cross(u, v))
+    return normals / np.linalg.norm(normals, axis=1)[:, None]
+
+
+def surface_and_flat_area(flat, array, label, corners=3):
+    """The area, on the surface and on its flat map, of the triangles with so many corners of a label."""
+    data = fetched(flat)
+    faces = triangles(data)
+    chosen = faces[(np.asarray(data.PointData[array]) == label)[faces].sum(axis=1) >= corners]
+    points = np.asarray(data.PointData["SurfacePoints"])
+    u, v = (points[chosen[:, k]] - points[chosen[:, 0]] for k in (1, 2))
+    on_surface = 0.5 * np.linalg.norm(np.cross(u, v), axis=1).sum()
+    return on_surface, flat_areas(np.asarray(data.Points), chosen).sum()
