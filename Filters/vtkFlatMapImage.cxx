@@ -133,10 +133,14 @@ double sideOf(vtkPolyData* map)
 
 } // namespace
 
-int vtkFlatMapImage::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+const char* vtkFlatMapImage::GetBlockOutputType(int vtkNotUsed(port))
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  return 1;
+  return "vtkImageData";
+}
+
+vtkImageData* vtkFlatMapImage::GetOutput()
+{
+  return vtkImageData::SafeDownCast(this->GetOutputDataObject(0));
 }
 
 double vtkFlatMapImage::PixelsFor(double side) const

@@ -39,15 +39,15 @@
 
 #include "SurfaceFlatteningFiltersModule.h" // for the export macro
 
-#include <vtkImageAlgorithm.h>
+#include "vtkBlockwisePolyDataAlgorithm.h"
 
-class vtkPolyData;
+class vtkImageData;
 
-class SURFACEFLATTENINGFILTERS_EXPORT vtkFlatMapImage : public vtkImageAlgorithm
+class SURFACEFLATTENINGFILTERS_EXPORT vtkFlatMapImage : public vtkBlockwisePolyDataAlgorithm
 {
 public:
   static vtkFlatMapImage* New();
-  vtkTypeMacro(vtkFlatMapImage, vtkImageAlgorithm);
+  vtkTypeMacro(vtkFlatMapImage, vtkBlockwisePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   static constexpr int GreatestSize = 16384;
@@ -77,11 +77,16 @@ public:
   vtkGetMacro(Margin, int);
   ///@}
 
+  /**
+   * The image; nullptr if the input is composite.
+   */
+  vtkImageData* GetOutput();
+
 protected:
   vtkFlatMapImage() = default;
   ~vtkFlatMapImage() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
+  const char* GetBlockOutputType(int port) override;
   int RequestInformation(vtkInformation* request,
     vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

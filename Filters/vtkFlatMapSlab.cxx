@@ -359,7 +359,7 @@ int vtkFlatMapSlab::RequestData(vtkInformation* vtkNotUsed(request),
       }
       if (outside > 0)
       {
-        vtkWarningMacro(<< outside
+        vtkWarningMacro(<< this->GetBlockPrefix() << outside
                         << " samples lie outside of the volume and have no value: see InVolume, and the "
                            "depths");
       }

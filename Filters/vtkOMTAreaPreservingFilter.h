@@ -62,9 +62,9 @@
  * boundary that is neither a circle around the origin nor a rectangle with a point in each corner,
  * weights that are not positive and finite or leave a point less than 2e-16 of the domain, a weight
  * array that does not exist, what vtkConformalDiskFilter refuses, no convergence to Tolerance; on port 1
- * not exactly one polygon or closed line, or one that is not flat, not finite, not convex, crosses itself, has less than three
- * corners or no area, is smaller than 1e-9 of its coordinates, or has more corners to be fixed than
- * there are boundary points.
+ * not exactly one polygon or closed line, or one that is not flat, not finite, not convex, crosses
+ * itself, has less than three corners or no area, is smaller than 1e-9 of its coordinates, or has more
+ * corners to be fixed than there are boundary points.
  *
  * Sources: Zhao et al., "Area-Preservation Mapping using Optimal Mass Transport", TVCG 2013, section 4
  * and Algorithm 1; Kitagawa, Merigot, Thibert, "Convergence of a Newton algorithm for semi-discrete

@@ -11,6 +11,7 @@
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkIntArray.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
@@ -197,6 +198,35 @@ TEST_F(FlatMapImage, PixelsOfAGivenLength)
   EXPECT_EQ(extent[1] + 1, static_cast<int>(std::ceil(60.0 * std::sqrt(2.0))));
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetDimensions()[0], extent[1] + 1);
+}
+
+// Of blocks of different size, each has its image.
+TEST_F(FlatMapImage, EveryBlockHasItsImage)
+{
+  vtkNew<vtkTransform> twice;
+  twice->Scale(2.0, 2.0, 1.0);
+  vtkNew<vtkTransformPolyDataFilter> larger;
+  larger->SetTransform(twice);
+  larger->SetInputData(Map);
+  larger->Update();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, Map);
+  blocks->SetBlock(1, larger->GetOutput());
+  vtkNew<vtkFlatMapImage> filter;
+  filter->SetInputDataObject(blocks);
+  filter->SetPixelLength(1.0);
+  filter->Update();
+  auto* images = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  ASSERT_NE(images, nullptr);
+  ASSERT_EQ(images->GetNumberOfBlocks(), 2u);
+  for (const unsigned int block : { 0u, 1u })
+  {
+    auto* image = vtkImageData::SafeDownCast(images->GetBlock(block));
+    ASSERT_NE(image, nullptr);
+    EXPECT_EQ(
+      image->GetDimensions()[0], static_cast<int>(std::ceil((1 + block) * 60.0 * std::sqrt(2.0))));
+    EXPECT_GT(figure(image, "PixelsInMap"), 0.7 * image->GetNumberOfPoints());
+  }
 }
 
 TEST_F(FlatMapImage, EmptyInputGivesAnEmptyImage)
