@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <string>
 
@@ -224,6 +225,12 @@ void vtkFlatMapSlab::AddDepth(double depth)
 {
   this->Depths.push_back(depth);
   this->Modified();
+}
+
+double vtkFlatMapSlab::GetDepth(int i)
+{
+  return i >= 0 && i < this->GetNumberOfDepths() ? this->Depths[i]
+                                                 : std::numeric_limits<double>::quiet_NaN();
 }
 
 void vtkFlatMapSlab::ClearDepths()

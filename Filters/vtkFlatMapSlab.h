@@ -59,12 +59,12 @@ public:
   ///@{
   /**
    * The depths below the surface (input units), in the order of components and layers; negative ones are
-   * above it. Default: 0, 1, 2.
+   * above it. Default: 0, 1, 2. GetDepth of a number that there is none for is NaN.
    */
   void AddDepth(double depth);
   void ClearDepths();
   int GetNumberOfDepths() { return static_cast<int>(this->Depths.size()); }
-  double GetDepth(int i) { return this->Depths.at(i); }
+  double GetDepth(int i);
   ///@}
 
   ///@{

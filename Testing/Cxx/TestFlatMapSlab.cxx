@@ -119,6 +119,8 @@ TEST_F(FlatMapSlab, AtEachDepthBelowASphereIsTheRadiusLessTheDepth)
   std::cout << "greatest difference from radius - depth: " << greatest << " voxels\n";
   EXPECT_LT(greatest, InterpolationError);
   EXPECT_EQ(figure(output, "OutsideSamples"), 0);
+  EXPECT_EQ(slab->GetDepth(2), 2.5);
+  EXPECT_TRUE(std::isnan(slab->GetDepth(5)));
   EXPECT_EQ(output->GetFieldData()->GetArray("Depths")->GetTuple1(3), 5.0);
 
   slab->OutwardsOn();
