@@ -7,6 +7,7 @@
 """
 
 from paraview import servermanager, simple
+from surfaceflattening_layout import measured_errors, split
 
 # Pixels of layout and picture alike: a chart saved larger than it is writes its titles over its labels.
 SIZE = (2100, 1180)
@@ -40,15 +41,6 @@ def shade_map(array, low, high):
     opacity = simple.GetOpacityTransferFunction(array)
     opacity.Points = [low, 0.0, 0.5, 0.0, high, 0.45, 0.5, 0.0]
     return table
-
-
-def measured_errors(metrics):
-    """The two figures that tell the maps apart, from Distortion Metrics' field data."""
-    area, angle = (
-        metrics.FieldData[f"AreaWeightedMean{measure}"].GetRange()[0]
-        for measure in ("AreaError", "AngleError")
-    )
-    return f"mean error: area {area:.2g} %, angle {angle:.2g}\N{DEGREE SIGN}"
 
 
 def render_view(title):
@@ -158,18 +150,6 @@ def histogram_view(metrics, map_name, array, axis_title, value_range, bars, top)
     view.LeftAxisTitleFontSize = view.BottomAxisTitleFontSize = 17
     view.LeftAxisLabelFontSize = view.BottomAxisLabelFontSize = 15
     return view
-
-
-def split(layout, cell, fractions, direction):
-    """Splits a cell of the layout; returns the indices of the parts, as wide as @p fractions."""
-    parts = []
-    remaining = 1.0
-    for fraction in fractions[:-1]:
-        first = getattr(layout, f"Split{direction}")(cell, fraction / remaining)
-        parts.append(first)
-        cell = first + 1
-        remaining -= fraction
-    return [*parts, cell]
 
 
 def compose(pipeline, region, shade):
