@@ -7,6 +7,8 @@
 #include "BenchmarkSurfaces.h"
 #include "ConformalDisk.h"
 #include "DistortionSummary.h"
+#include "LieAdvection.h"
+#include "MinimalFlow.h"
 #include "PaperSurfaces.h"
 #include "PeakMemory.h"
 #include "PlainNewton.h"
@@ -33,6 +35,9 @@ using benchmarks::StopWatch;
 constexpr int MostSites = 150000;
 // Processor time that the plain Newton iteration is given.
 constexpr double MostPlainSeconds = 60.0;
+// The same for the flows; they end when the areas of vertices are off by this on average.
+constexpr double MostFlowSeconds = 60.0;
+constexpr double FlowTolerance = 0.01;
 
 struct Time
 {
@@ -144,7 +149,43 @@ void refineAll(benchmark::State& state, const TriangleMesh& mesh, const Points2&
   counters["bijective"] = flat.Map.Bijective;
 }
 
-void flatten(benchmark::State& state, const std::function<benchmarks::BenchmarkSurface()>& load)
+void countFlow(benchmark::State& state,
+  const std::string& name,
+  const TriangleMesh& mesh,
+  const benchmarks::FlowResult& flow,
+  double processorSeconds)
+{
+  auto& counters = state.counters;
+  const auto faces = summariseDistortion(measureDistortion(mesh, flow.Positions));
+  counters[name + "_cpu_seconds"] = processorSeconds;
+  counters[name + "_steps"] = flow.Steps;
+  counters[name + "_converged"] = flow.Converged;
+  counters[name + "_faces_within_2_percent"] = faces.FacesWithin2Percent;
+  counters[name + "_area_error_percent"] = faces[Measure::AreaError].AreaWeightedMean;
+  counters[name + "_angle_error"] = faces[Measure::AngleError].Mean;
+}
+
+// The methods that the paper compares itself with. The minimal flow starts from the other's map, whose
+// time counts for both.
+void flowFrom(benchmark::State& state, const TriangleMesh& mesh, const Points2& conformal)
+{
+  const StopWatch watch;
+  const benchmarks::FlowResult lie =
+    benchmarks::lieAdvection(mesh, conformal, FlowTolerance, MostFlowSeconds);
+  const double lieSeconds = watch.processorSeconds();
+  countFlow(state, "lie", mesh, lie, lieSeconds);
+  if (!lie.Converged)
+  {
+    return;
+  }
+  const benchmarks::FlowResult minimal =
+    benchmarks::minimalFlow(mesh, conformal, lie.Positions, MostFlowSeconds);
+  countFlow(state, "minimal_flow", mesh, minimal, watch.processorSeconds());
+}
+
+void flatten(benchmark::State& state,
+  const std::function<benchmarks::BenchmarkSurface()>& load,
+  bool withFlows = false)
 {
   const benchmarks::BenchmarkSurface surface = load();
   const TriangleMesh& mesh = surface.Mesh;
@@ -163,6 +204,10 @@ void flatten(benchmark::State& state, const std::function<benchmarks::BenchmarkS
     {
       transportAll(state, mesh, conformal.Positions);
       transportPlainly(state, mesh, conformal.Positions);
+    }
+    if (withFlows && conformal.FlippedFaces == 0)
+    {
+      flowFrom(state, mesh, conformal.Positions);
     }
     const auto before = summariseDistortion(measureDistortion(mesh, conformal.Positions));
     counters["vertices"] = mesh.vertexCount();
@@ -193,7 +238,7 @@ void addPaperSurface(const benchmarks::PaperSurface& surface)
   add("paper: " + surface.Name,
     [surface](benchmark::State& state)
     {
-      flatten(state, surface.Load);
+      flatten(state, surface.Load, true);
       state.counters["paper_vertices"] = surface.Vertices;
       state.counters["paper_seconds"] = surface.Seconds;
       if (surface.MinimalFlowSeconds > 0.0)
