@@ -11,7 +11,7 @@ packages=(
   libopenblas0-serial # factorizations take a third of the time that they take with the reference BLAS
   libgtest-dev libbenchmark-dev
   python3 python3-dev
-  libopenmpi-dev libutfcpp-dev libdouble-conversion-dev libfreetype-dev libgl-dev libglew-dev
+  libopenmpi-dev openmpi-bin libutfcpp-dev libdouble-conversion-dev libfreetype-dev libgl-dev libglew-dev
   xvfb xauth libgl1-mesa-dri iproute2
 )
 if [ "${1:-}" = --vtk ]; then

@@ -2,6 +2,8 @@
 """The plugin loads in ParaView from PV_PLUGIN_PATH, and a failing filter leaves ParaView alive."""
 
 import math
+import os
+import re
 
 from paraview import servermanager
 from paraview.simple import Calculator, Delete, DistortionMetrics, Plane, Triangulate
@@ -28,3 +30,11 @@ Delete(wrong)
 metrics.UseTargetArea = 0
 metrics.UpdatePipeline()
 assert metrics.GetDataInformation().GetNumberOfCells() == 128
+
+# The version that the plugin manager shows is the project's.
+source = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "cmake", "SurfaceFlatteningVersion.cmake")
+with open(source, encoding="utf-8") as lines:
+    version = re.search(r"^set\(SURFACEFLATTENING_VERSION (\S+)\)$", lines.read(), re.MULTILINE).group(1)
+plugins = servermanager.vtkSMProxyManager.GetProxyManager().GetPluginManager().GetLocalInformation()
+shown = {plugins.GetPluginName(i): plugins.GetPluginVersion(i) for i in range(plugins.GetNumberOfPlugins())}
+assert shown["SurfaceFlattening"] == version, shown
