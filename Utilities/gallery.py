@@ -15,7 +15,18 @@ from paraview import simple
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "gallery"))
 
-EXAMPLES = ("brain", "vase", "power_diagram", "chest", "colon", "earth", "city", "graph", "hierarchy", "timings")
+EXAMPLES = (
+    "brain",
+    "vase",
+    "power_diagram",
+    "chest",
+    "colon",
+    "earth",
+    "city",
+    "graph",
+    "hierarchy",
+    "timings",
+)
 
 HEAD = """# Gallery
 

@@ -75,7 +75,10 @@ def make(path):
 
 
 def report(pipeline, names):
-    rows = ["| region | surface (mm²) | conformal map | area-preserving map (mm²) | error |", "|---|---|---|---|---|"]
+    rows = [
+        "| region | surface (mm²) | conformal map | area-preserving map (mm²) | error |",
+        "|---|---|---|---|---|",
+    ]
     maps = {
         key: {int(row["RegionId"].ToDouble()): row for row in region_rows(metrics)}
         for key, metrics in (("conformal", pipeline.conformal), ("preserving", pipeline.area_preserving))
@@ -88,18 +91,25 @@ def report(pipeline, names):
         area = maps["preserving"][label]["SurfaceArea"].ToDouble()
         flat = maps["preserving"][label]["FlatArea"].ToDouble()
         conformal = scale * maps["conformal"][label]["FlatArea"].ToDouble()
-        rows.append(f"| {names[label]} | {area:,.0f} | {conformal:,.0f} | {flat:,.0f} | {100 * (flat / area - 1):+.2f} % |")
+        rows.append(
+            f"| {names[label]} | {area:,.0f} | {conformal:,.0f} | {flat:,.0f} "
+            f"| {100 * (flat / area - 1):+.2f} % |"
+        )
+    measures = ("AreaWeightedMeanAreaError", "AreaWeightedMeanAngleError", "FlippedFaces")
     figures = {
-        key: [metrics.FieldData[name].GetRange()[0] for name in ("AreaWeightedMeanAreaError", "AreaWeightedMeanAngleError", "FlippedFaces")]
+        key: [metrics.FieldData[name].GetRange()[0] for name in measures]
         for key, metrics in (("conformal", pipeline.conformal), ("area-preserving", pipeline.area_preserving))
     }
     text = "; ".join(
-        f"{key}: area {area:.2g} %, angle {angle:.2g}°, {flipped:.0f} flipped" for key, (area, angle, flipped) in figures.items()
+        f"{key}: area {area:.2g} %, angle {angle:.2g}°, {flipped:.0f} flipped"
+        for key, (area, angle, flipped) in figures.items()
     )
     return [
         "The left half of the brain MRI `ch2bet.nii.gz` of Debian's package `mricron-data`, by AAL region, as in "
-        f"`Utilities/demo.sh`; sulci are dark on the maps. Mean errors of the faces: {text}. The largest regions (the conformal map "
-        "scaled to the surface's area):",
+        f"`Utilities/demo.sh`; sulci are dark on the maps. Mean errors of the faces: {text}. The largest "
+        "regions (the conformal map scaled to the surface's area):",
         "",
         *rows,
+        "",
+        "In the GUI: the steps of the README, with *Region* as colour; *Distortion Metrics* with *Use Region Array* has the table.",
     ]

@@ -78,7 +78,9 @@ def make(path):
     surface = meshes.source_of(meshes.poly_data(points, faces, point_arrays=arrays))
     table = simple.GetColorTransferFunction("Light")
     table.RGBPoints = [
-        x for value, factor in ((-0.4, 0.35), (0.0, 1.0), (0.3, 1.15)) for x in (value, *(min(1, factor * c) for c in SKIN))
+        x
+        for value, factor in ((-0.4, 0.35), (0.0, 1.0), (0.3, 1.15))
+        for x in (value, *(min(1, factor * c) for c in SKIN))
     ]
     # The right of the trunk, at the left of the picture, to the left end of the maps.
     conformal = simple.ConformalDisk(
@@ -104,12 +106,15 @@ def make(path):
             measures.GetValueByName(k, column) for column in ("Measure", "OnSurface", "Error", "OnMap", "Unit")
         )
         lines.append(
-            f"| {name.ToString()}, by *Flatten Region* ({unit.ToString().replace('^2', '²')}) | {value.ToDouble():,.1f} ± "
-            f"{error.ToDouble():,.1f} | | {on_map.ToDouble():,.1f} |"
+            f"| {name.ToString()}, by *Flatten Region* ({unit.ToString().replace('^2', '²')}) "
+            f"| {value.ToDouble():,.1f} ± {error.ToDouble():,.1f} | | {on_map.ToDouble():,.1f} |"
         )
     return [
-        f"A generated trunk of {len(points):,} points with ribs. The region is what lies within {RADIUS:g} mm of a point. It can be "
-        "measured on the area-preserving map of the whole; *Flatten Region*, which flattens it alone, adds diameters and errors:",
+        f"A generated trunk of {len(points):,} points with ribs. The region is what lies within {RADIUS:g} mm "
+        "of a point. It can be measured on the area-preserving map of the whole; *Flatten Region*, which "
+        "flattens it alone, adds diameters and errors:",
         "",
         *lines,
+        "",
+        "In the GUI: *Flatten Region* with *Label Array* `Region`, or *Region From* Selection; its second output is the table.",
     ]

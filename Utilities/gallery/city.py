@@ -19,6 +19,10 @@ SIZE = (600, 400)
 COARSE = 50  # pixels per km
 FINE = 8  # times as many in the detailed map
 OVERSAMPLING = 2
+PARKS = (
+    ((7.9, 5.3), (9.4, 5.45), (9.6, 6.9), (8.2, 6.8)),
+    ((2.0, 5.2), (3.0, 5.0), (3.1, 5.8), (2.2, 6.0)),
+)
 NORTH, SOUTH = 0.14, -0.35  # directions of the districts' streets, radians
 
 
@@ -28,7 +32,7 @@ def avenue(a, b, width):
 
 
 def district(step, turn, width, seed, share):
-    """Parallel streets across the whole city in two directions, @p turn (radians) from the axes; some left out."""
+    """Streets across the whole city in two directions, @p turn (radians) from the axes; some left out."""
     random = np.random.default_rng(seed)
     along = np.array([np.cos(turn), np.sin(turn)])
     across = np.array([-np.sin(turn), np.cos(turn)])
@@ -90,8 +94,8 @@ def draw(box, scale, detailed):
 
     ground = (241, 238, 230)
     north, pen = sheet(ground)
-    for ring in ((7.9, 5.3), (9.4, 5.45), (9.6, 6.9), (8.2, 6.8)), ((2.0, 5.2), (3.0, 5.0), (3.1, 5.8), (2.2, 6.0)):
-        pen.polygon(places(ring), fill=(190, 221, 170))
+    for park in PARKS:
+        pen.polygon(places(park), fill=(190, 221, 170))
     if detailed:
         for corners, shade in houses():
             colour = ((206, 184, 164), (194, 172, 158), (218, 202, 178))[shade]
@@ -107,7 +111,8 @@ def draw(box, scale, detailed):
     north.paste(south, mask=mask)
     pen = ImageDraw.Draw(north)
     for x, y in places(bank):  # without the gaps that wide lines have at their joints
-        pen.ellipse([x - 0.17 * scale, y - 0.17 * scale, x + 0.17 * scale, y + 0.17 * scale], fill=(150, 190, 222))
+        reach = 0.17 * scale
+        pen.ellipse([x - reach, y - reach, x + reach, y + reach], fill=(150, 190, 222))
     roads(pen, boulevards())
     return np.asarray(north.resize(size, Image.BOX))[::-1]
 
@@ -173,13 +178,16 @@ def make(path):
     points = meshes.fetched(flat)
     moved = np.abs(points.Points[:, :2].max(axis=0) - [WIDTH, HEIGHT]).max()
     return [
-        f"A generated city of {WIDTH:g} km x {HEIGHT:g} km. The map is drawn twice, as a whole with {COARSE} pixels per km and "
-        f"around the region with {COARSE * FINE}, lanes and houses included. Both are carried by the same deformed mesh "
-        f"(9,801 points), so that they fit without landmarks: streets run on from one to the other.",
+        f"A generated city of {WIDTH:g} km x {HEIGHT:g} km. The map is drawn twice, as a whole with {COARSE} "
+        f"pixels per km and around the region with {COARSE * FINE}, lanes and houses included. Both are "
+        "carried by the same deformed mesh (9,801 points), so that they fit without landmarks: streets run on "
+        "from one to the other.",
         "",
         "| region: asked | cells | faces |",
         "|---|---|---|",
         f"| {FACTOR:g} | {cells:.6f} | {faces:.4f} |",
         "",
         f"The sides of the map stay where they are to {max(moved, 1e-15):.0e} km.",
+        "",
+        "In the GUI: the steps of [planar_warp.md](planar_warp.md), once for each of the two images, with the same *Image Size*.",
     ]

@@ -14,7 +14,8 @@ PICTURE = "colon.png"
 SIZE = (400, 400)
 LENGTH, BEND, TUBE = 240.0, 130.0, 20.0  # mm: of the centre line, its radius, the lumen's radius
 SPACING = 1.0
-POLYPS = ((-80, 0.6, 8.0), (-35, -2.2, 10.0), (5, 2.0, 12.0), (50, -0.4, 8.0), (88, 2.9, 6.0))  # along, angle, diameter
+# Along the colon, around it, and diameter.
+POLYPS = ((-80, 0.6, 8.0), (-35, -2.2, 10.0), (5, 2.0, 12.0), (50, -0.4, 8.0), (88, 2.9, 6.0))
 SHOWN = 2  # the polyp that is flattened
 WALL = (0.86, 0.58, 0.52)
 
@@ -158,7 +159,11 @@ def panels_of_region(region, in_space, conformal):
     values, mean, points, faces = light_of(region)
     table = simple.GetColorTransferFunction("Light")
     low, high = np.percentile(values, [1, 99])
-    table.RGBPoints = [x for value, factor in ((low, 0.25), (high, 1.12)) for x in (value, *(min(1, factor * c) for c in WALL))]
+    table.RGBPoints = [
+        x
+        for value, factor in ((low, 0.25), (high, 1.12))
+        for x in (value, *(min(1, factor * c) for c in WALL))
+    ]
     size = (300, 300)
     row = []
     up = np.cross(mean, np.cross([0.0, 0.0, 1.0], mean))
@@ -178,7 +183,8 @@ def panels_of_region(region, in_space, conformal):
 def report(regions, count, region, conformal):
     lines = ["| polyp, diameter (mm) | found |", "|---|---|"]
     lines += [
-        f"| {polyp[2]:g} | {'no' if label is None else f'region {label}'} |" for polyp, label in zip(POLYPS, regions)
+        f"| {polyp[2]:g} | {'no' if label is None else f'region {label}'} |"
+        for polyp, label in zip(POLYPS, regions)
     ]
     measures = servermanager.Fetch(region, idx=1)
     lines += ["", "| of the polyp's region | on the surface | error | on the map |", "|---|---|---|---|"]
@@ -187,8 +193,8 @@ def report(regions, count, region, conformal):
             measures.GetValueByName(k, column) for column in ("Measure", "OnSurface", "Error", "OnMap", "Unit")
         )
         lines.append(
-            f"| {name.ToString()} ({unit.ToString().replace('^2', '²')}) | {value.ToDouble():.1f} | {error.ToDouble():.1f} "
-            f"| {on_map.ToDouble():.1f} |"
+            f"| {name.ToString()} ({unit.ToString().replace('^2', '²')}) | {value.ToDouble():.1f} "
+            f"| {error.ToDouble():.1f} | {on_map.ToDouble():.1f} |"
         )
     data = meshes.fetched(conformal)
     inside = np.asarray(data.CellData["InRegion"]) == 1
@@ -200,4 +206,7 @@ def report(regions, count, region, conformal):
         "polyp, with a margin, and flattens it:",
         "",
         *lines,
+        "",
+        "In the GUI: *Contour* of the CT, *Surface To Disk* with *Remesh*, *Mesh Saliency*, then *Flatten Region* with *Label Array* "
+        "`SaliencyRegion` and the number of the region as *Label*.",
     ]

@@ -128,7 +128,7 @@ def picture(image):
 
 
 def map_picture(flat, colours):
-    """The flat map drawn from the world image: Flat Map Image tells where on the sphere every pixel comes from."""
+    """The flat map drawn from the world image: Flat Map Image tells where every pixel comes from."""
     side, border = 2 * SIZE[0], 16
     image = simple.FlatMapImage(Input=flat, Size=side - 2 * border, Margin=0)
     image.UpdatePipeline()
@@ -160,13 +160,19 @@ def make(path):
     colours, pieces = world()
     earth = sphere(pieces)
     conformal, preserving = flat_maps(earth)
-    top = [(globe(colours, True), "(a) the earth"), (globe(colours, False), "(b) direct projection: one half of it")]
+    top = [
+        (globe(colours, True), "(a) the earth"),
+        (globe(colours, False), "(b) direct projection: one half of it"),
+    ]
     bottom = [
         (map_picture(conformal, colours), "(c) conformal map"),
         (map_picture(preserving, colours), "(d) area-preserving map"),
     ]
     panels.compose(path, [top, bottom], smooth=True)
-    rows = ["| | on the sphere (million km²) | on the conformal map | on the area-preserving map | error |", "|---|---|---|---|---|"]
+    rows = [
+        "| | on the sphere (million km²) | on the conformal map | on the area-preserving map | error |",
+        "|---|---|---|---|---|",
+    ]
     for name, place in LANDS.items():
         number = int(pieces[pixel_of(unit_vector(*place))])
         on_sphere, on_conformal = meshes.surface_and_flat_area(conformal, "Land", number)
@@ -181,4 +187,7 @@ def make(path):
         "triangles all of whose corners are on the piece of land:",
         "",
         *rows,
+        "",
+        "In the GUI: a sphere with points enough (*Sphere*), *Surface To Disk* with *Use Hole Point* and *Hole Area Fraction* 0.03, *Conformal "
+        "Disk*, *OMT Area Preserving*, *Flat Map Image*.",
     ]

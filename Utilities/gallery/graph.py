@@ -54,7 +54,8 @@ def conformal_magnifier(mesh):
         ResultArrayName="Lifted",
         Function=f"coords*{radius}/max(1e-12, mag(coords)) + kHat*{LIFT}*(1 - {share})",
     )
-    plane = simple.AppendAttributes(Input=[lifted, simple.Calculator(Input=mesh, ResultArrayName="Plane", Function="coords")])
+    places = simple.Calculator(Input=mesh, ResultArrayName="Plane", Function="coords")
+    plane = simple.AppendAttributes(Input=[lifted, places])
     flat = plane_lens.conformal_disk(plane, RADIUS)
     flat.NormalizeTo = "Unit Domain"
     return simple.Calculator(Input=flat, ResultArrayName="SurfacePoints", Function="Plane")
@@ -116,8 +117,10 @@ def make(path):
         figures.append((title[4:], asked, *faces, moved[0]))
     panels.compose(path, [row[:2], row[2:]])
 
-    rows = ["| | core: asked | delivered | surroundings | distance to the nearest station: core | surroundings |"]
-    rows.append("|---|---|---|---|---|---|")
+    rows = [
+        "| | core: asked | delivered | surroundings | distance to the nearest station: core | surroundings |",
+        "|---|---|---|---|---|---|",
+    ]
     for title, asked, *faces, moved in figures:
         distances = [nearest_distances(moved, of_core) for of_core in (True, False)]
         got = [f"{faces[0]:.3f}", f"{faces[-1]:.3f}"]
@@ -130,4 +133,6 @@ def make(path):
         *rows,
         "",
         "Factors are flat over original area of the faces in the region.",
+        "",
+        "In the GUI: the steps of [planar_warp.md](planar_warp.md); *Inside Out* in *Area Weights* makes the surroundings the region.",
     ]

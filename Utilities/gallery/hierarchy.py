@@ -120,4 +120,6 @@ def make(path):
         f"A single lens of radius {LENS:g} in the unit disk (10,981 points):",
         "",
         *factor_table(),
+        "",
+        "In the GUI: the steps of [planar_warp.md](planar_warp.md) with *Weights From* Label Table, or three *Area Weights* in a row.",
     ]

@@ -64,4 +64,6 @@ def make(path):
         f"contain its own site. Largest relative error of a cell {figures['MaxCellAreaError']:.0e} after "
         f"{figures['NewtonIterations']:.0f} Newton steps; sum of the cells {areas.sum():.12f} (pi = {np.pi:.12f}); the "
         f"triangulation has {len(dual)} triangles.",
+        "",
+        "In the GUI: *OMT Area Preserving* with *Face Refinement* off; the eye of its second output shows the cells.",
     ]

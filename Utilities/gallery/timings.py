@@ -96,8 +96,9 @@ def make(_path):
             f"| {size.GetNumberOfCells():,} | " + " | ".join(f"{t:,.0f}" for t in times) + " |"
         )
     return [
-        "Processor time of all threads, by filter in ParaView, the paper's times beside (Core 2 Duo, 2.2 GHz). *With refinement* is the default; "
-        f"*texture* is *Flat Map Image* with {IMAGE} x {IMAGE} pixels, the way back from each to the surface included. "
+        "Processor time of all threads, by filter in ParaView, the paper's times beside (Core 2 Duo, 2.2 GHz). "
+        "*With refinement* is the default; "
+        f"*texture* is *Flat Map Image* with {IMAGE} x {IMAGE} pixels, the way back from each included. "
         "*area_preserving.md* has the colon and the accuracy of the same rows.",
         "",
         *lines,

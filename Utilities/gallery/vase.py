@@ -65,7 +65,8 @@ def surface_of_vase(rings=170, around=140):
     x = np.append(np.arctan2(np.sin(a), np.cos(a)).ravel(), np.pi)
     below = LENGTH - points[:, 2]
     in_face = np.hypot(x, MIDDLE - below) < 0.88
-    return points, np.array(faces), np.where(in_face, FACE, np.where(below < 1.95, HEAD, VASE)).astype(np.int32)
+    part = np.where(in_face, FACE, np.where(below < 1.95, HEAD, VASE))
+    return points, np.array(faces), part.astype(np.int32)
 
 
 def light(points, faces):
@@ -125,7 +126,8 @@ def make(path):
     conformal = simple.ConformalDisk(
         Input=disk, NormalizeTo="Surface Area", UseBoundaryPoint=1, BoundaryPoint=[0, profile(LENGTH), 0]
     )
-    metrics = [simple.DistortionMetrics(Input=flat) for flat in (conformal, simple.OMTAreaPreserving(Input=conformal))]
+    preserving = simple.OMTAreaPreserving(Input=conformal)
+    metrics = [simple.DistortionMetrics(Input=flat) for flat in (conformal, preserving)]
     top = [
         (surface_panel(surface, (-1, 0, 0)), "(a) front"),
         (surface_panel(surface, (1, 0, 0)), "(b) back"),
@@ -164,4 +166,7 @@ def report(metrics):
         "and last bar of a histogram include what lies beyond. Areas of the parts, in units of the surface:",
         "",
         *lines,
+        "",
+        "In the GUI: *Surface To Disk*, *Conformal Disk*, *OMT Area Preserving*, *Distortion Metrics*; *Histogram* of `AreaDistortion` and "
+        "`AngleDistortion`.",
     ]
