@@ -87,9 +87,7 @@ def show_lines(source, view, colour, width):
 
 
 def show_points(source, view, colour, size):
-    """In front of what else lies in the plane."""
     display = show_flat(source, view)
-    display.Position = [0, 0, 0.01]
     display.SetRepresentationType("Points")
     one_colour(display, colour)
     display.RenderPointsAsSpheres = 1

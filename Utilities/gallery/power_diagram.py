@@ -13,6 +13,7 @@ PICTURE = "power_diagram.png"
 SIZE = (440, 440)
 BOUNDS = [-1.02, 1.02, -1.02, 1.02, 0, 0]
 CELL_EDGES, DUAL_EDGES, SITES = (0.15, 0.45, 0.70), (0.85, 0.45, 0.15), (0.1, 0.1, 0.1)
+DOT = 0.011  # radius
 
 
 def hill():
@@ -32,6 +33,14 @@ def power_delaunay(sites, weights):
     return hull.simplices[hull.equations[:, 2] < -1e-12]
 
 
+def dots_at(points):
+    """Small polygons in front of what lies in the plane."""
+    angles = 2 * np.pi * np.arange(12) / 12
+    outline = DOT * np.column_stack([np.cos(angles), np.sin(angles), 0 * angles]) + [0, 0, 0.3]
+    corners = (points[:, None, :] + outline[None, :, :]).reshape(-1, 3)
+    return meshes.source_of(meshes.poly_data(corners, np.arange(len(corners)).reshape(-1, 12)))
+
+
 def make(path):
     conformal = simple.ConformalDisk(
         Input=hill(), NormalizeTo="Unit Domain", UseBoundaryPoint=1, BoundaryPoint=[1, 0, 0]
@@ -40,18 +49,19 @@ def make(path):
     sites = np.asarray(meshes.fetched(conformal).Points)
     transported = meshes.fetched(flat)
     dual = power_delaunay(sites[:, :2], np.asarray(transported.PointData["PowerWeight"]))
-    site_points = meshes.source_of(meshes.poly_data(sites, vertices=True))
+    dots = dots_at(sites)
+    edges = np.unique(np.sort(dual[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1), axis=0)
     cells = simple.OutputPort(flat, 1)
 
     view = panels.new_view()
     panels.show_lines(cells, view, CELL_EDGES, 1.5)
-    panels.show_points(site_points, view, SITES, 5)
+    panels.one_colour(panels.show_flat(dots, view), SITES)
     panels.look(view, BOUNDS, SIZE)
     first = panels.screenshot(view, SIZE)
     view = panels.new_view()
     panels.show_lines(cells, view, [0.5 + 0.5 * c for c in CELL_EDGES], 1)
-    panels.show_lines(meshes.source_of(meshes.poly_data(sites, dual)), view, DUAL_EDGES, 1.5)
-    panels.show_points(site_points, view, SITES, 5)
+    panels.show_lines(meshes.source_of(meshes.poly_data(sites, lines=edges)), view, DUAL_EDGES, 1.5)
+    panels.one_colour(panels.show_flat(dots, view), SITES)
     panels.look(view, BOUNDS, SIZE)
     second = panels.screenshot(view, SIZE)
     panels.compose(path, [[(first, "(a) power diagram"), (second, "(b) power Delaunay triangulation")]])
