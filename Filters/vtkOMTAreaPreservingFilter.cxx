@@ -34,6 +34,7 @@ namespace
 {
 
 constexpr const char* DefaultWeights = "AreaWeight";
+constexpr const char* FlatPoints = "FlatPoints";
 
 // The weights per point; empty if all are 1.
 Eigen::VectorXd readWeights(vtkPolyData* input, const char* chosen)
@@ -86,6 +87,33 @@ struct Placement
   double Scale = 1.0;
   Eigen::RowVector2d Centre = Eigen::RowVector2d::Zero();
 };
+
+// The points of an earlier run, over a domain of area pi; empty if there are none.
+flattening::Points2 readStartPositions(vtkPolyData* input,
+  double scale,
+  const Eigen::RowVector2d& centre)
+{
+  vtkDataArray* array = input->GetPointData()->GetArray(FlatPoints);
+  if (!array || array->GetNumberOfComponents() != 3)
+  {
+    return {};
+  }
+  flattening::Points2 start(array->GetNumberOfTuples(), 2);
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    const Eigen::RowVector2d point(array->GetComponent(i, 0), array->GetComponent(i, 1));
+    start.row(i) = (point - centre) / scale;
+  }
+  return start;
+}
+
+void addFlatPoints(vtkPolyData* output)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->DeepCopy(output->GetPoints()->GetData());
+  array->SetName(FlatPoints);
+  output->GetPointData()->AddArray(array);
+}
 
 // A disk around the origin, a rectangle with its lower left corner there.
 Placement placementOf(const flattening::FlatDomain& domain, bool isUnit, double surfaceArea)
@@ -234,6 +262,7 @@ int vtkOMTAreaPreservingFilter::RequestData(vtkInformation* vtkNotUsed(request),
         polygon ? placementOf(*polygon, isUnit, surfaceArea) : placementOf(domain, isUnit, surfaceArea);
       const double area = scale * scale;
       options.Transport.StartWeights = readStart(input, area);
+      options.StartPositions = readStartPositions(input, scale, centre);
       const auto progress = flattening::progressOf(this);
       const flattening::AreaPreservingResult result =
         polygon ? flattening::areaPreservingPolygonMap(surface,
@@ -257,6 +286,7 @@ int vtkOMTAreaPreservingFilter::RequestData(vtkInformation* vtkNotUsed(request),
       flattening::addPointArray(output, "TargetArea", area * map.TargetAreas);
       flattening::addPointArray(output, "CellArea", area * map.CellAreas);
       flattening::addPointArray(output, "PowerWeight", area * map.PowerWeights);
+      addFlatPoints(output);
       fillPowerDiagram(cells, result, scale, centre);
 
       vtkFieldData* figures = output->GetFieldData();
@@ -275,6 +305,7 @@ int vtkOMTAreaPreservingFilter::RequestData(vtkInformation* vtkNotUsed(request),
       flattening::setFigure(figures, "CoincidentPoints", static_cast<long long>(map.CoincidentVertices));
       flattening::setFigure(figures, "FlippedFaces", static_cast<long long>(map.FlippedFaces));
       flattening::setFigure(figures, "Bijective", static_cast<long long>(map.Bijective ? 1 : 0));
+      flattening::setFigure(figures, "WarmStart", static_cast<long long>(map.IsContinued ? 1 : 0));
       flattening::setFigure(figures, "RefinementRounds", static_cast<long long>(map.RefinementRounds));
       flattening::setFigure(figures, "RefinementRepairs", static_cast<long long>(map.RepairedFaces));
       if (this->FaceRefinement && !map.Bijective)

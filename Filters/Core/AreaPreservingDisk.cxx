@@ -4,6 +4,7 @@
 #include "BoundaryPlacement.h"
 #include "Errors.h"
 #include "FaceOrientation.h"
+#include "FormerMap.h"
 #include "MeshTopology.h"
 #include "TransportField.h"
 #include "TransportSites.h"
@@ -13,6 +14,7 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -26,6 +28,8 @@ namespace
 // How far from the boundary a boundary vertex of the input may lie: of a length 1, the disk's radius.
 constexpr double BoundaryTolerance = 1e-6;
 constexpr int LeastSites = 1000;
+// A former map that flips more of its faces on the way is no better a start than the transport.
+constexpr double LargestFlippedShare = 0.01;
 
 // Members of the boundary loop, in its order, that stay at places which grow over less than a turn.
 struct FixedMembers
@@ -202,6 +206,23 @@ FixedMembers cornersOf(const Target& target,
   return corners;
 }
 
+// Of the transport that a refined map is given of; nothing if none is. What AngleWeight the map had is
+// not known.
+std::optional<PowerDiagram> formerDiagram(const PowerDiagram& diagram,
+  const Eigen::VectorXd& weights,
+  int vertexCount,
+  const AreaPreservingOptions& options)
+{
+  if (!options.RefineFaces || options.Refinement.AngleWeight > 0.0 ||
+      options.StartPositions.rows() != vertexCount || weights.size() != diagram.siteCount() ||
+      !weights.allFinite())
+  {
+    return {};
+  }
+  PowerDiagram former = diagram;
+  return former.update(weights.cast<DoubleDouble>()) ? std::optional(std::move(former)) : std::nullopt;
+}
+
 AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
   const Points2& conformal,
   const Points2& onDomain, // the same, or another map to the domain, with few faces flipped
@@ -220,7 +241,8 @@ AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
   map.CoincidentVertices = n - sites.count();
   if (perSite > 1)
   {
-    sites = groupedSites(conformal, map.TargetAreas, loop, perSite);
+    // By areas without weights: the sites stay where they are when weights change.
+    sites = groupedSites(conformal, targetAreas(mesh, {}), loop, perSite);
   }
   map.Sites = sites.count();
   const Eigen::VectorXd siteTargets = sites.sums(map.TargetAreas);
@@ -236,6 +258,8 @@ AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
       transportOptions.StartWeights[sites.SiteOfVertex[v]] = options.Transport.StartWeights[v];
     }
   }
+  const std::optional<PowerDiagram> former =
+    formerDiagram(diagram, transportOptions.StartWeights, n, options);
   const TransportResult transport =
     transportNewton(diagram, siteTargets, transportOptions, subrange(progress, 0.0, transportEnd));
   map.NewtonIterations = transport.NewtonIterations;
@@ -254,22 +278,39 @@ AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
     map.PowerWeights[v] = static_cast<double>(transport.Weights[site]);
   }
   const FixedMembers corners = cornersOf(target, diagram, loop, sites.SiteOfVertex);
-  const std::vector<double> places =
-    corners.Members.empty()
-      ? boundaryPlaces(diagram, loop, sites.SiteOfVertex)
-      : boundaryPlaces(diagram, loop, sites.SiteOfVertex, corners.Members, corners.Places);
-  if (options.RefineFaces)
+  const auto transported = [&](const PowerDiagram& cells) -> TransportedSites
   {
-    map.Positions = transportField(
-      sites, siteImages(diagram, siteTargets, sites, loop, places), conformal, *target.Domain);
+    std::vector<double> places =
+      corners.Members.empty()
+        ? boundaryPlaces(cells, loop, sites.SiteOfVertex)
+        : boundaryPlaces(cells, loop, sites.SiteOfVertex, corners.Members, corners.Places);
+    SiteImages images = siteImages(cells, siteTargets, sites, loop, places);
+    return { std::move(images), std::move(places) };
+  };
+  const TransportedSites present = transported(diagram);
+  if (former &&
+      isRefinedMap(
+        options.StartPositions, mesh.Faces, *target.Domain, loop, corners.Members, corners.Places))
+  {
+    map.Positions =
+      carriedMap(options.StartPositions, sites, transported(*former), present, loop, *target.Domain);
+    map.IsContinued =
+      countFlippedFaces(map.Positions, mesh.Faces) <= LargestFlippedShare * mesh.faceCount();
+  }
+  if (!map.IsContinued)
+  {
+    if (options.RefineFaces)
+    {
+      map.Positions = transportField(sites, present.Images, conformal, *target.Domain);
+    }
+    for (std::size_t k = 0; k < loop.size(); ++k)
+    {
+      map.Positions.row(loop[k]) = target.Domain->at(present.Places[k]);
+    }
   }
   for (const int member : corners.Members)
   {
     map.CornerVertices.push_back(loop[member]);
-  }
-  for (std::size_t k = 0; k < loop.size(); ++k)
-  {
-    map.Positions.row(loop[k]) = target.Domain->at(places[k]);
   }
   map.FlippedFaces = countFlippedFaces(map.Positions, mesh.Faces);
   map.Bijective = map.FlippedFaces == 0; // boundaryPlaces() are in order
@@ -277,7 +318,13 @@ AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
   {
     refine(map,
       mesh,
-      { target.Domain, loop, corners.Members, conformal, Points2(map.Positions), onDomain },
+      { target.Domain,
+        loop,
+        corners.Members,
+        conformal,
+        Points2(map.Positions),
+        onDomain,
+        map.IsContinued },
       weights,
       options.Refinement,
       subrange(progress, transportEnd + 0.02, 1.0));

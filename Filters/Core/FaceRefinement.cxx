@@ -39,6 +39,10 @@ constexpr double AreaTolerance = 0.02;
 constexpr double EnoughShare = 0.003;
 constexpr double LeastProgress = 0.02;
 constexpr int MostIdleRounds = 2;
+// The same where refinement goes on from a refined map: few are off, and of these most are at once
+// mended.
+constexpr double LeastContinuedProgress = 0.2;
+constexpr int MostIdleContinuedRounds = 1;
 // Every other round looks whether regions of so many vertices have their area to this share.
 constexpr int RegionSize = 2000;
 constexpr double RegionAngle = 0.5;
@@ -84,7 +88,14 @@ public:
   FaceRefinementResult run(const ProgressCallback& progress)
   {
     FlatState state = this->stateAt(this->Map.Positions);
-    this->firstStage(state, subrange(progress, 0.0, 0.5));
+    if (this->Map.IsContinued)
+    {
+      this->ShapeRounds = 0;
+    }
+    if (!this->Map.IsContinued || countFlippedFaces(state.Positions, this->Surface.Faces) > 0)
+    {
+      this->firstStage(state, subrange(progress, 0.0, 0.5));
+    }
     if (!this->untangle(state, subrange(progress, 0.5, 0.65)))
     {
       this->startOver(state, subrange(progress, 0.65, 0.7));
@@ -205,6 +216,8 @@ private:
 
   void rounds(FlatState& state, int most, Until until, const ProgressCallback& progress)
   {
+    const double progressShare = this->Map.IsContinued ? LeastContinuedProgress : LeastProgress;
+    const int mostIdle = this->Map.IsContinued ? MostIdleContinuedRounds : MostIdleRounds;
     double off = this->offShare(state);
     int idle = 0;
     for (int round = 0; round < most && (off > EnoughShare || until == Until::AllRounds); ++round)
@@ -221,11 +234,11 @@ private:
       pass.Targets = this->presentTargets(state);
       pass.Epsilon = this->KeepsOrientation ? 0.0 : FirstEpsilon;
       pass.KeepsOrientation = this->KeepsOrientation;
-      pass.ShapeFactor = this->Result.Rounds <= FirstShapeRounds ? FirstShapeFactor : 1.0;
+      pass.ShapeFactor = this->Result.Rounds <= this->ShapeRounds ? FirstShapeFactor : 1.0;
       const int patches = this->Patches.run(pass, state, subrange(progress, middle, end));
       const double next = this->offShare(state);
-      idle = next > (1.0 - LeastProgress) * off ? idle + 1 : 0;
-      if (patches == 0 || (until == Until::Enough && idle == MostIdleRounds))
+      idle = next > (1.0 - progressShare) * off ? idle + 1 : 0;
+      if (patches == 0 || (until == Until::Enough && idle == mostIdle))
       {
         return;
       }
@@ -250,7 +263,12 @@ private:
     this->Energy.setTargets(this->Targets);
     this->Energy.setEpsilon(0.0);
     this->KeepsOrientation = true;
-    this->rounds(state, SecondStageRounds, Until::Enough, subrange(progress, 0.0, 0.8));
+    if (this->Map.IsContinued)
+    {
+      // What is off is so a little and everywhere, which steps of the whole mesh mend at once.
+      this->balance(state, FinalRegionTolerance, subrange(progress, 0.0, 0.3));
+    }
+    this->rounds(state, SecondStageRounds, Until::Enough, subrange(progress, 0.3, 0.8));
     this->balance(state, FinalRegionTolerance, subrange(progress, 0.8, 1.0));
   }
 
@@ -357,6 +375,7 @@ private:
   RefinementPatches Patches;
   std::optional<RefinementDescent> Descent; // of the whole mesh
   bool KeepsOrientation = true;
+  int ShapeRounds = FirstShapeRounds;
   std::vector<char> OnBoundary;
   FaceRefinementResult Result;
 };

@@ -30,6 +30,7 @@ struct TransportedMap
   const Points2& Positions; ///< n x 2, the same after the transport
   /// n x 2, a map to the domain with no or few faces flipped: the conformal one, if it is one.
   const Points2& OnDomain;
+  bool IsContinued = false; ///< Positions were refined before, for nearly the same areas
 };
 
 struct FaceRefinementResult

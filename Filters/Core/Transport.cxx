@@ -147,11 +147,17 @@ PowerDiagram::Weights startWeights(PowerDiagram& diagram,
 {
   double least = std::numeric_limits<double>::infinity();
   PowerDiagram::Weights best;
-  std::vector<PowerDiagram::Weights> all = starts(diagram, targets);
+  std::vector<PowerDiagram::Weights> all;
   if (given.size() == targets.size() && given.allFinite())
   {
     all.push_back(given.cast<DoubleDouble>());
+    if (diagram.update(all.front()) && largestLogRatio(diagram.areas(), targets) <= LongestWay)
+    {
+      return all.front(); // one step away
+    }
   }
+  const std::vector<PowerDiagram::Weights> own = starts(diagram, targets);
+  all.insert(all.end(), own.begin(), own.end());
   for (const PowerDiagram::Weights& weights : all)
   {
     const double ratio = diagram.update(weights) ? largestLogRatio(diagram.areas(), targets)

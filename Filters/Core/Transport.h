@@ -13,8 +13,8 @@ struct TransportOptions
   /// Greatest max_i |A_i - nu_i| / nu_i accepted. Range (0, 1).
   double Tolerance = 1e-6;
   int MaximumIterations = 500;
-  /// Power weights of a transport of the same sites to begin with, if they are nearer to the targets
-  /// than the usual starts (n), or empty.
+  /// Power weights of a transport of the same sites to begin with (n), or empty. They are taken if no
+  /// cell is off by more than a decade, or if they are nearer to the targets than the usual starts.
   Eigen::VectorXd StartWeights;
 };
 

@@ -143,6 +143,18 @@ AREA_MAPS = {
     "flipped": lambda b: f"{b['flipped']:.0f}",
 }
 
+INTERACTIVE = {
+    "factor": lambda b: b["name"].split("/")[0],
+    "from the map before (s)": lambda b: f"{b['warm_cpu_seconds']:.2f}",
+    "rounds": lambda b: f"{b['warm_rounds']:.0f}",
+    "faces within 2 %": lambda b: f"{b['warm_within_2_percent']:.1f} %",
+    "angle error": lambda b: f"{b['warm_angle_error']:.1f}°",
+    "from the beginning (s)": lambda b: f"{b['cold_cpu_seconds']:.2f}",
+    "rounds ": lambda b: f"{b['cold_rounds']:.0f}",
+    "faces within 2 % ": lambda b: f"{b['cold_within_2_percent']:.1f} %",
+    "angle error ": lambda b: f"{b['cold_angle_error']:.1f}°",
+}
+
 
 def table(columns, benchmarks):
     yield "| " + " | ".join(name.strip() for name in columns) + " |"
@@ -164,6 +176,8 @@ def main(paths):
             kinds = [METHODS]
         elif any("map_cpu_seconds" in b for b in benchmarks):
             kinds = [AREA_MAPS]
+        elif "warm_seconds" in benchmarks[0]:
+            kinds = [INTERACTIVE]
         else:
             kinds = [TIMES, ERRORS, CELLS, PLAIN, PAPER, FLOWS]
         for columns in kinds:

@@ -198,6 +198,54 @@ TEST(OMTAreaPreservingFilter, StartsFromThePowerWeightsOfAnEarlierRun)
   }
 }
 
+TEST(OMTAreaPreservingFilter, GoesOnFromThePointsOfAnEarlierRun)
+{
+  for (const bool unit : { false, true })
+  {
+    vtkNew<vtkOMTAreaPreservingFilter> filter;
+    filter->SetNormalizeTo(
+      unit ? vtkOMTAreaPreservingFilter::UNIT_DOMAIN : vtkOMTAreaPreservingFilter::SURFACE_AREA);
+    const auto input = conformalHemisphere(4000);
+    filter->SetInputData(input);
+    filter->Update();
+    EXPECT_EQ(figure(filter->GetOutput(), "WarmStart"), 0.0);
+    const auto former = copyOf(filter->GetOutput());
+    vtkDataArray* flatPoints = former->GetPointData()->GetArray("FlatPoints");
+    ASSERT_TRUE(flatPoints);
+    for (vtkIdType i = 0; i < former->GetNumberOfPoints(); ++i)
+    {
+      double point[3];
+      former->GetPoint(i, point);
+      for (int k = 0; k < 3; ++k)
+      {
+        ASSERT_EQ(flatPoints->GetComponent(i, k), point[k]);
+      }
+    }
+    const auto again = copyOf(input);
+    again->GetPointData()->AddArray(former->GetPointData()->GetArray("PowerWeight"));
+    again->GetPointData()->AddArray(flatPoints);
+    const auto weights = addWeights(again, "AreaWeight", 1.0);
+    for (vtkIdType i = 0; i < 300; ++i) // around the pole
+    {
+      weights->SetValue(i, 2.0);
+    }
+    filter->SetInputData(again);
+    filter->Update();
+    EXPECT_EQ(figure(filter->GetOutput(), "WarmStart"), 1.0);
+    EXPECT_EQ(figure(filter->GetOutput(), "Bijective"), 1.0);
+    EXPECT_LE(figure(filter->GetOutput(), "MaxCellAreaError"), 1e-6);
+    vtkDataArray* now = filter->GetOutput()->GetPointData()->GetArray("FlatPoints");
+    EXPECT_NE(now->GetComponent(300, 0), flatPoints->GetComponent(300, 0)) << "of this run";
+
+    // Of another size it is no map to this domain.
+    filter->SetNormalizeTo(
+      unit ? vtkOMTAreaPreservingFilter::SURFACE_AREA : vtkOMTAreaPreservingFilter::UNIT_DOMAIN);
+    filter->Update();
+    EXPECT_EQ(figure(filter->GetOutput(), "WarmStart"), 0.0);
+    EXPECT_EQ(figure(filter->GetOutput(), "Bijective"), 1.0);
+  }
+}
+
 // Share of the faces whose area in the flat is within 2 % of that on the surface, percent.
 double facesWithin2Percent(vtkPolyData* flattened)
 {

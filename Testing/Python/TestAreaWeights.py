@@ -5,6 +5,7 @@ import math
 
 from paraview import servermanager
 from paraview.simple import (
+    AppendAttributes,
     AreaWeights,
     Calculator,
     ConformalDisk,
@@ -112,6 +113,20 @@ def share(arrays):
 
 
 assert math.isclose(share(data) / share(plain), 4, rel_tol=1e-6)
+
+# --- After a change of the factor, from the map before -----------------------------------------------------------
+conformal = ConformalDisk(Input=labelled)
+once = OMTAreaPreserving(Input=conformal)
+factor = AreaWeights(Input=AppendAttributes(Input=[conformal, once]), Label=23, Factor=2, **region)
+again = OMTAreaPreserving(Input=factor, UseAreaWeight=1)
+for value in (1.1, 1.2):
+    factor.Factor = value
+    again.UpdatePipeline()
+    output = servermanager.Fetch(again)
+    assert output.GetFieldData().GetArray("WarmStart").GetTuple1(0) == 1
+    assert output.GetFieldData().GetArray("Bijective").GetTuple1(0) == 1
+    grown = share(output.GetPointData()) / share(plain)
+    assert math.isclose(grown, value, rel_tol=4e-6), grown  # each of four areas to 1e-6
 
 # --- What is wrong leaves an empty output ----------------------------------------------------------------------
 for properties in (
