@@ -4,12 +4,11 @@
 #include "Core/SurfaceWalk.h"
 #include "FilterExecution.h"
 #include "PolyDataConversion.h"
+#include "SlabLayers.h"
 #include "VolumeSampling.h"
 #include "vtkFlatMapImage.h"
 
 #include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -18,13 +17,10 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
-#include <string>
 
 vtkStandardNewMacro(vtkFlatMapSlab);
 
@@ -33,81 +29,8 @@ namespace
 
 using flattening::InvalidInput;
 using flattening::Points3;
-using flattening::VolumeSamples;
 
 constexpr const char* NormalsName = "SurfaceNormals";
-
-// One entry per depth, each with one per array of the volume.
-using Layers = std::vector<std::vector<VolumeSamples>>;
-
-Layers sampleLayers(const flattening::VolumeSampling& volume,
-  const Points3& points,
-  const Points3& inward,
-  const std::vector<double>& depths,
-  const flattening::ProgressCallback& progress)
-{
-  Layers layers;
-  for (const double depth : depths)
-  {
-    flattening::report(
-      progress, static_cast<double>(layers.size()) / depths.size(), "Sampling the volume");
-    layers.push_back(volume.at(points + depth * inward));
-  }
-  return layers;
-}
-
-std::string textOf(double depth)
-{
-  std::ostringstream text;
-  text << depth;
-  return text.str();
-}
-
-// Per array of the volume one with the layers side by side, a component each.
-void addSlabArrays(vtkPolyData* output, const Layers& layers, const std::vector<double>& depths)
-{
-  for (std::size_t a = 0; a < layers.front().size(); ++a)
-  {
-    vtkFloatArray* first = layers.front()[a].Values;
-    const int width = first->GetNumberOfComponents();
-    vtkNew<vtkFloatArray> slab;
-    slab->SetName((std::string(first->GetName()) + "Slab").c_str());
-    slab->SetNumberOfComponents(width * static_cast<int>(depths.size()));
-    slab->SetNumberOfTuples(first->GetNumberOfTuples());
-    for (std::size_t d = 0; d < depths.size(); ++d)
-    {
-      for (int k = 0; k < width; ++k)
-      {
-        const int component = static_cast<int>(d) * width + k;
-        slab->CopyComponent(component, layers[d][a].Values, k);
-        slab->SetComponentName(component,
-          (textOf(depths[d]) + (width > 1 ? "_" + std::to_string(k) : std::string())).c_str());
-      }
-    }
-    output->GetPointData()->AddArray(slab);
-  }
-}
-
-// Returns how many samples are outside.
-long long addMask(vtkPolyData* output, const Layers& layers)
-{
-  vtkNew<vtkUnsignedCharArray> mask;
-  mask->SetName("InVolume");
-  mask->SetNumberOfComponents(static_cast<int>(layers.size()));
-  mask->SetNumberOfTuples(output->GetNumberOfPoints());
-  long long outside = 0;
-  for (std::size_t d = 0; d < layers.size(); ++d)
-  {
-    const std::vector<char>& inside = layers[d].front().Inside;
-    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-    {
-      mask->SetTypedComponent(i, static_cast<int>(d), inside[i] ? 1 : 0);
-      outside += !inside[i];
-    }
-  }
-  output->GetPointData()->AddArray(mask);
-  return outside;
-}
 
 void addVectors(vtkPolyData* data, const char* name, const Points3& vectors)
 {
@@ -147,65 +70,6 @@ vtkSmartPointer<vtkImageData> pixelsOf(vtkPolyData* map, int size)
   image->SetMargin(0);
   image->Update();
   return image->GetOutput();
-}
-
-bool haveEqualSteps(const std::vector<double>& depths)
-{
-  for (std::size_t d = 2; d < depths.size(); ++d)
-  {
-    const double first = depths[1] - depths[0];
-    if (std::abs(depths[d] - depths[d - 1] - first) > 1e-6 * std::abs(first))
-    {
-      return false;
-    }
-  }
-  return depths.size() > 1 && depths[1] > depths[0];
-}
-
-void fillStack(vtkImageData* stack,
-  vtkImageData* pixels,
-  const Layers& layers,
-  const std::vector<double>& depths)
-{
-  const bool isDepth = haveEqualSteps(depths);
-  const auto count = static_cast<int>(depths.size());
-  const double length = pixels->GetSpacing()[0];
-  stack->SetDimensions(pixels->GetDimensions()[0], pixels->GetDimensions()[1], count);
-  stack->SetSpacing(length, length, isDepth ? depths[1] - depths[0] : length);
-  stack->SetOrigin(pixels->GetOrigin()[0], pixels->GetOrigin()[1], isDepth ? depths[0] : 0.0);
-  const vtkIdType perLayer = pixels->GetNumberOfPoints();
-  vtkNew<vtkUnsignedCharArray> mask;
-  mask->SetName("InVolume");
-  mask->SetNumberOfTuples(perLayer * count);
-  for (std::size_t a = 0; a < layers.front().size(); ++a)
-  {
-    vtkFloatArray* first = layers.front()[a].Values;
-    vtkNew<vtkFloatArray> values;
-    values->SetName(first->GetName());
-    values->SetNumberOfComponents(first->GetNumberOfComponents());
-    values->SetNumberOfTuples(perLayer * count);
-    for (int d = 0; d < count; ++d)
-    {
-      values->InsertTuples(d * perLayer, perLayer, 0, layers[d][a].Values);
-      for (vtkIdType i = 0; i < perLayer; ++i)
-      {
-        mask->SetValue(d * perLayer + i, layers[d][a].Inside[i] ? 1 : 0);
-      }
-    }
-    a == 0 ? stack->GetPointData()->SetScalars(values) : stack->GetPointData()->AddArray(values);
-  }
-  stack->GetPointData()->AddArray(mask);
-}
-
-void setDepths(vtkDataObject* output, const std::vector<double>& depths)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName("Depths");
-  for (const double depth : depths)
-  {
-    array->InsertNextValue(depth);
-  }
-  output->GetFieldData()->AddArray(array);
 }
 
 } // namespace
@@ -263,7 +127,7 @@ int vtkFlatMapSlab::RequestInformation(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** vtkNotUsed(inputVector),
   vtkInformationVector* outputVector)
 {
-  const int layers = this->StackSize > 0 ? this->GetNumberOfDepths() : 0;
+  const int layers = this->StackSize > 1 ? this->GetNumberOfDepths() : 0;
   const int extent[6] = { 0, this->StackSize - 1, 0, this->StackSize - 1, 0, layers - 1 };
   outputVector->GetInformationObject(1)->Set(
     vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
@@ -300,7 +164,7 @@ void vtkFlatMapSlab::RequireDepths() const
     }
     if (std::find(this->Depths.begin(), this->Depths.begin() + d, depth) != this->Depths.begin() + d)
     {
-      throw InvalidInput("the depth " + textOf(depth) + " is given twice: leave one");
+      throw InvalidInput("the depth " + flattening::depthText(depth) + " is given twice: leave one");
     }
   }
 }
@@ -326,7 +190,7 @@ int vtkFlatMapSlab::RequestData(vtkInformation* vtkNotUsed(request),
       const Points3 normals = flattening::vertexNormals(surface);
       const double sign = this->Outwards ? 1.0 : -1.0;
       const flattening::VolumeSampling sampling(volume, this->NearestVoxel);
-      const Layers layers = sampleLayers(sampling,
+      const flattening::Layers layers = flattening::sampleLayers(sampling,
         surface.Vertices,
         sign * normals,
         this->Depths,
@@ -335,15 +199,15 @@ int vtkFlatMapSlab::RequestData(vtkInformation* vtkNotUsed(request),
       vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
       output->ShallowCopy(input);
       addVectors(output, NormalsName, normals);
-      addSlabArrays(output, layers, this->Depths);
-      const long long outside = addMask(output, layers);
+      flattening::addSlabArrays(output, layers, this->Depths);
+      const long long outside = flattening::addMask(output, layers);
       if (outside == surface.vertexCount() * static_cast<long long>(this->Depths.size()))
       {
         throw InvalidInput(
           "no sample lies in the volume: pass the volume that the surface came from, in "
           "the same coordinates");
       }
-      setDepths(output, this->Depths);
+      flattening::setDepths(output, this->Depths);
       flattening::setFigure(output->GetFieldData(), "OutsideSamples", outside);
 
       vtkImageData* stack = vtkImageData::GetData(outputVector, 1);
@@ -354,15 +218,15 @@ int vtkFlatMapSlab::RequestData(vtkInformation* vtkNotUsed(request),
         // Interpolated normals are shorter than 1.
         const Points3 direction =
           vectorsOf(pixels->GetPointData()->GetArray(NormalsName)).rowwise().normalized();
-        fillStack(stack,
+        flattening::fillStack(stack,
           pixels,
-          sampleLayers(sampling,
+          flattening::sampleLayers(sampling,
             vectorsOf(pixels->GetPointData()->GetArray(flattening::SurfacePointsName)),
             sign * direction,
             this->Depths,
             flattening::subrange(progress, 0.5, 1.0)),
           this->Depths);
-        setDepths(stack, this->Depths);
+        flattening::setDepths(stack, this->Depths);
       }
       if (outside > 0)
       {

@@ -89,7 +89,7 @@ public:
 
   ///@{
   /**
-   * Pixels a side of the stack of images; 0: none. Range [0, 4096]. Default: 256.
+   * Pixels a side of the stack of images; below 2: none. Range [0, 4096]. Default: 256.
    */
   vtkSetClampMacro(StackSize, int, 0, 4096);
   vtkGetMacro(StackSize, int);
