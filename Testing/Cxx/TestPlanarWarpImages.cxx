@@ -141,4 +141,35 @@ TEST(PlanarWarpImages, TheMeshCanCarryTheImageAsATexture)
   EXPECT_FALSE(mesh->GetPointData()->GetTCoords());
 }
 
+TEST(PlanarWarpImages, CanBeStopped)
+{
+  struct Stop
+  {
+    vtkAlgorithm* Filter;
+    int Reports = 0;
+    void now()
+    {
+      ++this->Reports;
+      this->Filter->SetAbortExecute(1);
+    }
+  };
+  vtkNew<vtkPlanarWarp> filter;
+  ErrorLog errors(filter);
+  Stop stop{ filter };
+  const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, &stop, &Stop::now);
+  filter->SetInputData(doubled());
+  filter->SetCarriedData(picture());
+  filter->Update();
+  EXPECT_GE(stop.Reports, 1);
+  EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::POINT), 0);
+  EXPECT_TRUE(errors.messages().empty());
+
+  filter->RemoveObserver(tag);
+  filter->SetAbortExecute(0);
+  filter->Modified();
+  filter->Update();
+  EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::POINT), 101 * 51);
+  EXPECT_TRUE(errors.messages().empty());
+}
+
 } // namespace
