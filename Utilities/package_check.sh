@@ -67,6 +67,8 @@ wait $server 2>/dev/null || true
 echo "pvserver: $found"
 if [ "$expected" = installed ]; then
   [ "$found" = "server True True " ] || fail "pvserver does not have the plugin"
+else
+  [ "$found" = "server False " ] || fail "pvserver still has the plugin"
 fi
 
 cat >window.py <<'EOF'

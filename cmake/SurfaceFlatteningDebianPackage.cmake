@@ -27,4 +27,12 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # reads what the libraries need
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "paraview (>= ${ParaView_VERSION})")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-paraview, libopenblas0-serial")
+
+# Python compiles the package when root imports it, into files that dpkg does not know.
+file(WRITE "${CMAKE_BINARY_DIR}/prerm" "#!/bin/sh
+set -e
+rm -rf '${CMAKE_INSTALL_PREFIX}/${SURFACEFLATTENING_PYTHON_DESTINATION}/surfaceflattening/__pycache__'
+")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${CMAKE_BINARY_DIR}/prerm")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)
 include(CPack)
