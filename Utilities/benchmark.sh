@@ -19,14 +19,14 @@ python3 Testing/Benchmarks/markdown_table.py "${results[@]}"
 
 convergence=$build/Testing/BenchmarkConvergence.json
 "$build/Testing/bin/BenchmarkConvergence" --benchmark_out="$convergence" --benchmark_out_format=json >/dev/null
-xvfb-run -a -s "-screen 0 1280x1024x24" pvpython Utilities/convergence_picture.py \
+xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvpython Utilities/convergence_picture.py \
   "$convergence" "$build/Testing/convergence.png"
 echo "Picture of the convergence: $build/Testing/convergence.png"
 
-xvfb-run -a -s "-screen 0 1280x1024x24" pvpython Utilities/angle_weight_picture.py \
+xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvpython Utilities/angle_weight_picture.py \
   "$build/Testing/BenchmarkAreaMaps.json" "$build/Testing/angle_weight.png"
 echo "Picture of the angle weights: $build/Testing/angle_weight.png"
 
-xvfb-run -a -s "-screen 0 1280x1024x24" pvpython Utilities/time_picture.py \
+xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvpython Utilities/time_picture.py \
   "$build/Testing/BenchmarkFlattening.json" "$build/Testing/BenchmarkAreaMaps.json" "$build/Testing/time_against_size.png"
 echo "Picture of the times: $build/Testing/time_against_size.png"

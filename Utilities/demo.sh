@@ -16,7 +16,7 @@ build=$(realpath "${BUILD_DIRECTORY:-build}")
 plugin=$(find "$build/lib" -name SurfaceFlattening.so -print -quit)
 
 # The screen is as large as the picture; rendering is in software, as on a server.
-LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 2100x1180x24" \
+LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 2100x1180x24 -noreset" \
   pvpython --force-offscreen-rendering Utilities/demo.py --plugin "$plugin" --output "$output"
 
 echo "To open the scene:"

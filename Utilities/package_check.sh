@@ -77,7 +77,7 @@ from paraview import simple
 with open("window.txt", "w") as stream:
     stream.write(f"window {hasattr(simple, 'SurfaceToDisk')}\n")
 EOF
-timeout 120 xvfb-run -a -s "-screen 0 1280x1024x24" paraview --script="$scratch/window.py" >window.log 2>&1 &
+timeout 120 xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" paraview --script="$scratch/window.py" >window.log 2>&1 &
 window=$!
 for _ in $(seq 300); do
   [ -s window.txt ] && break

@@ -28,7 +28,7 @@ export LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb
 log=$build/Testing/suite.log
 mkdir -p "$build/Testing"
 status=0
-"${isolate[@]}" xvfb-run -a -s "-screen 0 1280x1024x24" \
+"${isolate[@]}" xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" \
   ctest --test-dir "$build" --output-on-failure --timeout 900 --no-tests=error "$@" 2>&1 |
   tee "$log" || status=$?
 
