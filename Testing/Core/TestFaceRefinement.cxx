@@ -2,10 +2,13 @@
 #include "AnalyticSurfaces.h"
 #include "AreaPreservingDisk.h"
 #include "ConformalDisk.h"
+#include "ConvexDomain.h"
 #include "DistortionSummary.h"
 #include "FaceOrientation.h"
+#include "FaceRefinement.h"
 #include "MeshTopology.h"
 #include "PlanarParts.h"
+#include "RandomNumbers.h"
 #include "SampleSurfaces.h"
 #include "SliverRefinement.h"
 
@@ -16,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <memory>
 #include <vector>
 
 namespace
@@ -229,6 +233,55 @@ TEST(FaceRefinement, CornersOfARectangleStay)
   {
     EXPECT_LT((map.Positions.row(corner) - flat.row(corner)).norm(), 1e-15);
   }
+}
+
+// A transported map that is turned over inside cannot be untangled: refinement begins again nearer to
+// the map that it is given for that, and says so.
+TEST(FaceRefinement, BeginsAgainInAPolygonWhereFacesCannotBeTurnedOver)
+{
+  constexpr int n = 61;
+  const double width = std::sqrt(Pi);
+  TriangleMesh mesh = samples::rectangleGrid(n, n, width);
+  const Points2 flat = mesh.Vertices.leftCols<2>();
+  mesh.Vertices.col(2) = 0.5 * (-8.0 * flat.rowwise().squaredNorm().array()).exp();
+  Points2 corners(4, 2);
+  corners << -1.0, -1.0, 1.0, -1.0, 1.0, 1.0, -1.0, 1.0;
+  const auto square = std::make_shared<ConvexPolygon>(0.5 * width * corners);
+  const std::vector<int> loop = requireDisk(mesh);
+  std::vector<int> members;
+  Points2 tangled(mesh.vertexCount(), 2);
+  samples::RandomNumbers random(5);
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    const double x = random.real(-0.45 * width, 0.45 * width);
+    tangled.row(v) << x, random.real(-0.45 * width, 0.45 * width);
+  }
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    const Eigen::RowVector2d place = flat.row(loop[k]);
+    tangled.row(loop[k]) = place;
+    if ((place.cwiseAbs().array() > 0.5 * width - 1e-9).all())
+    {
+      members.push_back(static_cast<int>(k));
+    }
+  }
+  ASSERT_EQ(members.size(), 4u);
+  const FaceRefinementResult result = refineFaces(
+    mesh, { square, loop, members, flat, tangled, flat }, faceAreas(mesh.Vertices, mesh.Faces));
+  std::cout << "begun again at " << result.StartShare << "\n";
+  EXPECT_LT(result.StartShare, 1.0);
+  EXPECT_TRUE(result.Bijective);
+  EXPECT_EQ(countFlippedFaces(result.Positions, mesh.Faces), 0);
+  for (const int v : loop)
+  {
+    const Eigen::Vector2d position = result.Positions.row(v);
+    EXPECT_LT((square->at(square->placeOf(position)) - position).norm(), 1e-14) << "on a side";
+  }
+  for (const int member : members)
+  {
+    EXPECT_LT((result.Positions.row(loop[member]) - flat.row(loop[member])).norm(), 1e-14);
+  }
+  EXPECT_GE(summariseDistortion(measureDistortion(mesh, result.Positions)).FacesWithin2Percent, 99.0);
 }
 
 } // namespace
