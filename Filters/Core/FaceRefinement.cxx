@@ -33,9 +33,8 @@ constexpr int MoreFirstStages = 2;
 // lost again.
 constexpr int FirstShapeRounds = 2;
 constexpr double FirstShapeFactor = 10.0;
-// A stage ends when so few faces are off by more than the tolerance, or when rounds in a row do not make
-// them fewer by this share.
-constexpr double AreaTolerance = 0.02;
+// A stage ends when so few faces are off by more than the patches' tolerance, or when rounds in a row do
+// not make them fewer by this share.
 constexpr double EnoughShare = 0.003;
 constexpr double LeastProgress = 0.02;
 constexpr int MostIdleRounds = 2;
@@ -43,8 +42,7 @@ constexpr int MostIdleRounds = 2;
 // mended.
 constexpr double LeastContinuedProgress = 0.2;
 constexpr int MostIdleContinuedRounds = 1;
-// Every other round looks whether regions of so many vertices have their area to this share.
-constexpr int RegionSize = 2000;
+// Every other round looks whether regions of the size of a patch have their area to this share.
 constexpr double RegionAngle = 0.5;
 constexpr double RegionTolerance = 0.01;
 constexpr int RoundsPerBalance = 2;
@@ -161,7 +159,7 @@ private:
   {
     this->Energy.setEnclosed(state);
     const Eigen::VectorXd ratios = this->Energy.areaRatios(state);
-    const Eigen::Index off = ((ratios.array() - 1.0).abs() > AreaTolerance).count();
+    const Eigen::Index off = ((ratios.array() - 1.0).abs() > RefinementPatches::AreaTolerance).count();
     return static_cast<double>(off) / this->Surface.faceCount();
   }
 
@@ -184,7 +182,8 @@ private:
     const Eigen::VectorXd areas = vertexAreas(faces, signedFaceAreas(state.Positions, faces), n);
     const Eigen::VectorXd wanted = vertexAreas(faces, targets, n);
     double largest = 0.0;
-    for (const std::vector<int>& region : planarParts(state.Positions, RegionSize, RegionAngle))
+    for (const std::vector<int>& region :
+      planarParts(state.Positions, RefinementPatches::LargestPatch, RegionAngle))
     {
       double has = 0.0;
       double wants = 0.0;

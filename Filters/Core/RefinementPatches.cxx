@@ -16,14 +16,11 @@ namespace flattening
 namespace
 {
 
-// Vertices: factors of systems of this size fit into a cache.
-constexpr int LargestPatch = 2000;
 constexpr int LargestRounds = 2;
 // Between the lines of one pass and the next, in radians.
 constexpr double Turn = 1.0;
-// A patch with fewer faces that are off by more than the tolerance is left as it is.
-constexpr double AreaTolerance = 0.02;
-constexpr double EnoughShare = 0.001;
+// A patch with fewer faces that are not right is left as it is.
+constexpr double EnoughPatchShare = 0.001;
 // Of the energy, in a round.
 constexpr double LeastGain = 0.1;
 
@@ -57,7 +54,7 @@ public:
   // Whether the patch was worked on.
   bool refine(const FlatState& before, FlatState& after)
   {
-    if (this->Free == 0 || this->offShare(before) <= EnoughShare)
+    if (this->Free == 0 || this->offShare(before) <= EnoughPatchShare)
     {
       return false;
     }

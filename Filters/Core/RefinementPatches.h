@@ -20,6 +20,11 @@ namespace flattening
 class RefinementPatches
 {
 public:
+  /// Vertices: factors of systems of this size fit into a cache.
+  static constexpr int LargestPatch = 2000;
+  /// Of its target: a face is right if its area is off by no more.
+  static constexpr double AreaTolerance = 0.02;
+
   /// The arguments must live as long as this does.
   RefinementPatches(const RefinementTerms& terms,
     const VertexFaces& facesOf,
