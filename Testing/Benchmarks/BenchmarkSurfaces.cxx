@@ -154,7 +154,7 @@ BenchmarkSurface closedBrain(const std::string& scan)
 
 BenchmarkSurface remeshedBrain(const std::string& scan)
 {
-  return asDisk(brainSurface(scan), 1.47, 0.0075);
+  return asDisk(brainSurface(scan), 1.465, 0.0075);
 }
 
 BenchmarkSurface brainWithResolvedHole(const std::string& scan)

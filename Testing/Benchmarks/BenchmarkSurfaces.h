@@ -26,7 +26,7 @@ BenchmarkSurface squareGrid(int columns, int rows);
 /// The brain in @p scan (`ch2bet.nii.gz`: 1 mm, skull-stripped), smoothed by 2 mm, isovalue 40, as one
 /// closed surface with a hole cut by vtkSurfaceToDiskFilter.
 BenchmarkSurface closedBrain(const std::string& scan);
-/// The same closed brain remeshed to edges of 1.47 mm, the hole 0.75 % of its area.
+/// The same closed brain remeshed to edges of 1.465 mm, the hole 0.75 % of its area.
 BenchmarkSurface remeshedBrain(const std::string& scan);
 /// Its half beyond the mid-plane, with the triangles of the isosurface.
 BenchmarkSurface halfBrain(const std::string& scan);
