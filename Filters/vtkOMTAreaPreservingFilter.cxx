@@ -133,7 +133,8 @@ Placement placementOf(const flattening::FlatDomain& domain, bool isUnit, double 
 // A polygon where it was given.
 Placement placementOf(const flattening::DomainPolygon& polygon, bool isUnit, double surfaceArea)
 {
-  return { isUnit ? polygon.Scale : std::sqrt(surfaceArea / EIGEN_PI), polygon.Centroid.transpose() };
+  constexpr double pi = EIGEN_PI;
+  return { isUnit ? polygon.Scale : std::sqrt(surfaceArea / pi), polygon.Centroid.transpose() };
 }
 
 void fillPowerDiagram(vtkPolyData* output,

@@ -203,7 +203,8 @@ TEST(OMTDomain, BadPolygons)
   Corners many;
   for (int k = 0; k < 1000; ++k)
   {
-    many.push_back({ std::cos(2e-3 * EIGEN_PI * k), std::sin(2e-3 * EIGEN_PI * k), 0.0 });
+    const double angle = 2e-3 * EIGEN_PI * k;
+    many.push_back({ std::cos(angle), std::sin(angle), 0.0 });
   }
   expect(domain(many), "turn Fix Corners off");
 }
