@@ -12,6 +12,14 @@ namespace
 
 constexpr int RowsPerReport = 64;
 
+// How many pixels after one that is @p distance away from the map must be beyond @p reach, too: from one
+// to the next the distance changes by a pixel at most.
+int pixelsBeyond(double distance, double reach, double pixel)
+{
+  constexpr double Rounding = 1e-6;
+  return static_cast<int>(std::min(std::max((distance - reach) / pixel - Rounding, 0.0), 1e9));
+}
+
 void fillRow(const FlatMapLocation& map, const PixelGrid& grid, int row, double reach, MapPlace* places)
 {
   int near = -1;
@@ -22,11 +30,14 @@ void fillRow(const FlatMapLocation& map, const PixelGrid& grid, int row, double 
       grid.Length * Eigen::RowVector2d(static_cast<double>(column), static_cast<double>(row));
     MapPlace place = near < 0 ? map.onMap(centre) : map.onMap(centre, near);
     near = place.Face;
+    int last = column;
     if (!place.Inside && place.Distance > reach)
     {
       place.Face = -1;
+      last += std::min(pixelsBeyond(place.Distance, reach, grid.Length), grid.Columns - 1 - column);
     }
-    places[column] = place;
+    std::fill(places + column, places + last + 1, place);
+    column = last;
   }
 }
 
