@@ -6,6 +6,7 @@
 #include <vtkAlgorithm.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
+#include <vtkDataObjectTypes.h>
 #include <vtkInformation.h>
 #include <vtkInformationIntegerKey.h>
 #include <vtkInformationStringKey.h>
@@ -16,6 +17,8 @@
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkSelection.h>
 #include <vtkSelectionNode.h>
+
+#include <algorithm>
 
 namespace flattening
 {
@@ -94,6 +97,23 @@ private:
 
   unsigned int Index = 0;
 };
+
+// What a block may be.
+std::vector<std::string> leafTypes(vtkInformation* port)
+{
+  vtkInformationStringVectorKey* key = vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE();
+  std::vector<std::string> types;
+  for (int i = 0; i < port->Length(key); ++i)
+  {
+    const std::string type = port->Get(key, i);
+    if (!vtkDataObjectTypes::TypeIdIsA(
+          vtkDataObjectTypes::GetTypeIdFromClassName(type.c_str()), VTK_COMPOSITE_DATA_SET))
+    {
+      types.push_back(type);
+    }
+  }
+  return types;
+}
 
 // The nodes that were made for this block, and those made for none.
 vtkSmartPointer<vtkSelection> selectionIn(unsigned int flatIndex, vtkSelection* selection)
@@ -220,11 +240,17 @@ void BlockInputs::requireType(int port, vtkDataObject* data) const
     throw InvalidInput("input " + std::to_string(port + 1) +
                        " has nothing for this block: fill or remove the block there");
   }
-  vtkInformation* expected = this->Filter->GetInputPortInformation(port);
-  if (!data->IsA(expected->Get(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), 0)))
+  const std::vector<std::string> taken = leafTypes(this->Filter->GetInputPortInformation(port));
+  if (std::none_of(
+        taken.begin(), taken.end(), [data](const std::string& type) { return data->IsA(type.c_str()); }))
   {
-    throw InvalidInput(
-      "it is a " + std::string(data->GetClassName()) + ", not a surface: run Extract Surface first");
+    std::string others;
+    for (std::size_t i = 1; i < taken.size(); ++i)
+    {
+      others += " or " + taken[i];
+    }
+    throw InvalidInput("it is a " + std::string(data->GetClassName()) + ", not a surface" + others +
+                       ": run Extract Surface first");
   }
 }
 

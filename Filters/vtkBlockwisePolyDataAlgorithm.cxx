@@ -15,6 +15,7 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkStringArray.h>
 
 #include <array>
@@ -31,6 +32,7 @@ bool hasResult(vtkDataObject* data)
 {
   return data->GetNumberOfElements(vtkDataObject::POINT) > 0 ||
          data->GetNumberOfElements(vtkDataObject::CELL) > 0 ||
+         data->GetNumberOfElements(vtkDataObject::VERTEX) > 0 ||
          data->GetNumberOfElements(vtkDataObject::ROW) > 0;
 }
 
@@ -96,9 +98,30 @@ int vtkBlockwisePolyDataAlgorithm::FillOutputPortInformation(int vtkNotUsed(port
   return 1;
 }
 
-const char* vtkBlockwisePolyDataAlgorithm::GetBlockOutputType(int vtkNotUsed(port))
+const char* vtkBlockwisePolyDataAlgorithm::GetBlockOutputType(int vtkNotUsed(port),
+  vtkInformationVector** vtkNotUsed(inputVector))
 {
   return "vtkPolyData";
+}
+
+int vtkBlockwisePolyDataAlgorithm::RequestUpdateExtent(vtkInformation* request,
+  vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* input = inputVector[port]->GetInformationObject(i);
+      if (input->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+      {
+        input->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
+          input->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()),
+          6);
+      }
+    }
+  }
+  return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
 }
 
 int vtkBlockwisePolyDataAlgorithm::CreateOutputs(vtkInformationVector** inputVector,
@@ -108,7 +131,7 @@ int vtkBlockwisePolyDataAlgorithm::CreateOutputs(vtkInformationVector** inputVec
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
     const char* type = leading >= 0 ? vtkDataObject::GetData(inputVector[leading])->GetClassName()
-                                    : this->GetBlockOutputType(port);
+                                    : this->GetBlockOutputType(port, inputVector);
     vtkDataObject* output = vtkDataObject::GetData(outputVector, port);
     if (!output || std::string(output->GetClassName()) != type)
     {
@@ -117,6 +140,24 @@ int vtkBlockwisePolyDataAlgorithm::CreateOutputs(vtkInformationVector** inputVec
     }
   }
   return 1;
+}
+
+void vtkBlockwisePolyDataAlgorithm::CreateBlockOutputs(vtkInformationVector** blockInputs,
+  vtkInformationVector* results)
+{
+  vtkDataObject* first = vtkDataObject::GetData(blockInputs[0]);
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    const auto result = vtk::TakeSmartPointer(
+      vtkDataObjectTypes::NewDataObject(this->GetBlockOutputType(port, blockInputs)));
+    if (first) // as the pipeline does with inputs that are not composite
+    {
+      result->GetFieldData()->PassData(first->GetFieldData());
+    }
+    vtkNew<vtkInformation> information;
+    information->Set(vtkDataObject::DATA_OBJECT(), result);
+    results->Append(information);
+  }
 }
 
 int vtkBlockwisePolyDataAlgorithm::RequestBlocks(vtkInformation* request,
@@ -151,17 +192,14 @@ int vtkBlockwisePolyDataAlgorithm::RequestBlocks(vtkInformation* request,
         this->BlockPrefix = "block " + names.at(leaf->GetCurrentFlatIndex()) + ": ";
         this->SetProgressShiftScale(done / count, 1.0 / count);
         vtkNew<vtkInformationVector> results;
-        for (int port = 0; port < ports; ++port)
-        {
-          const auto result =
-            vtk::TakeSmartPointer(vtkDataObjectTypes::NewDataObject(this->GetBlockOutputType(port)));
-          result->GetFieldData()->PassData(leaf->GetCurrentDataObject()->GetFieldData());
-          vtkNew<vtkInformation> information;
-          information->Set(vtkDataObject::DATA_OBJECT(), result);
-          results->Append(information);
-        }
-        flattening::runFilter(
-          this, results, [&] { this->RequestData(request, inputs.of(leaf), results); });
+        flattening::runFilter(this,
+          results,
+          [&]
+          {
+            vtkInformationVector** blockInputs = inputs.of(leaf);
+            this->CreateBlockOutputs(blockInputs, results);
+            this->RequestData(request, blockInputs, results);
+          });
         this->BlockPrefix.clear();
         this->SetProgressShiftScale(0.0, 1.0);
         if (flattening::abortRequested(this))
@@ -171,7 +209,7 @@ int vtkBlockwisePolyDataAlgorithm::RequestBlocks(vtkInformation* request,
         for (int port = 0; port < ports; ++port)
         {
           vtkDataObject* result = vtkDataObject::GetData(results, port);
-          outputs[port]->SetDataSet(leaf, hasResult(result) ? result : nullptr);
+          outputs[port]->SetDataSet(leaf, result && hasResult(result) ? result : nullptr);
         }
         done += 1.0;
       }

@@ -3,10 +3,10 @@
  * @class   vtkBlockwisePolyDataAlgorithm
  * @brief   takes a surface, or every surface of a composite data set
  *
- * A filter derived from this class implements RequestData for vtkPolyData alone. If an input is a
- * vtkMultiBlockDataSet, vtkPartitionedDataSet or vtkPartitionedDataSetCollection, RequestData is called
- * once for each of its blocks (leaves), and every output port is a composite data set of the same
- * structure and names. Progress runs once from 0 to 1 over all blocks.
+ * A filter derived from this class implements RequestData for data sets that are not composite. If an
+ * input is a vtkMultiBlockDataSet, vtkPartitionedDataSet or vtkPartitionedDataSetCollection, RequestData
+ * is called once for each of its blocks (leaves), and every output port is a composite data set of the
+ * same structure and names. Progress runs once from 0 to 1 over all blocks.
  *
  * A block that fails is left out of the output (its leaf is null), and the others go on. There is one
  * error for it, which begins with the block's name (or, without one, its flat index):
@@ -75,9 +75,18 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) final;
 
   /**
-   * The class of what RequestData writes to an output port: vtkPolyData unless overridden.
+   * The class of what RequestData writes to an output port for these inputs, none of which is composite:
+   * vtkPolyData unless overridden.
    */
-  virtual const char* GetBlockOutputType(int port);
+  virtual const char* GetBlockOutputType(int port, vtkInformationVector** inputVector);
+
+  /**
+   * Asks for the whole of inputs that come in extents, such as images: without, the extent of an image
+   * that is an output would be asked of them.
+   */
+  int RequestUpdateExtent(vtkInformation* request,
+    vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
 private:
   int CreateOutputs(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
@@ -85,6 +94,7 @@ private:
     vtkInformationVector** inputVector,
     vtkInformationVector* outputVector,
     int leadingPort);
+  void CreateBlockOutputs(vtkInformationVector** blockInputs, vtkInformationVector* results);
 
   std::string BlockPrefix;
   std::vector<std::string> BlockErrors;

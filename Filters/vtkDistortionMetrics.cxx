@@ -250,9 +250,9 @@ vtkTable* vtkDistortionMetrics::GetSummary()
   return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
 }
 
-const char* vtkDistortionMetrics::GetBlockOutputType(int port)
+const char* vtkDistortionMetrics::GetBlockOutputType(int port, vtkInformationVector** inputVector)
 {
-  return port == 1 ? "vtkTable" : this->Superclass::GetBlockOutputType(port);
+  return port == 1 ? "vtkTable" : this->Superclass::GetBlockOutputType(port, inputVector);
 }
 
 int vtkDistortionMetrics::RequestData(vtkInformation* vtkNotUsed(request),

@@ -112,7 +112,7 @@ protected:
   vtkDistortionMetrics();
   ~vtkDistortionMetrics() override;
 
-  const char* GetBlockOutputType(int port) override;
+  const char* GetBlockOutputType(int port, vtkInformationVector** inputVector) override;
   int RequestData(vtkInformation* request,
     vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

@@ -133,7 +133,8 @@ double sideOf(vtkPolyData* map)
 
 } // namespace
 
-const char* vtkFlatMapImage::GetBlockOutputType(int vtkNotUsed(port))
+const char* vtkFlatMapImage::GetBlockOutputType(int vtkNotUsed(port),
+  vtkInformationVector** vtkNotUsed(inputVector))
 {
   return "vtkImageData";
 }

@@ -86,7 +86,7 @@ protected:
   vtkFlatMapImage() = default;
   ~vtkFlatMapImage() override = default;
 
-  const char* GetBlockOutputType(int port) override;
+  const char* GetBlockOutputType(int port, vtkInformationVector** inputVector) override;
   int RequestInformation(vtkInformation* request,
     vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

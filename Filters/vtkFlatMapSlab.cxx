@@ -118,9 +118,9 @@ int vtkFlatMapSlab::FillInputPortInformation(int port, vtkInformation* info)
   return this->Superclass::FillInputPortInformation(port, info);
 }
 
-const char* vtkFlatMapSlab::GetBlockOutputType(int port)
+const char* vtkFlatMapSlab::GetBlockOutputType(int port, vtkInformationVector** inputVector)
 {
-  return port == 1 ? "vtkImageData" : this->Superclass::GetBlockOutputType(port);
+  return port == 1 ? "vtkImageData" : this->Superclass::GetBlockOutputType(port, inputVector);
 }
 
 int vtkFlatMapSlab::RequestInformation(vtkInformation* vtkNotUsed(request),
@@ -131,21 +131,6 @@ int vtkFlatMapSlab::RequestInformation(vtkInformation* vtkNotUsed(request),
   const int extent[6] = { 0, this->StackSize - 1, 0, this->StackSize - 1, 0, layers - 1 };
   outputVector->GetInformationObject(1)->Set(
     vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  return 1;
-}
-
-int vtkFlatMapSlab::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector,
-  vtkInformationVector* vtkNotUsed(outputVector))
-{
-  // Else the extent of the stack would be asked of the volume.
-  vtkInformation* volume = inputVector[1]->GetInformationObject(0);
-  if (volume && volume->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
-  {
-    volume->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
-      volume->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()),
-      6);
-  }
   return 1;
 }
 

@@ -105,11 +105,8 @@ protected:
   ~vtkFlatMapSlab() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  const char* GetBlockOutputType(int port) override;
+  const char* GetBlockOutputType(int port, vtkInformationVector** inputVector) override;
   int RequestInformation(vtkInformation* request,
-    vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request,
     vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request,

@@ -146,9 +146,9 @@ int vtkFlattenRegion::FillInputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
-const char* vtkFlattenRegion::GetBlockOutputType(int port)
+const char* vtkFlattenRegion::GetBlockOutputType(int port, vtkInformationVector** inputVector)
 {
-  return port == 1 ? "vtkTable" : this->Superclass::GetBlockOutputType(port);
+  return port == 1 ? "vtkTable" : this->Superclass::GetBlockOutputType(port, inputVector);
 }
 
 std::vector<char> vtkFlattenRegion::LabelledFaces(vtkPolyData* input, const TriangleMesh& mesh)

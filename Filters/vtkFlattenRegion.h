@@ -148,7 +148,7 @@ protected:
   ~vtkFlattenRegion() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  const char* GetBlockOutputType(int port) override;
+  const char* GetBlockOutputType(int port, vtkInformationVector** inputVector) override;
   int RequestData(vtkInformation* request,
     vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

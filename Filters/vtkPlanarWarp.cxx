@@ -7,14 +7,12 @@
 #include "FilterExecution.h"
 #include "PolyDataConversion.h"
 
-#include <vtkDataObjectTypes.h>
 #include <vtkDirectedGraph.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkUndirectedGraph.h>
 
@@ -57,7 +55,7 @@ vtkPlanarWarp::vtkPlanarWarp()
 
 int vtkPlanarWarp::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  this->Superclass::FillInputPortInformation(port, info);
   if (port == 1)
   {
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkGraph");
@@ -66,28 +64,18 @@ int vtkPlanarWarp::FillInputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
-int vtkPlanarWarp::RequestDataObject(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
+const char* vtkPlanarWarp::GetBlockOutputType(int vtkNotUsed(port), vtkInformationVector** inputVector)
 {
   vtkDataObject* data = vtkDataObject::GetData(inputVector[1]);
-  vtkInformation* info = outputVector->GetInformationObject(0);
-  int type = VTK_POLY_DATA;
   if (vtkImageData::SafeDownCast(data) && this->ImageOutput == RESAMPLED_IMAGE)
   {
-    type = VTK_IMAGE_DATA;
+    return "vtkImageData";
   }
-  else if (vtkGraph::SafeDownCast(data))
+  if (vtkGraph::SafeDownCast(data))
   {
-    type = vtkDirectedGraph::SafeDownCast(data) ? VTK_DIRECTED_GRAPH : VTK_UNDIRECTED_GRAPH;
+    return vtkDirectedGraph::SafeDownCast(data) ? "vtkDirectedGraph" : "vtkUndirectedGraph";
   }
-  vtkDataObject* output = vtkDataObject::GetData(info);
-  if (!output || output->GetDataObjectType() != type)
-  {
-    const auto made = vtkSmartPointer<vtkDataObject>::Take(vtkDataObjectTypes::NewDataObject(type));
-    info->Set(vtkDataObject::DATA_OBJECT(), made);
-  }
-  return 1;
+  return "vtkPolyData";
 }
 
 int vtkPlanarWarp::RequestInformation(vtkInformation* vtkNotUsed(request),
@@ -103,20 +91,6 @@ int vtkPlanarWarp::RequestInformation(vtkInformation* vtkNotUsed(request),
     const int width = chosenSize(this->ImageSize) ? this->ImageSize[0] : extent[1] - extent[0] + 1;
     const int height = chosenSize(this->ImageSize) ? this->ImageSize[1] : extent[3] - extent[2] + 1;
     info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), 0, width - 1, 0, height - 1, 0, 0);
-  }
-  return 1;
-}
-
-int vtkPlanarWarp::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector,
-  vtkInformationVector* vtkNotUsed(outputVector))
-{
-  vtkInformation* data = inputVector[1]->GetInformationObject(0);
-  if (data->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
-  {
-    int extent[6];
-    data->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-    data->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
   }
   return 1;
 }
@@ -144,9 +118,11 @@ int vtkPlanarWarp::RequestData(vtkInformation* vtkNotUsed(request),
       const flattening::PlanarWarp warp(mesh, positions);
       if (warp.facesDown())
       {
-        vtkWarningMacro("the mesh faced down (towards negative z) before it was flattened, so what it "
-                        "carries is mirrored: turn its triangles over first, e.g. with Flip Normals in "
-                        "Generate Surface Normals");
+        vtkWarningMacro(
+          << this->GetBlockPrefix()
+          << "the mesh faced down (towards negative z) before it was flattened, so what it "
+             "carries is mirrored: turn its triangles over first, e.g. with Flip Normals in "
+             "Generate Surface Normals");
       }
       const auto progress = flattening::progressOf(this);
       const flattening::CarryRules rules{ warp,

@@ -27,6 +27,9 @@
  * mesh (of a resampled image: pixels of the flat map that lie outside the image); `InsertedPoints`, on
  * lines and edges.
  *
+ * Several data sets may lie on one mesh: port 1 takes composite data sets of any of these, block by
+ * block, and so does port 0 (vtkBlockwisePolyDataAlgorithm).
+ *
  * An empty input on either port gives an empty output. Errors, each with an empty output: no array
  * `SurfacePoints`, an undeformed mesh that is not in a plane of constant z or folds over itself, data
  * none of which lies on the mesh, a graph whose vertices have no positions, an image of several slices,
@@ -40,15 +43,13 @@
 
 #include "SurfaceFlatteningFiltersModule.h" // for the export macro
 
-#include <vtkDataObjectAlgorithm.h>
+#include "vtkBlockwisePolyDataAlgorithm.h"
 
-class vtkPolyData;
-
-class SURFACEFLATTENINGFILTERS_EXPORT vtkPlanarWarp : public vtkDataObjectAlgorithm
+class SURFACEFLATTENINGFILTERS_EXPORT vtkPlanarWarp : public vtkBlockwisePolyDataAlgorithm
 {
 public:
   static vtkPlanarWarp* New();
-  vtkTypeMacro(vtkPlanarWarp, vtkDataObjectAlgorithm);
+  vtkTypeMacro(vtkPlanarWarp, vtkBlockwisePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -135,18 +136,19 @@ public:
   vtkBooleanMacro(NearestPixel, bool);
   ///@}
 
+  /**
+   * What was carried: vtkPolyData, vtkDirectedGraph, vtkUndirectedGraph, vtkImageData, or a composite
+   * data set.
+   */
+  vtkDataObject* GetOutput() { return this->GetOutputDataObject(0); }
+
 protected:
   vtkPlanarWarp();
   ~vtkPlanarWarp() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestDataObject(vtkInformation* request,
-    vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  const char* GetBlockOutputType(int port, vtkInformationVector** inputVector) override;
   int RequestInformation(vtkInformation* request,
-    vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request,
     vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request,
