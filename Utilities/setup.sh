@@ -19,6 +19,7 @@ if [ "${1:-}" = --vtk ]; then
   packages+=(libvtk9-dev python3-vtk9)
 else
   packages+=(paraview paraview-dev python3-paraview mricron-data)
+  packages+=(qtbase5-dev) # puts the icons into the plugin, which goes without them otherwise; 47 MB
 fi
 
 missing=()

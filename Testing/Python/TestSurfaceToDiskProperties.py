@@ -71,6 +71,12 @@ cap = disk(ball, Cut="Plane", PlaneOrigin=[0, 0, 4], PlaneNormal=[0, 0, 2])
 close(figure(cap, "SurfaceArea"), 0.3 * ball_area, 0.01)  # Archimedes
 assert cap.GetBounds()[4] > 3.999
 
+# A point at 0 0 0 is not taken for one that was left alone.
+beside = Sphere(Radius=10, Center=[5, 0, 0], ThetaResolution=40, PhiResolution=40)
+beside.UpdatePipeline()
+right = disk(beside, Cut="Plane", PlaneOrigin=[0, 0, 0])
+close(figure(right, "SurfaceArea"), 0.75 * ball_area, 0.01)
+
 # --- Region of interest: the half of the ball where the hole would be ------------------------------------
 centre = plain.GetFieldData().GetArray("HoleCentre").GetTuple3(0)
 marked = Calculator(

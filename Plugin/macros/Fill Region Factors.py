@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Macro: a row for every label in the table of the Area Weights that is selected in the pipeline browser."""
+
+# First, for it lets Python find the modules of plugins.
+from paraview import simple  # isort: skip
+from surfaceflattening_regions import fill_region_factors
+
+fill_region_factors(simple.GetActiveSource())
