@@ -1,17 +1,19 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, times Surface To Disk on surfaces of real scans with up to 700 handles and
 # every stage of the flattening on a real brain and on surfaces as in the paper, compares the methods of the
-# conformal disk on the same, compares area-preserving maps on half a brain, changes the weight of a region, and
-# prints the figures as Markdown tables; draws the conformal disk's error on surfaces with known maps, area error
-# against angle error of the area-preserving maps, and time against size. The JSON output of Google Benchmark and the
-# pictures stay in the build folder. Safe to run again. Let nothing else run meanwhile.
+# conformal disk on the same, compares area-preserving maps on half a brain, changes the weight of a region, carries
+# a million points to flat maps and back, looks up pixels there, computes mesh saliency, and prints the figures as
+# Markdown tables; draws the conformal disk's error on surfaces with known maps, area error against angle error of the
+# area-preserving maps, and time against size. The JSON output of Google Benchmark and the pictures stay in the build
+# folder. Safe to run again. Let nothing else run meanwhile.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 Utilities/build.sh -DSURFACEFLATTENING_BENCHMARKS=ON
 build=${BUILD_DIRECTORY:-build}
 results=()
-for benchmark in BenchmarkSurfaceToDisk BenchmarkFlattening BenchmarkConformal BenchmarkAreaMaps BenchmarkInteractive; do
+for benchmark in BenchmarkSurfaceToDisk BenchmarkFlattening BenchmarkConformal BenchmarkAreaMaps BenchmarkInteractive \
+  BenchmarkFlatMap BenchmarkSaliency; do
   results+=("$build/Testing/$benchmark.json")
   "$build/Testing/bin/$benchmark" --benchmark_out="${results[-1]}" --benchmark_out_format=json "$@" >/dev/null
 done

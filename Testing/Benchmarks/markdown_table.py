@@ -155,6 +155,21 @@ INTERACTIVE = {
     "angle error ": lambda b: f"{b['cold_angle_error']:.1f}°",
 }
 
+FLAT_MAP = {
+    "surface": TIMES["surface"],
+    "triangles": lambda b: f"{b['faces']:,.0f}",
+    "greatest error, of the diagonal": lambda b: f"{b['greatest_error']:.0e}",
+    "lost": lambda b: f"{b['lost']:.0f}",
+    "1024 x 1024 pixels looked up (s)": lambda b: f"{b['pixels_cpu_seconds']:.1f}",
+}
+
+SALIENCY = {
+    "surface": TIMES["surface"],
+    "points": TIMES["vertices"],
+    "processor time (s)": lambda b: f"{b['saliency_cpu_seconds']:.1f}",
+    "by the clock (s)": lambda b: f"{b['saliency_seconds']:.1f}",
+}
+
 
 def table(columns, benchmarks):
     yield "| " + " | ".join(name.strip() for name in columns) + " |"
@@ -178,6 +193,10 @@ def main(paths):
             kinds = [AREA_MAPS]
         elif "warm_seconds" in benchmarks[0]:
             kinds = [INTERACTIVE]
+        elif "greatest_error" in benchmarks[0]:
+            kinds = [FLAT_MAP]
+        elif "saliency_seconds" in benchmarks[0]:
+            kinds = [SALIENCY]
         else:
             kinds = [TIMES, ERRORS, CELLS, PLAIN, PAPER, FLOWS]
         for columns in kinds:

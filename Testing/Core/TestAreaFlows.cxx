@@ -76,6 +76,7 @@ void expectAdvectionToTheKnownMap(const SurfaceOfRevolution& surface)
             << rms(flow.Positions - known) << "\n";
   EXPECT_TRUE(flow.Converged);
   EXPECT_GT(flow.Steps, 0);
+  EXPECT_LE(flow.Steps, 10); // a step divides the error by e, or its root or fourth root
   EXPECT_LE(error, 0.01);
   EXPECT_LT(rms(flow.Positions - known), 0.05 * rms(conformal - known));
   expectOnTheDisk(mesh, flow.Positions);
