@@ -34,7 +34,7 @@ public:
   /// @throws InvalidInput if another composite input has another number of leaves.
   BlockInputs(vtkAlgorithm* filter, vtkInformationVector** inputs, int leadingPort);
 
-  /// For RequestData, valid until the next call.
+  /// Valid until the next call.
   /// @throws InvalidInput if a port has nothing for this leaf, or not what the filter takes.
   vtkInformationVector** of(vtkCompositeDataIterator* leaf);
 

@@ -23,9 +23,11 @@
 namespace flattening
 {
 
-bool isEmpty(vtkPolyData* data)
+bool isEmpty(vtkDataObject* data)
 {
-  return !data || (data->GetNumberOfPoints() == 0 && data->GetNumberOfCells() == 0);
+  return !data || (data->GetNumberOfElements(vtkDataObject::POINT) == 0 &&
+                    data->GetNumberOfElements(vtkDataObject::CELL) == 0 &&
+                    data->GetNumberOfElements(vtkDataObject::VERTEX) == 0);
 }
 
 namespace

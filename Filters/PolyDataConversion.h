@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+class vtkDataObject;
 class vtkFieldData;
 class vtkPoints;
 class vtkPolyData;
@@ -17,8 +18,8 @@ namespace flattening
 /// Name of the point array (double x 3, input units) that says where each flattened point came from.
 inline constexpr const char* SurfacePointsName = "SurfacePoints";
 
-/// True if there is nothing to work on: no points and no cells.
-bool isEmpty(vtkPolyData* data);
+/// True if there is nothing to work on: no points, no cells, no vertices of a graph.
+bool isEmpty(vtkDataObject* data);
 
 /// The triangles of @p data with its points; one to one with its points and cells.
 /// @throws InvalidInput if it has cells other than triangles.

@@ -268,74 +268,63 @@ std::vector<double> vtkAreaWeights::ScalarFactors(vtkPolyData* input, const Tria
   return values;
 }
 
-int vtkAreaWeights::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
+void vtkAreaWeights::Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (flattening::isEmpty(input))
+  const TriangleMesh mesh = flattening::surfaceInSpace(input);
+  const Eigen::VectorXd areas = flattening::vertexAreas(
+    mesh.Faces, flattening::faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount());
+  Eigen::VectorXd weights = earlierWeights(input);
+  std::vector<WeightedRegion> regions;
+  if (this->WeightsFrom == SCALARS)
   {
-    return 1;
+    const std::vector<double> factors = this->ScalarFactors(input, mesh);
+    weights.array() *=
+      Eigen::Map<const Eigen::ArrayXd>(factors.data(), static_cast<Eigen::Index>(factors.size()));
   }
-  return flattening::runFilter(this,
-    outputVector,
-    [&]
+  else
+  {
+    if (this->WeightsFrom == SELECTION)
     {
-      const TriangleMesh mesh = flattening::surfaceInSpace(input);
-      const Eigen::VectorXd areas = flattening::vertexAreas(
-        mesh.Faces, flattening::faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount());
-      Eigen::VectorXd weights = earlierWeights(input);
-      std::vector<WeightedRegion> regions;
-      if (this->WeightsFrom == SCALARS)
-      {
-        const std::vector<double> factors = this->ScalarFactors(input, mesh);
-        weights.array() *=
-          Eigen::Map<const Eigen::ArrayXd>(factors.data(), static_cast<Eigen::Index>(factors.size()));
-      }
-      else
-      {
-        if (this->WeightsFrom == SELECTION)
-        {
-          auto* selection = vtkSelection::GetData(inputVector[1]);
-          regions.push_back(
-            { "the selection", flattening::pointsInSelection(input, selection), this->Factor });
-        }
-        else if (this->WeightsFrom == IMPLICIT_FUNCTION)
-        {
-          regions.push_back({ "the implicit function", this->EnclosedPoints(input), this->Factor });
-        }
-        else
-        {
-          regions = this->LabelRegions(input, mesh);
-        }
-        flattening::report(flattening::progressOf(this), 0.3, "Weighting the regions");
-        const auto meaning = this->FactorMeaning == MAGNIFICATION
-                               ? flattening::FactorMeaning::Magnification
-                               : flattening::FactorMeaning::RelativeToRest;
-        weights.array() *=
-          flattening::regionWeights(mesh, areas.cwiseProduct(weights), regions, meaning, this->EdgeWidth)
-            .Weights.array();
-      }
-      if (!(areas.sum() > 0.0))
-      {
-        throw InvalidInput("the surface has no area: pass a surface with triangles that are not "
-                           "degenerate");
-      }
-      output->ShallowCopy(input);
-      flattening::addPointArray(output, WeightsName, weights);
-      // ParaView proposes the active array, to colour by and as the weights of OMT Area Preserving.
-      output->GetPointData()->SetActiveScalars(WeightsName);
-      vtkFieldData* figures = output->GetFieldData();
-      if (!regions.empty())
-      {
-        setRegionFigures(figures, regions, areas, weights);
-      }
-      const auto range = flattening::magnificationRange(areas, weights);
-      flattening::setFigure(figures, "SmallestMagnification", range.Smallest);
-      flattening::setFigure(figures, "GreatestMagnification", range.Greatest);
-      flattening::report(flattening::progressOf(this), 1.0, "Done");
-    });
+      auto* selection = vtkSelection::GetData(inputVector[1]);
+      regions.push_back(
+        { "the selection", flattening::pointsInSelection(input, selection), this->Factor });
+    }
+    else if (this->WeightsFrom == IMPLICIT_FUNCTION)
+    {
+      regions.push_back({ "the implicit function", this->EnclosedPoints(input), this->Factor });
+    }
+    else
+    {
+      regions = this->LabelRegions(input, mesh);
+    }
+    flattening::report(flattening::progressOf(this), 0.3, "Weighting the regions");
+    const auto meaning = this->FactorMeaning == MAGNIFICATION
+                           ? flattening::FactorMeaning::Magnification
+                           : flattening::FactorMeaning::RelativeToRest;
+    weights.array() *=
+      flattening::regionWeights(mesh, areas.cwiseProduct(weights), regions, meaning, this->EdgeWidth)
+        .Weights.array();
+  }
+  if (!(areas.sum() > 0.0))
+  {
+    throw InvalidInput("the surface has no area: pass a surface with triangles that are not "
+                       "degenerate");
+  }
+  output->ShallowCopy(input);
+  flattening::addPointArray(output, WeightsName, weights);
+  // ParaView proposes the active array, to colour by and as the weights of OMT Area Preserving.
+  output->GetPointData()->SetActiveScalars(WeightsName);
+  vtkFieldData* figures = output->GetFieldData();
+  if (!regions.empty())
+  {
+    setRegionFigures(figures, regions, areas, weights);
+  }
+  const auto range = flattening::magnificationRange(areas, weights);
+  flattening::setFigure(figures, "SmallestMagnification", range.Smallest);
+  flattening::setFigure(figures, "GreatestMagnification", range.Greatest);
+  flattening::report(flattening::progressOf(this), 1.0, "Done");
 }
 
 void vtkAreaWeights::PrintSelf(ostream& os, vtkIndent indent)

@@ -177,9 +177,7 @@ protected:
   ~vtkAreaWeights() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request,
-    vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
   int WeightsFrom = LABEL;
   int Label = 1;

@@ -11,6 +11,7 @@
 #include <vtkDemandDrivenPipeline.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
+#include <vtkInformationIntegerKey.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -71,7 +72,7 @@ vtkTypeBool vtkBlockwisePolyDataAlgorithm::ProcessRequest(vtkInformation* reques
     const int leading = flattening::leadingPort(inputVector, this->GetNumberOfInputPorts());
     if (leading >= 0)
     {
-      return this->RequestBlocks(request, inputVector, outputVector, leading);
+      return this->RequestBlocks(inputVector, outputVector, leading);
     }
   }
   return this->Superclass::ProcessRequest(request, inputVector, outputVector);
@@ -142,6 +143,31 @@ int vtkBlockwisePolyDataAlgorithm::CreateOutputs(vtkInformationVector** inputVec
   return 1;
 }
 
+bool vtkBlockwisePolyDataAlgorithm::HasInputs(vtkInformationVector** inputVector)
+{
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    const bool optional =
+      this->GetInputPortInformation(port)->Get(vtkAlgorithm::INPUT_IS_OPTIONAL()) != 0;
+    if (!optional && flattening::isEmpty(vtkDataObject::GetData(inputVector[port])))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+int vtkBlockwisePolyDataAlgorithm::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  if (!this->HasInputs(inputVector))
+  {
+    return 1;
+  }
+  return flattening::runFilter(this, outputVector, [&] { this->Execute(inputVector, outputVector); });
+}
+
 void vtkBlockwisePolyDataAlgorithm::CreateBlockOutputs(vtkInformationVector** blockInputs,
   vtkInformationVector* results)
 {
@@ -160,8 +186,7 @@ void vtkBlockwisePolyDataAlgorithm::CreateBlockOutputs(vtkInformationVector** bl
   }
 }
 
-int vtkBlockwisePolyDataAlgorithm::RequestBlocks(vtkInformation* request,
-  vtkInformationVector** inputVector,
+int vtkBlockwisePolyDataAlgorithm::RequestBlocks(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector,
   int leadingPort)
 {
@@ -198,7 +223,10 @@ int vtkBlockwisePolyDataAlgorithm::RequestBlocks(vtkInformation* request,
           {
             vtkInformationVector** blockInputs = inputs.of(leaf);
             this->CreateBlockOutputs(blockInputs, results);
-            this->RequestData(request, blockInputs, results);
+            if (this->HasInputs(blockInputs))
+            {
+              this->Execute(blockInputs, results);
+            }
           });
         this->BlockPrefix.clear();
         this->SetProgressShiftScale(0.0, 1.0);

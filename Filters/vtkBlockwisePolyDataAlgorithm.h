@@ -3,10 +3,11 @@
  * @class   vtkBlockwisePolyDataAlgorithm
  * @brief   takes a surface, or every surface of a composite data set
  *
- * A filter derived from this class implements RequestData for data sets that are not composite. If an
- * input is a vtkMultiBlockDataSet, vtkPartitionedDataSet or vtkPartitionedDataSetCollection, RequestData
- * is called once for each of its blocks (leaves), and every output port is a composite data set of the
- * same structure and names. Progress runs once from 0 to 1 over all blocks.
+ * A filter derived from this class implements Execute() for data sets that are neither composite nor
+ * empty. Its exceptions become errors, and an empty input an empty output. If an input is a
+ * vtkMultiBlockDataSet, vtkPartitionedDataSet or vtkPartitionedDataSetCollection, Execute() is called
+ * once for each of its blocks (leaves), and every output port is a composite data set of the same
+ * structure and names. Progress runs once from 0 to 1 over all blocks.
  *
  * A block that fails is left out of the output (its leaf is null), and the others go on. There is one
  * error for it, which begins with the block's name (or, without one, its flat index):
@@ -75,7 +76,14 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) final;
 
   /**
-   * The class of what RequestData writes to an output port for these inputs, none of which is composite:
+   * What the filter does. The inputs have data, those that are optional aside; the outputs are new. What
+   * it throws is reported as one error, with word for word the exception's message, and leaves all
+   * outputs empty.
+   */
+  virtual void Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector) = 0;
+
+  /**
+   * The class of what Execute() writes to an output port for these inputs, none of which is composite:
    * vtkPolyData unless overridden.
    */
   virtual const char* GetBlockOutputType(int port, vtkInformationVector** inputVector);
@@ -88,10 +96,17 @@ protected:
     vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-private:
-  int CreateOutputs(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
-  int RequestBlocks(vtkInformation* request,
+  /**
+   * Runs Execute() on inputs that are not composite. Derived classes do not override this.
+   */
+  int RequestData(vtkInformation* request,
     vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) final;
+
+private:
+  bool HasInputs(vtkInformationVector** inputVector);
+  int CreateOutputs(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
+  int RequestBlocks(vtkInformationVector** inputVector,
     vtkInformationVector* outputVector,
     int leadingPort);
   void CreateBlockOutputs(vtkInformationVector** blockInputs, vtkInformationVector* results);

@@ -175,78 +175,67 @@ void setFigures(vtkFieldData* figures, const flattening::ConformalDiskMap& map, 
 
 vtkConformalDiskFilter::vtkConformalDiskFilter() = default;
 
-int vtkConformalDiskFilter::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector,
+void vtkConformalDiskFilter::Execute(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (flattening::isEmpty(input))
+  const flattening::TriangleMesh mesh = flattening::toTriangleMesh(input);
+  const std::vector<int> loop = flattening::requireDisk(mesh);
+  flattening::ConformalDiskMap map;
+  double domainArea = EIGEN_PI;
+  output->ShallowCopy(input);
+  vtkFieldData* figures = output->GetFieldData();
+  removeFigures(figures);
+  if (this->Domain == RECTANGLE)
   {
-    return 1;
+    flattening::ConformalRectangleMap rectangle = flattening::conformalRectangleMap(
+      mesh, rectangleOptions(this, input, mesh, loop), flattening::progressOf(this));
+    map = std::move(rectangle.Map);
+    domainArea = rectangle.Modulus;
+    flattening::setFigure(figures, "Modulus", rectangle.Modulus);
+    flattening::setIds(figures, "CornerPointIds", rectangle.Corners);
+  }
+  else
+  {
+    map =
+      flattening::conformalDiskMap(mesh, diskOptions(this, mesh, loop), flattening::progressOf(this));
   }
 
-  return flattening::runFilter(this,
-    outputVector,
-    [&]
-    {
-      const flattening::TriangleMesh mesh = flattening::toTriangleMesh(input);
-      const std::vector<int> loop = flattening::requireDisk(mesh);
-      flattening::ConformalDiskMap map;
-      double domainArea = EIGEN_PI;
-      output->ShallowCopy(input);
-      vtkFieldData* figures = output->GetFieldData();
-      removeFigures(figures);
-      if (this->Domain == RECTANGLE)
-      {
-        flattening::ConformalRectangleMap rectangle = flattening::conformalRectangleMap(
-          mesh, rectangleOptions(this, input, mesh, loop), flattening::progressOf(this));
-        map = std::move(rectangle.Map);
-        domainArea = rectangle.Modulus;
-        flattening::setFigure(figures, "Modulus", rectangle.Modulus);
-        flattening::setIds(figures, "CornerPointIds", rectangle.Corners);
-      }
-      else
-      {
-        map = flattening::conformalDiskMap(
-          mesh, diskOptions(this, mesh, loop), flattening::progressOf(this));
-      }
-
-      const double area = flattening::faceAreas(mesh.Vertices, mesh.Faces).sum();
-      const double scale = this->NormalizeTo == SURFACE_AREA ? std::sqrt(area / domainArea) : 1.0;
-      output->SetPoints(vtk::TakeSmartPointer(flattening::newPlanarPoints(scale * map.Positions)));
-      flattening::keepSurfaceTextureCoordinates(output);
-      flattening::setTextureCoordinates(output, map.Positions);
-      flattening::deactivateNormals(output);
-      flattening::addSurfacePoints(output, mesh.Vertices);
-      flattening::addPointArray(
-        output, "ConformalFactor", (map.LogFactors.array() + std::log(scale)).matrix());
-      setFigures(figures, map, this->Method);
-      if (map.FlippedFaces > 0)
-      {
-        vtkWarningMacro(
-          << this->GetBlockPrefix() << map.FlippedFaces
-          << " faces of the map are flipped and could not be turned over, so that it is not one-to-one "
-             "there: "
-          << (this->Method == RICCI_FLOW
-                 ? "remesh the surface (Surface To Disk, Remesh)"
-                 : "set Method to Ricci Flow, which moves apart what lies too close together"));
-      }
-      const double anisotropy = boundaryAnisotropy(mesh, loop);
-      flattening::setFigure(figures, "BoundaryAnisotropy", anisotropy);
-      if (this->Domain == DISK && map.SpreadVertices > SpreadShare * mesh.vertexCount())
-      {
-        vtkWarningMacro(<< this->GetBlockPrefix() << map.SpreadVertices << " of " << mesh.vertexCount()
-                        << " points lie in long narrow parts of the surface, which a conformal disk "
-                           "shrinks to less than "
-                           "1e-5 of the rest: they were moved apart, and the map is not conformal "
-                           "there. A disk that keeps "
-                           "areas is stretched "
-                        << anisotropy
-                        << " to 1 along its boundary. If the surface is a tube, cut it "
-                           "open (Surface To Disk, Cut: Seam) and set Domain to Rectangle");
-      }
-    });
+  const double area = flattening::faceAreas(mesh.Vertices, mesh.Faces).sum();
+  const double scale = this->NormalizeTo == SURFACE_AREA ? std::sqrt(area / domainArea) : 1.0;
+  output->SetPoints(vtk::TakeSmartPointer(flattening::newPlanarPoints(scale * map.Positions)));
+  flattening::keepSurfaceTextureCoordinates(output);
+  flattening::setTextureCoordinates(output, map.Positions);
+  flattening::deactivateNormals(output);
+  flattening::addSurfacePoints(output, mesh.Vertices);
+  flattening::addPointArray(
+    output, "ConformalFactor", (map.LogFactors.array() + std::log(scale)).matrix());
+  setFigures(figures, map, this->Method);
+  if (map.FlippedFaces > 0)
+  {
+    vtkWarningMacro(
+      << this->GetBlockPrefix() << map.FlippedFaces
+      << " faces of the map are flipped and could not be turned over, so that it is not one-to-one "
+         "there: "
+      << (this->Method == RICCI_FLOW
+             ? "remesh the surface (Surface To Disk, Remesh)"
+             : "set Method to Ricci Flow, which moves apart what lies too close together"));
+  }
+  const double anisotropy = boundaryAnisotropy(mesh, loop);
+  flattening::setFigure(figures, "BoundaryAnisotropy", anisotropy);
+  if (this->Domain == DISK && map.SpreadVertices > SpreadShare * mesh.vertexCount())
+  {
+    vtkWarningMacro(<< this->GetBlockPrefix() << map.SpreadVertices << " of " << mesh.vertexCount()
+                    << " points lie in long narrow parts of the surface, which a conformal disk "
+                       "shrinks to less than "
+                       "1e-5 of the rest: they were moved apart, and the map is not conformal "
+                       "there. A disk that keeps "
+                       "areas is stretched "
+                    << anisotropy
+                    << " to 1 along its boundary. If the surface is a tube, cut it "
+                       "open (Surface To Disk, Cut: Seam) and set Domain to Rectangle");
+  }
 }
 
 void vtkConformalDiskFilter::PrintSelf(ostream& os, vtkIndent indent)

@@ -227,9 +227,7 @@ protected:
   vtkConformalDiskFilter();
   ~vtkConformalDiskFilter() override = default;
 
-  int RequestData(vtkInformation* request,
-    vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
   int Method = RICCI_FLOW;
   int Domain = DISK;

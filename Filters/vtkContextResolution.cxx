@@ -31,40 +31,29 @@ long long cellsAround(const flattening::TriangleMesh& mesh, const std::vector<ch
 
 } // namespace
 
-int vtkContextResolution::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector,
+void vtkContextResolution::Execute(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (flattening::isEmpty(input))
+  const flattening::TriangleMesh mesh = flattening::toTriangleMesh(input);
+  const flattening::ChosenArray regions = flattening::chosenArray(this, input);
+  if (!regions.Array)
   {
-    return 1;
+    throw flattening::InvalidInput("no array of regions is chosen: choose a point or cell array "
+                                   "that is not 0 in the regions, such "
+                                   "as SaliencyRegion of Mesh Saliency");
   }
-  return flattening::runFilter(this,
-    outputVector,
-    [&]
-    {
-      const flattening::TriangleMesh mesh = flattening::toTriangleMesh(input);
-      const flattening::ChosenArray regions = flattening::chosenArray(this, input);
-      if (!regions.Array)
-      {
-        throw flattening::InvalidInput("no array of regions is chosen: choose a point or cell array "
-                                       "that is not 0 in the regions, such "
-                                       "as SaliencyRegion of Mesh Saliency");
-      }
-      const std::vector<char> inRegion = flattening::pointsWhereNotZero(input, regions);
-      const flattening::DerivedMesh coarse =
-        flattening::coarsenContext(mesh, inRegion, this->ContextFaces, flattening::progressOf(this));
-      flattening::setPart(output, input, coarse);
-      const long long kept = cellsAround(mesh, inRegion);
-      vtkFieldData* figures = output->GetFieldData();
-      flattening::setFigure(figures,
-        "RegionPoints",
-        static_cast<long long>(std::count(inRegion.begin(), inRegion.end(), 1)));
-      flattening::setFigure(figures, "KeptCells", kept);
-      flattening::setFigure(figures, "ContextCells", coarse.Mesh.faceCount() - kept);
-    });
+  const std::vector<char> inRegion = flattening::pointsWhereNotZero(input, regions);
+  const flattening::DerivedMesh coarse =
+    flattening::coarsenContext(mesh, inRegion, this->ContextFaces, flattening::progressOf(this));
+  flattening::setPart(output, input, coarse);
+  const long long kept = cellsAround(mesh, inRegion);
+  vtkFieldData* figures = output->GetFieldData();
+  flattening::setFigure(
+    figures, "RegionPoints", static_cast<long long>(std::count(inRegion.begin(), inRegion.end(), 1)));
+  flattening::setFigure(figures, "KeptCells", kept);
+  flattening::setFigure(figures, "ContextCells", coarse.Mesh.faceCount() - kept);
 }
 
 void vtkContextResolution::PrintSelf(ostream& os, vtkIndent indent)

@@ -53,9 +53,7 @@ protected:
   vtkContextResolution() = default;
   ~vtkContextResolution() override = default;
 
-  int RequestData(vtkInformation* request,
-    vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
   int ContextFaces = 10000;
 

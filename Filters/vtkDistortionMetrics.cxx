@@ -255,63 +255,52 @@ const char* vtkDistortionMetrics::GetBlockOutputType(int port, vtkInformationVec
   return port == 1 ? "vtkTable" : this->Superclass::GetBlockOutputType(port, inputVector);
 }
 
-int vtkDistortionMetrics::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector,
+void vtkDistortionMetrics::Execute(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkTable* table = vtkTable::GetData(outputVector, 1);
-  if (flattening::isEmpty(input))
+  const flattening::ProgressCallback progress = flattening::progressOf(this);
+  flattening::report(progress, 0.0, "Reading the flattened surface");
+  const TriangleMesh surface = flattening::surfaceOfFlattened(input);
+  const flattening::Points2 flat = flattening::toPlanarPositions(input);
+  Eigen::VectorXd weights;
+  if (this->UseTargetArea)
   {
-    return 1;
+    weights = weightsFromTargetArea(input, surface);
+  }
+  Regions regions;
+  const flattening::ChosenArray chosen = this->UseRegionArray
+                                           ? flattening::chosenArray(this, input, "the region array")
+                                           : flattening::ChosenArray();
+  if (chosen.Array)
+  {
+    const std::vector<Label> labelOfFace = faceLabels(chosen, surface);
+    for (int f = 0; f < surface.faceCount(); ++f)
+    {
+      regions[labelOfFace[f]].push_back(f);
+    }
   }
 
-  return flattening::runFilter(this,
-    outputVector,
-    [&]
-    {
-      const flattening::ProgressCallback progress = flattening::progressOf(this);
-      flattening::report(progress, 0.0, "Reading the flattened surface");
-      const TriangleMesh surface = flattening::surfaceOfFlattened(input);
-      const flattening::Points2 flat = flattening::toPlanarPositions(input);
-      Eigen::VectorXd weights;
-      if (this->UseTargetArea)
-      {
-        weights = weightsFromTargetArea(input, surface);
-      }
-      Regions regions;
-      const flattening::ChosenArray chosen = this->UseRegionArray
-                                               ? flattening::chosenArray(this, input, "the region array")
-                                               : flattening::ChosenArray();
-      if (chosen.Array)
-      {
-        const std::vector<Label> labelOfFace = faceLabels(chosen, surface);
-        for (int f = 0; f < surface.faceCount(); ++f)
-        {
-          regions[labelOfFace[f]].push_back(f);
-        }
-      }
+  flattening::report(progress, 0.2, "Measuring the faces");
+  const FaceDistortion distortion = flattening::measureDistortion(surface, flat, weights);
+  output->ShallowCopy(input);
+  addCellArrays(output, distortion);
+  flattening::setTextureCoordinates(output, flat);
 
-      flattening::report(progress, 0.2, "Measuring the faces");
-      const FaceDistortion distortion = flattening::measureDistortion(surface, flat, weights);
-      output->ShallowCopy(input);
-      addCellArrays(output, distortion);
-      flattening::setTextureCoordinates(output, flat);
-
-      flattening::report(progress, 0.6, "Summing up the regions");
-      std::vector<Row> rows;
-      for (const auto& [label, faces] : regions)
-      {
-        rows.push_back({ static_cast<vtkIdType>(label),
-          regionName(input->GetFieldData(), this->RegionNamesArray, label),
-          flattening::summariseDistortion(distortion, faces) });
-      }
-      rows.push_back({ -1, "Total", flattening::summariseDistortion(distortion) });
-      fillTable(table, rows);
-      setFigures(output->GetFieldData(), rows.back().Summary);
-      flattening::report(progress, 1.0, "Done");
-    });
+  flattening::report(progress, 0.6, "Summing up the regions");
+  std::vector<Row> rows;
+  for (const auto& [label, faces] : regions)
+  {
+    rows.push_back({ static_cast<vtkIdType>(label),
+      regionName(input->GetFieldData(), this->RegionNamesArray, label),
+      flattening::summariseDistortion(distortion, faces) });
+  }
+  rows.push_back({ -1, "Total", flattening::summariseDistortion(distortion) });
+  fillTable(table, rows);
+  setFigures(output->GetFieldData(), rows.back().Summary);
+  flattening::report(progress, 1.0, "Done");
 }
 
 void vtkDistortionMetrics::PrintSelf(ostream& os, vtkIndent indent)

@@ -113,9 +113,7 @@ protected:
   ~vtkDistortionMetrics() override;
 
   const char* GetBlockOutputType(int port, vtkInformationVector** inputVector) override;
-  int RequestData(vtkInformation* request,
-    vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
   bool UseTargetArea = true;
   bool UseRegionArray = true;

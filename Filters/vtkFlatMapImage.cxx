@@ -171,52 +171,41 @@ int vtkFlatMapImage::RequestInformation(vtkInformation* vtkNotUsed(request),
   return 1;
 }
 
-int vtkFlatMapImage::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
+void vtkFlatMapImage::Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkImageData* output = vtkImageData::GetData(outputVector);
-  if (flattening::isEmpty(input))
+  const flattening::ProgressCallback progress = flattening::progressOf(this);
+  flattening::report(progress, 0.0, "Reading the flat map");
+  const flattening::TriangleMesh surface = flattening::surfaceOfFlattened(input);
+  const flattening::Points2 positions = flattening::toPlanarPositions(input);
+  const flattening::FlatMapLocation map(surface, positions);
+  const flattening::TextureSquare square = flattening::textureSquare(positions);
+  if (const double pixels = this->PixelsFor(square.Side); !(pixels <= GreatestSize))
   {
-    return 1;
+    std::ostringstream text;
+    text << "the map is " << square.Side << " wide, which is " << pixels << " pixels of "
+         << this->PixelLength << ", more than " << GreatestSize << ": raise PixelLength";
+    throw flattening::InvalidInput(text.str());
   }
-  return flattening::runFilter(this,
-    outputVector,
-    [&]
-    {
-      const flattening::ProgressCallback progress = flattening::progressOf(this);
-      flattening::report(progress, 0.0, "Reading the flat map");
-      const flattening::TriangleMesh surface = flattening::surfaceOfFlattened(input);
-      const flattening::Points2 positions = flattening::toPlanarPositions(input);
-      const flattening::FlatMapLocation map(surface, positions);
-      const flattening::TextureSquare square = flattening::textureSquare(positions);
-      if (const double pixels = this->PixelsFor(square.Side); !(pixels <= GreatestSize))
-      {
-        std::ostringstream text;
-        text << "the map is " << square.Side << " wide, which is " << pixels << " pixels of "
-             << this->PixelLength << ", more than " << GreatestSize << ": raise PixelLength";
-        throw flattening::InvalidInput(text.str());
-      }
-      const int size = static_cast<int>(this->PixelsFor(square.Side));
-      const PixelGrid grid = gridOver(square, size);
-      const std::vector<MapPlace> places = flattening::placesOfPixels(
-        map, grid, this->Margin * grid.Length, flattening::subrange(progress, 0.1, 0.5));
+  const int size = static_cast<int>(this->PixelsFor(square.Side));
+  const PixelGrid grid = gridOver(square, size);
+  const std::vector<MapPlace> places = flattening::placesOfPixels(
+    map, grid, this->Margin * grid.Length, flattening::subrange(progress, 0.1, 0.5));
 
-      flattening::report(progress, 0.5, "Sampling the arrays");
-      output->SetExtent(0, size - 1, 0, size - 1, 0, 0);
-      output->SetOrigin(grid.First.x(), grid.First.y(), 0.0);
-      output->SetSpacing(grid.Length, grid.Length, grid.Length);
-      vtkPointData* pixels = output->GetPointData();
-      flattening::transferPointData(
-        input->GetPointData(), cornersOf(places, surface.Faces, surface.vertexCount()), pixels);
-      addCellArrays(input, places, pixels);
-      setNoNumber(pixels, places);
-      const long long count = addInverse(places, pixels);
-      flattening::setFigure(output->GetFieldData(), "PixelLength", grid.Length);
-      flattening::setFigure(output->GetFieldData(), "PixelsInMap", count);
-      flattening::report(progress, 1.0, "Done");
-    });
+  flattening::report(progress, 0.5, "Sampling the arrays");
+  output->SetExtent(0, size - 1, 0, size - 1, 0, 0);
+  output->SetOrigin(grid.First.x(), grid.First.y(), 0.0);
+  output->SetSpacing(grid.Length, grid.Length, grid.Length);
+  vtkPointData* pixels = output->GetPointData();
+  flattening::transferPointData(
+    input->GetPointData(), cornersOf(places, surface.Faces, surface.vertexCount()), pixels);
+  addCellArrays(input, places, pixels);
+  setNoNumber(pixels, places);
+  const long long count = addInverse(places, pixels);
+  flattening::setFigure(output->GetFieldData(), "PixelLength", grid.Length);
+  flattening::setFigure(output->GetFieldData(), "PixelsInMap", count);
+  flattening::report(progress, 1.0, "Done");
 }
 
 void vtkFlatMapImage::PrintSelf(ostream& os, vtkIndent indent)

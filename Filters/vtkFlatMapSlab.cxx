@@ -154,73 +154,58 @@ void vtkFlatMapSlab::RequireDepths() const
   }
 }
 
-int vtkFlatMapSlab::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
+void vtkFlatMapSlab::Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkImageData* volume = vtkImageData::GetData(inputVector[1]);
-  if (flattening::isEmpty(input) || !volume || volume->GetNumberOfPoints() == 0)
+  const flattening::ProgressCallback progress = flattening::progressOf(this);
+  flattening::report(progress, 0.0, "Reading the flat map");
+  this->RequireDepths();
+  const flattening::TriangleMesh surface = flattening::surfaceOfFlattened(input);
+  const Points3 normals = flattening::vertexNormals(surface);
+  const double sign = this->Outwards ? 1.0 : -1.0;
+  const flattening::VolumeSampling sampling(volume, this->NearestVoxel);
+  const flattening::Layers layers = flattening::sampleLayers(
+    sampling, surface.Vertices, sign * normals, this->Depths, flattening::subrange(progress, 0.1, 0.4));
+
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  output->ShallowCopy(input);
+  addVectors(output, NormalsName, normals);
+  flattening::addSlabArrays(output, layers, this->Depths);
+  const long long outside = flattening::addMask(output, layers);
+  if (outside == surface.vertexCount() * static_cast<long long>(this->Depths.size()))
   {
-    return 1;
+    throw InvalidInput("no sample lies in the volume: pass the volume that the surface came from, in "
+                       "the same coordinates");
   }
-  return flattening::runFilter(this,
-    outputVector,
-    [&]
-    {
-      const flattening::ProgressCallback progress = flattening::progressOf(this);
-      flattening::report(progress, 0.0, "Reading the flat map");
-      this->RequireDepths();
-      const flattening::TriangleMesh surface = flattening::surfaceOfFlattened(input);
-      const Points3 normals = flattening::vertexNormals(surface);
-      const double sign = this->Outwards ? 1.0 : -1.0;
-      const flattening::VolumeSampling sampling(volume, this->NearestVoxel);
-      const flattening::Layers layers = flattening::sampleLayers(sampling,
-        surface.Vertices,
-        sign * normals,
+  flattening::setDepths(output, this->Depths);
+  flattening::setFigure(output->GetFieldData(), "OutsideSamples", outside);
+
+  vtkImageData* stack = vtkImageData::GetData(outputVector, 1);
+  if (this->StackSize > 1)
+  {
+    flattening::report(progress, 0.4, "Looking up the pixels");
+    const vtkSmartPointer<vtkImageData> pixels = pixelsOf(output, this->StackSize);
+    // Interpolated normals are shorter than 1.
+    const Points3 direction =
+      vectorsOf(pixels->GetPointData()->GetArray(NormalsName)).rowwise().normalized();
+    flattening::fillStack(stack,
+      pixels,
+      flattening::sampleLayers(sampling,
+        vectorsOf(pixels->GetPointData()->GetArray(flattening::SurfacePointsName)),
+        sign * direction,
         this->Depths,
-        flattening::subrange(progress, 0.1, 0.4));
-
-      vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-      output->ShallowCopy(input);
-      addVectors(output, NormalsName, normals);
-      flattening::addSlabArrays(output, layers, this->Depths);
-      const long long outside = flattening::addMask(output, layers);
-      if (outside == surface.vertexCount() * static_cast<long long>(this->Depths.size()))
-      {
-        throw InvalidInput(
-          "no sample lies in the volume: pass the volume that the surface came from, in "
-          "the same coordinates");
-      }
-      flattening::setDepths(output, this->Depths);
-      flattening::setFigure(output->GetFieldData(), "OutsideSamples", outside);
-
-      vtkImageData* stack = vtkImageData::GetData(outputVector, 1);
-      if (this->StackSize > 1)
-      {
-        flattening::report(progress, 0.4, "Looking up the pixels");
-        const vtkSmartPointer<vtkImageData> pixels = pixelsOf(output, this->StackSize);
-        // Interpolated normals are shorter than 1.
-        const Points3 direction =
-          vectorsOf(pixels->GetPointData()->GetArray(NormalsName)).rowwise().normalized();
-        flattening::fillStack(stack,
-          pixels,
-          flattening::sampleLayers(sampling,
-            vectorsOf(pixels->GetPointData()->GetArray(flattening::SurfacePointsName)),
-            sign * direction,
-            this->Depths,
-            flattening::subrange(progress, 0.5, 1.0)),
-          this->Depths);
-        flattening::setDepths(stack, this->Depths);
-      }
-      if (outside > 0)
-      {
-        vtkWarningMacro(<< this->GetBlockPrefix() << outside
-                        << " samples lie outside of the volume and have no value: see InVolume, and the "
-                           "depths");
-      }
-      flattening::report(progress, 1.0, "Done");
-    });
+        flattening::subrange(progress, 0.5, 1.0)),
+      this->Depths);
+    flattening::setDepths(stack, this->Depths);
+  }
+  if (outside > 0)
+  {
+    vtkWarningMacro(<< this->GetBlockPrefix() << outside
+                    << " samples lie outside of the volume and have no value: see InVolume, and the "
+                       "depths");
+  }
+  flattening::report(progress, 1.0, "Done");
 }
 
 void vtkFlatMapSlab::PrintSelf(ostream& os, vtkIndent indent)

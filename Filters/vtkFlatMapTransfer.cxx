@@ -54,44 +54,32 @@ vtkFlatMapTransfer::vtkFlatMapTransfer()
   this->SetNumberOfInputPorts(2);
 }
 
-int vtkFlatMapTransfer::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
+void vtkFlatMapTransfer::Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* flat = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* original = vtkPolyData::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (flattening::isEmpty(flat) || flattening::isEmpty(original))
-  {
-    return 1;
-  }
-  return flattening::runFilter(this,
-    outputVector,
-    [&]
-    {
-      flattening::FlattenedSurface flattened;
-      flattened.Surface = flattening::surfaceOfFlattened(flat);
-      flattened.Positions = flattening::toPlanarPositions(flat);
-      const flattening::TriangleMesh surface = flattening::toTriangleMesh(original);
-      const TransferredMap map =
-        flattening::transferFlatMap(flattened, surface, this->Tolerance, flattening::progressOf(this));
-      const DerivedMesh part = survivingPart(surface, map);
-      const flattening::Points2 positions = positionsOf(part, map);
+  flattening::FlattenedSurface flattened;
+  flattened.Surface = flattening::surfaceOfFlattened(flat);
+  flattened.Positions = flattening::toPlanarPositions(flat);
+  const flattening::TriangleMesh surface = flattening::toTriangleMesh(original);
+  const TransferredMap map =
+    flattening::transferFlatMap(flattened, surface, this->Tolerance, flattening::progressOf(this));
+  const DerivedMesh part = survivingPart(surface, map);
+  const flattening::Points2 positions = positionsOf(part, map);
 
-      flattening::setFlatPart(output, original, part, positions);
+  flattening::setFlatPart(output, original, part, positions);
 
-      const auto flipped =
-        (flattening::signedFaceAreas(positions, part.Mesh.Faces).array() <= 0.0).count();
-      vtkFieldData* figures = output->GetFieldData();
-      const auto count = [figures](const char* name, vtkIdType value)
-      { flattening::setFigure(figures, name, static_cast<long long>(value)); };
-      count("TransferredPoints", part.Mesh.vertexCount());
-      count("LostPoints", surface.vertexCount() - part.Mesh.vertexCount());
-      count("LostCells", surface.faceCount() - part.Mesh.faceCount());
-      count("FlippedFaces", flipped);
-      flattening::setFigure(figures, "LargestDistance", map.LargestDistance);
-      flattening::setFigure(figures, "Tolerance", map.Tolerance);
-    });
+  const auto flipped = (flattening::signedFaceAreas(positions, part.Mesh.Faces).array() <= 0.0).count();
+  vtkFieldData* figures = output->GetFieldData();
+  const auto count = [figures](const char* name, vtkIdType value)
+  { flattening::setFigure(figures, name, static_cast<long long>(value)); };
+  count("TransferredPoints", part.Mesh.vertexCount());
+  count("LostPoints", surface.vertexCount() - part.Mesh.vertexCount());
+  count("LostCells", surface.faceCount() - part.Mesh.faceCount());
+  count("FlippedFaces", flipped);
+  flattening::setFigure(figures, "LargestDistance", map.LargestDistance);
+  flattening::setFigure(figures, "Tolerance", map.Tolerance);
 }
 
 void vtkFlatMapTransfer::PrintSelf(ostream& os, vtkIndent indent)

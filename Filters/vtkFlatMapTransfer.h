@@ -63,9 +63,7 @@ protected:
   vtkFlatMapTransfer();
   ~vtkFlatMapTransfer() override = default;
 
-  int RequestData(vtkInformation* request,
-    vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
   double Tolerance = 0.0;
 

@@ -178,65 +178,54 @@ std::vector<char> vtkFlattenRegion::LabelledFaces(vtkPolyData* input, const Tria
   return inside;
 }
 
-int vtkFlattenRegion::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
+void vtkFlattenRegion::Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  if (flattening::isEmpty(input))
-  {
-    return 1;
-  }
-  return flattening::runFilter(this,
-    outputVector,
+  const flattening::ProgressCallback progress = flattening::progressOf(this);
+  flattening::report(progress, 0.0, "Cutting the region out");
+  const TriangleMesh mesh = flattening::surfaceInSpace(input);
+  const std::vector<char> inside =
+    this->RegionFrom == SELECTION
+      ? flattening::cellsInSelection(input, vtkSelection::GetData(inputVector[1]))
+      : this->LabelledFaces(input, mesh);
+  double margin = this->Margin;
+  const RegionDisk region = withFineBoundary(
+    this->AutomaticMargin ? regionWithMargin(mesh, inside, this->LargestHoles, margin)
+                          : flattening::regionDisk(mesh, inside, { margin, this->LargestHoles }));
+  const TriangleMesh& disk = region.Disk.Mesh;
+
+  const flattening::AreaPreservingResult flat = ofRegion(
     [&]
     {
-      const flattening::ProgressCallback progress = flattening::progressOf(this);
-      flattening::report(progress, 0.0, "Cutting the region out");
-      const TriangleMesh mesh = flattening::surfaceInSpace(input);
-      const std::vector<char> inside =
-        this->RegionFrom == SELECTION
-          ? flattening::cellsInSelection(input, vtkSelection::GetData(inputVector[1]))
-          : this->LabelledFaces(input, mesh);
-      double margin = this->Margin;
-      const RegionDisk region = withFineBoundary(
-        this->AutomaticMargin ? regionWithMargin(mesh, inside, this->LargestHoles, margin)
-                              : flattening::regionDisk(mesh, inside, { margin, this->LargestHoles }));
-      const TriangleMesh& disk = region.Disk.Mesh;
-
-      const flattening::AreaPreservingResult flat = ofRegion(
-        [&]
-        {
-          const flattening::ConformalDiskMap conformal =
-            flattening::conformalDiskMap(disk, {}, flattening::subrange(progress, 0.1, 0.4));
-          return flattening::areaPreservingDiskMap(
-            disk, conformal.Positions, {}, {}, flattening::subrange(progress, 0.4, 0.7));
-        });
-      const double scale = std::sqrt(flattening::faceAreas(disk.Vertices, disk.Faces).sum() / EIGEN_PI);
-      const flattening::Points2 positions = scale * flat.Map.Positions;
-
-      const flattening::RegionMeasures measures =
-        flattening::measureRegion(region, positions, flattening::subrange(progress, 0.7, 1.0));
-      flattening::setFlatPart(output, input, region.Disk, positions);
-      addRegionFlags(output, region.InRegion);
-      flattening::fillMeasures(
-        vtkTable::GetData(outputVector, 1), measures, this->LengthUnit, output->GetFieldData());
-      flattening::fillCurves(vtkPolyData::GetData(outputVector, 2), measures, disk, positions);
-
-      vtkFieldData* figures = output->GetFieldData();
-      const auto count = [figures](const char* name, long long value)
-      { flattening::setFigure(figures, name, value); };
-      count("RegionPieces", region.Pieces);
-      count("FilledHoles", region.FilledHoles);
-      count("FlippedFaces", flat.Map.FlippedFaces);
-      count("Bijective", flat.Map.Bijective ? 1 : 0);
-      flattening::setFigure(figures, "Margin", margin);
-      flattening::setFigure(figures, "DroppedArea", region.DroppedArea);
-      flattening::setFigure(figures, "FilledArea", region.FilledArea);
-      flattening::setFigure(figures, "MaxCellAreaError", flat.Map.MaxCellError);
-      flattening::report(progress, 1.0, "Done");
+      const flattening::ConformalDiskMap conformal =
+        flattening::conformalDiskMap(disk, {}, flattening::subrange(progress, 0.1, 0.4));
+      return flattening::areaPreservingDiskMap(
+        disk, conformal.Positions, {}, {}, flattening::subrange(progress, 0.4, 0.7));
     });
+  const double scale = std::sqrt(flattening::faceAreas(disk.Vertices, disk.Faces).sum() / EIGEN_PI);
+  const flattening::Points2 positions = scale * flat.Map.Positions;
+
+  const flattening::RegionMeasures measures =
+    flattening::measureRegion(region, positions, flattening::subrange(progress, 0.7, 1.0));
+  flattening::setFlatPart(output, input, region.Disk, positions);
+  addRegionFlags(output, region.InRegion);
+  flattening::fillMeasures(
+    vtkTable::GetData(outputVector, 1), measures, this->LengthUnit, output->GetFieldData());
+  flattening::fillCurves(vtkPolyData::GetData(outputVector, 2), measures, disk, positions);
+
+  vtkFieldData* figures = output->GetFieldData();
+  const auto count = [figures](const char* name, long long value)
+  { flattening::setFigure(figures, name, value); };
+  count("RegionPieces", region.Pieces);
+  count("FilledHoles", region.FilledHoles);
+  count("FlippedFaces", flat.Map.FlippedFaces);
+  count("Bijective", flat.Map.Bijective ? 1 : 0);
+  flattening::setFigure(figures, "Margin", margin);
+  flattening::setFigure(figures, "DroppedArea", region.DroppedArea);
+  flattening::setFigure(figures, "FilledArea", region.FilledArea);
+  flattening::setFigure(figures, "MaxCellAreaError", flat.Map.MaxCellError);
+  flattening::report(progress, 1.0, "Done");
 }
 
 void vtkFlattenRegion::PrintSelf(ostream& os, vtkIndent indent)

@@ -149,9 +149,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   const char* GetBlockOutputType(int port, vtkInformationVector** inputVector) override;
-  int RequestData(vtkInformation* request,
-    vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
   int RegionFrom = LABEL;
   int Label = 1;

@@ -58,66 +58,54 @@ void addRegions(vtkPolyData* output, const TriangleMesh& mesh, const std::vector
 
 } // namespace
 
-int vtkMeshSaliency::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
+void vtkMeshSaliency::Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (flattening::isEmpty(input))
+  for (const double setting :
+    { this->Unit, this->Threshold, this->MinimumRegionArea, this->MaximumRegionArea })
   {
-    return 1;
-  }
-  return flattening::runFilter(this,
-    outputVector,
-    [&]
+    if (!(setting >= 0.0))
     {
-      for (const double setting :
-        { this->Unit, this->Threshold, this->MinimumRegionArea, this->MaximumRegionArea })
-      {
-        if (!(setting >= 0.0))
-        {
-          throw InvalidInput(
-            "the unit, the threshold and the areas of saliency regions must not be negative");
-        }
-      }
-      const TriangleMesh mesh = flattening::surfaceInSpace(input);
-      flattening::MeshSaliencyOptions options;
-      options.Unit = this->Unit;
-      options.Scales = this->NumberOfScales;
-      options.AreaWeighted = this->AreaWeighted;
-      const flattening::MeshSaliency saliency =
-        flattening::meshSaliency(mesh, options, flattening::progressOf(this));
+      throw InvalidInput(
+        "the unit, the threshold and the areas of saliency regions must not be negative");
+    }
+  }
+  const TriangleMesh mesh = flattening::surfaceInSpace(input);
+  flattening::MeshSaliencyOptions options;
+  options.Unit = this->Unit;
+  options.Scales = this->NumberOfScales;
+  options.AreaWeighted = this->AreaWeighted;
+  const flattening::MeshSaliency saliency =
+    flattening::meshSaliency(mesh, options, flattening::progressOf(this));
 
-      output->ShallowCopy(input);
-      flattening::addPointArray(output, "Saliency", saliency.Saliency);
-      output->GetPointData()->SetActiveScalars("Saliency");
-      flattening::setFigure(output->GetFieldData(), "SaliencyUnit", saliency.Unit);
-      if (this->PerScaleArrays)
-      {
-        flattening::addPointArray(output, "MeanCurvature", saliency.MeanCurvature);
-        for (std::size_t i = 0; i < saliency.PerScale.size(); ++i)
-        {
-          flattening::addPointArray(
-            output, ("SaliencyScale" + std::to_string(i + 2)).c_str(), saliency.PerScale[i]);
-        }
-      }
-      if (this->FindRegions)
-      {
-        const double threshold =
-          this->ThresholdType == VALUE
-            ? this->Threshold
-            : flattening::areaPercentile(mesh, saliency.Saliency, 0.01 * this->Percentile);
-        const double largest = this->MaximumRegionArea > 0.0 ? this->MaximumRegionArea
-                                                             : std::numeric_limits<double>::infinity();
-        addRegions(output,
-          mesh,
-          flattening::salientRegions(
-            mesh, saliency.Saliency, threshold, this->MinimumRegionArea, largest));
-        flattening::setFigure(output->GetFieldData(), "SaliencyThreshold", threshold);
-      }
-      flattening::report(flattening::progressOf(this), 1.0, "Done");
-    });
+  output->ShallowCopy(input);
+  flattening::addPointArray(output, "Saliency", saliency.Saliency);
+  output->GetPointData()->SetActiveScalars("Saliency");
+  flattening::setFigure(output->GetFieldData(), "SaliencyUnit", saliency.Unit);
+  if (this->PerScaleArrays)
+  {
+    flattening::addPointArray(output, "MeanCurvature", saliency.MeanCurvature);
+    for (std::size_t i = 0; i < saliency.PerScale.size(); ++i)
+    {
+      flattening::addPointArray(
+        output, ("SaliencyScale" + std::to_string(i + 2)).c_str(), saliency.PerScale[i]);
+    }
+  }
+  if (this->FindRegions)
+  {
+    const double threshold =
+      this->ThresholdType == VALUE
+        ? this->Threshold
+        : flattening::areaPercentile(mesh, saliency.Saliency, 0.01 * this->Percentile);
+    const double largest =
+      this->MaximumRegionArea > 0.0 ? this->MaximumRegionArea : std::numeric_limits<double>::infinity();
+    addRegions(output,
+      mesh,
+      flattening::salientRegions(mesh, saliency.Saliency, threshold, this->MinimumRegionArea, largest));
+    flattening::setFigure(output->GetFieldData(), "SaliencyThreshold", threshold);
+  }
+  flattening::report(flattening::progressOf(this), 1.0, "Done");
 }
 
 void vtkMeshSaliency::PrintSelf(ostream& os, vtkIndent indent)

@@ -140,9 +140,7 @@ protected:
   vtkMeshSaliency() = default;
   ~vtkMeshSaliency() override = default;
 
-  int RequestData(vtkInformation* request,
-    vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
   double Unit = 0.0;
   int NumberOfScales = 5;

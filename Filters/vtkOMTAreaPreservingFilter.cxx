@@ -219,111 +219,98 @@ vtkPolyData* vtkOMTAreaPreservingFilter::GetPowerDiagram()
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
 }
 
-int vtkOMTAreaPreservingFilter::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector,
+void vtkOMTAreaPreservingFilter::Execute(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* cells = vtkPolyData::GetData(outputVector, 1);
-  if (flattening::isEmpty(input))
+  const flattening::TriangleMesh surface = flattening::surfaceOfFlattened(input);
+  const std::vector<int> loop = flattening::requireDisk(surface);
+  const flattening::Points2 flat = flattening::toPlanarPositions(input);
+  const flattening::FlatDomain domain = flattening::flatDomain(flat, loop);
+  std::optional<flattening::DomainPolygon> polygon;
+  if (vtkPolyData* given = vtkPolyData::GetData(inputVector[1]))
   {
-    return 1;
+    polygon = flattening::domainPolygon(flattening::polygonOutline(given));
   }
+  Eigen::VectorXd weights;
+  if (this->UseAreaWeight)
+  {
+    weights = readWeights(input, this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME()));
+  }
+  flattening::AreaPreservingOptions options;
+  options.Transport.Tolerance = this->Tolerance;
+  options.RefineFaces = this->FaceRefinement;
+  options.Refinement.AngleWeight = this->AngleWeight;
+  options.VerticesPerSite = this->PointsPerSite;
 
-  return flattening::runFilter(this,
-    outputVector,
-    [&]
-    {
-      const flattening::TriangleMesh surface = flattening::surfaceOfFlattened(input);
-      const std::vector<int> loop = flattening::requireDisk(surface);
-      const flattening::Points2 flat = flattening::toPlanarPositions(input);
-      const flattening::FlatDomain domain = flattening::flatDomain(flat, loop);
-      std::optional<flattening::DomainPolygon> polygon;
-      if (vtkPolyData* given = vtkPolyData::GetData(inputVector[1]))
-      {
-        polygon = flattening::domainPolygon(flattening::polygonOutline(given));
-      }
-      Eigen::VectorXd weights;
-      if (this->UseAreaWeight)
-      {
-        weights =
-          readWeights(input, this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME()));
-      }
-      flattening::AreaPreservingOptions options;
-      options.Transport.Tolerance = this->Tolerance;
-      options.RefineFaces = this->FaceRefinement;
-      options.Refinement.AngleWeight = this->AngleWeight;
-      options.VerticesPerSite = this->PointsPerSite;
+  const flattening::Points2 conformal = (flat.rowwise() - domain.Centre) / domain.Scale;
+  const double surfaceArea = flattening::faceAreas(surface.Vertices, surface.Faces).sum();
+  const bool isUnit = this->NormalizeTo == UNIT_DOMAIN;
+  const auto [scale, centre] =
+    polygon ? placementOf(*polygon, isUnit, surfaceArea) : placementOf(domain, isUnit, surfaceArea);
+  const double area = scale * scale;
+  options.Transport.StartWeights = readStart(input, area);
+  options.StartPositions = readStartPositions(input, scale, centre);
+  const auto progress = flattening::progressOf(this);
+  const flattening::AreaPreservingResult result =
+    polygon ? flattening::areaPreservingPolygonMap(surface,
+                conformal,
+                *domain.normalised(),
+                { polygon->Corners, this->FixCorners },
+                weights,
+                options,
+                progress)
+    : domain.IsRectangle
+      ? flattening::areaPreservingRectangleMap(
+          surface, conformal, domain.Width / domain.Scale, weights, options, progress)
+      : flattening::areaPreservingDiskMap(surface, conformal, weights, options, progress);
+  const flattening::AreaPreservingMap& map = result.Map;
 
-      const flattening::Points2 conformal = (flat.rowwise() - domain.Centre) / domain.Scale;
-      const double surfaceArea = flattening::faceAreas(surface.Vertices, surface.Faces).sum();
-      const bool isUnit = this->NormalizeTo == UNIT_DOMAIN;
-      const auto [scale, centre] =
-        polygon ? placementOf(*polygon, isUnit, surfaceArea) : placementOf(domain, isUnit, surfaceArea);
-      const double area = scale * scale;
-      options.Transport.StartWeights = readStart(input, area);
-      options.StartPositions = readStartPositions(input, scale, centre);
-      const auto progress = flattening::progressOf(this);
-      const flattening::AreaPreservingResult result =
-        polygon ? flattening::areaPreservingPolygonMap(surface,
-                    conformal,
-                    *domain.normalised(),
-                    { polygon->Corners, this->FixCorners },
-                    weights,
-                    options,
-                    progress)
-        : domain.IsRectangle
-          ? flattening::areaPreservingRectangleMap(
-              surface, conformal, domain.Width / domain.Scale, weights, options, progress)
-          : flattening::areaPreservingDiskMap(surface, conformal, weights, options, progress);
-      const flattening::AreaPreservingMap& map = result.Map;
+  output->ShallowCopy(input);
+  output->SetPoints(
+    vtk::TakeSmartPointer(flattening::newPlanarPoints((scale * map.Positions).rowwise() + centre)));
+  flattening::deactivateNormals(output);
+  flattening::setTextureCoordinates(output, map.Positions);
+  flattening::addPointArray(output, "TargetArea", area * map.TargetAreas);
+  flattening::addPointArray(output, "CellArea", area * map.CellAreas);
+  flattening::addPointArray(output, "PowerWeight", area * map.PowerWeights);
+  addFlatPoints(output);
+  fillPowerDiagram(cells, result, scale, centre);
 
-      output->ShallowCopy(input);
-      output->SetPoints(
-        vtk::TakeSmartPointer(flattening::newPlanarPoints((scale * map.Positions).rowwise() + centre)));
-      flattening::deactivateNormals(output);
-      flattening::setTextureCoordinates(output, map.Positions);
-      flattening::addPointArray(output, "TargetArea", area * map.TargetAreas);
-      flattening::addPointArray(output, "CellArea", area * map.CellAreas);
-      flattening::addPointArray(output, "PowerWeight", area * map.PowerWeights);
-      addFlatPoints(output);
-      fillPowerDiagram(cells, result, scale, centre);
-
-      vtkFieldData* figures = output->GetFieldData();
-      if (polygon)
-      {
-        figures->RemoveArray("CornerPointIds"); // of the map before
-      }
-      if (!map.CornerVertices.empty())
-      {
-        flattening::setIds(figures, "CornerPointIds", map.CornerVertices);
-      }
-      flattening::setFigure(figures, "NewtonIterations", static_cast<long long>(map.NewtonIterations));
-      flattening::setFigure(figures, "Sites", static_cast<long long>(map.Sites));
-      flattening::setFigure(figures, "PowerDiagrams", static_cast<long long>(map.PowerDiagrams));
-      flattening::setFigure(figures, "MaxCellAreaError", map.MaxCellError);
-      flattening::setFigure(figures, "CoincidentPoints", static_cast<long long>(map.CoincidentVertices));
-      flattening::setFigure(figures, "FlippedFaces", static_cast<long long>(map.FlippedFaces));
-      flattening::setFigure(figures, "Bijective", static_cast<long long>(map.Bijective ? 1 : 0));
-      flattening::setFigure(figures, "WarmStart", static_cast<long long>(map.IsContinued ? 1 : 0));
-      flattening::setFigure(figures, "RefinementRounds", static_cast<long long>(map.RefinementRounds));
-      flattening::setFigure(figures, "RefinementRepairs", static_cast<long long>(map.RepairedFaces));
-      if (this->FaceRefinement && !map.Bijective)
-      {
-        vtkWarningMacro(<< this->GetBlockPrefix() << map.FlippedFaces
-                        << " triangles of the area-preserving map are flipped and could not be turned "
-                           "over: remesh the surface (Surface To Disk, Remesh)");
-      }
-      if (map.StartShare < 1.0)
-      {
-        vtkWarningMacro(
-          << this->GetBlockPrefix()
-          << "the face refinement had to begin with a map between the conformal and the "
-             "transported one, as triangles of the latter could not be turned over: expect "
-             "area errors; remesh the surface or cut a larger hole (Surface To Disk)");
-      }
-    });
+  vtkFieldData* figures = output->GetFieldData();
+  if (polygon)
+  {
+    figures->RemoveArray("CornerPointIds"); // of the map before
+  }
+  if (!map.CornerVertices.empty())
+  {
+    flattening::setIds(figures, "CornerPointIds", map.CornerVertices);
+  }
+  flattening::setFigure(figures, "NewtonIterations", static_cast<long long>(map.NewtonIterations));
+  flattening::setFigure(figures, "Sites", static_cast<long long>(map.Sites));
+  flattening::setFigure(figures, "PowerDiagrams", static_cast<long long>(map.PowerDiagrams));
+  flattening::setFigure(figures, "MaxCellAreaError", map.MaxCellError);
+  flattening::setFigure(figures, "CoincidentPoints", static_cast<long long>(map.CoincidentVertices));
+  flattening::setFigure(figures, "FlippedFaces", static_cast<long long>(map.FlippedFaces));
+  flattening::setFigure(figures, "Bijective", static_cast<long long>(map.Bijective ? 1 : 0));
+  flattening::setFigure(figures, "WarmStart", static_cast<long long>(map.IsContinued ? 1 : 0));
+  flattening::setFigure(figures, "RefinementRounds", static_cast<long long>(map.RefinementRounds));
+  flattening::setFigure(figures, "RefinementRepairs", static_cast<long long>(map.RepairedFaces));
+  if (this->FaceRefinement && !map.Bijective)
+  {
+    vtkWarningMacro(<< this->GetBlockPrefix() << map.FlippedFaces
+                    << " triangles of the area-preserving map are flipped and could not be turned "
+                       "over: remesh the surface (Surface To Disk, Remesh)");
+  }
+  if (map.StartShare < 1.0)
+  {
+    vtkWarningMacro(<< this->GetBlockPrefix()
+                    << "the face refinement had to begin with a map between the conformal and the "
+                       "transported one, as triangles of the latter could not be turned over: expect "
+                       "area errors; remesh the surface or cut a larger hole (Surface To Disk)");
+  }
 }
 
 void vtkOMTAreaPreservingFilter::PrintSelf(ostream& os, vtkIndent indent)

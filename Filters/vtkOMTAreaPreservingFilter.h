@@ -193,9 +193,7 @@ protected:
   ~vtkOMTAreaPreservingFilter() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation* request,
-    vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
   int NormalizeTo = SURFACE_AREA;
   double Tolerance = 1e-6;

@@ -95,77 +95,62 @@ int vtkPlanarWarp::RequestInformation(vtkInformation* vtkNotUsed(request),
   return 1;
 }
 
-int vtkPlanarWarp::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector,
-  vtkInformationVector* outputVector)
+void vtkPlanarWarp::Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* flat = vtkPolyData::GetData(inputVector[0]);
   vtkDataObject* data = vtkDataObject::GetData(inputVector[1]);
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
-  if (flattening::isEmpty(flat) || !data ||
-      data->GetNumberOfElements(vtkDataObject::POINT) +
-          data->GetNumberOfElements(vtkDataObject::VERTEX) ==
-        0)
+  const flattening::TriangleMesh mesh = flattening::surfaceOfFlattened(flat);
+  const flattening::Points2 positions = flattening::toPlanarPositions(flat);
+  const flattening::PlanarWarp warp(mesh, positions);
+  if (warp.facesDown())
   {
-    return 1;
+    vtkWarningMacro(<< this->GetBlockPrefix()
+                    << "the mesh faced down (towards negative z) before it was flattened, so what it "
+                       "carries is mirrored: turn its triangles over first, e.g. with Flip Normals in "
+                       "Generate Surface Normals");
   }
-  return flattening::runFilter(this,
-    outputVector,
-    [&]
+  const auto progress = flattening::progressOf(this);
+  const flattening::CarryRules rules{ warp,
+    this->OutsidePoints == REMOVE,
+    segmentLength(this->SubdivideLines, this->MaximumSegmentLength, warp.meanSide()),
+    progress };
+  flattening::CarryCounts counts;
+  if (auto* lines = vtkPolyData::SafeDownCast(data))
+  {
+    counts = flattening::carryPolyData(lines, rules, vtkPolyData::SafeDownCast(output));
+  }
+  else if (auto* graph = vtkGraph::SafeDownCast(data))
+  {
+    counts = flattening::carryGraph(graph, rules, vtkGraph::SafeDownCast(output));
+  }
+  else if (auto* textured = vtkPolyData::SafeDownCast(output))
+  {
+    textured->ShallowCopy(flat);
+    counts.Outside =
+      flattening::addTextureCoordinates(vtkImageData::SafeDownCast(data), mesh.Vertices, textured);
+  }
+  else
+  {
+    auto* image = vtkImageData::SafeDownCast(data);
+    const int* chosen = chosenSize(this->ImageSize) ? this->ImageSize : image->GetDimensions();
+    if (std::min(chosen[0], chosen[1]) < 2 || std::max(chosen[0], chosen[1]) > 65535)
     {
-      const flattening::TriangleMesh mesh = flattening::surfaceOfFlattened(flat);
-      const flattening::Points2 positions = flattening::toPlanarPositions(flat);
-      const flattening::PlanarWarp warp(mesh, positions);
-      if (warp.facesDown())
-      {
-        vtkWarningMacro(
-          << this->GetBlockPrefix()
-          << "the mesh faced down (towards negative z) before it was flattened, so what it "
-             "carries is mirrored: turn its triangles over first, e.g. with Flip Normals in "
-             "Generate Surface Normals");
-      }
-      const auto progress = flattening::progressOf(this);
-      const flattening::CarryRules rules{ warp,
-        this->OutsidePoints == REMOVE,
-        segmentLength(this->SubdivideLines, this->MaximumSegmentLength, warp.meanSide()),
-        progress };
-      flattening::CarryCounts counts;
-      if (auto* lines = vtkPolyData::SafeDownCast(data))
-      {
-        counts = flattening::carryPolyData(lines, rules, vtkPolyData::SafeDownCast(output));
-      }
-      else if (auto* graph = vtkGraph::SafeDownCast(data))
-      {
-        counts = flattening::carryGraph(graph, rules, vtkGraph::SafeDownCast(output));
-      }
-      else if (auto* textured = vtkPolyData::SafeDownCast(output))
-      {
-        textured->ShallowCopy(flat);
-        counts.Outside =
-          flattening::addTextureCoordinates(vtkImageData::SafeDownCast(data), mesh.Vertices, textured);
-      }
-      else
-      {
-        auto* image = vtkImageData::SafeDownCast(data);
-        const int* chosen = chosenSize(this->ImageSize) ? this->ImageSize : image->GetDimensions();
-        if (std::min(chosen[0], chosen[1]) < 2 || std::max(chosen[0], chosen[1]) > 65535)
-        {
-          throw InvalidInput("the image is to be of " + std::to_string(chosen[0]) + " x " +
-                             std::to_string(chosen[1]) +
-                             " pixels: set both numbers from 2 to 65535, or both to 0");
-        }
-        counts.Outside = flattening::resampleImage(image,
-          flat,
-          { warp,
-            this->OutsidePoints == LEAVE_UNMOVED,
-            this->NearestPixel,
-            { chosen[0], chosen[1] },
-            progress },
-          vtkImageData::SafeDownCast(output));
-      }
-      flattening::setFigure(output->GetFieldData(), "OutsidePoints", counts.Outside);
-      flattening::setFigure(output->GetFieldData(), "InsertedPoints", counts.Inserted);
-    });
+      throw InvalidInput("the image is to be of " + std::to_string(chosen[0]) + " x " +
+                         std::to_string(chosen[1]) +
+                         " pixels: set both numbers from 2 to 65535, or both to 0");
+    }
+    counts.Outside = flattening::resampleImage(image,
+      flat,
+      { warp,
+        this->OutsidePoints == LEAVE_UNMOVED,
+        this->NearestPixel,
+        { chosen[0], chosen[1] },
+        progress },
+      vtkImageData::SafeDownCast(output));
+  }
+  flattening::setFigure(output->GetFieldData(), "OutsidePoints", counts.Outside);
+  flattening::setFigure(output->GetFieldData(), "InsertedPoints", counts.Inserted);
 }
 
 void vtkPlanarWarp::PrintSelf(ostream& os, vtkIndent indent)

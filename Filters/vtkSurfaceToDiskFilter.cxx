@@ -108,41 +108,31 @@ void print(ostream& os, vtkIndent indent, const char* name, const double x[3])
 
 } // namespace
 
-int vtkSurfaceToDiskFilter::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector,
+void vtkSurfaceToDiskFilter::Execute(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  if (flattening::isEmpty(input))
+  const auto triangles = triangulate(input);
+  const flattening::DiskSurface disk = flattening::surfaceToDisk(
+    flattening::toTriangleMesh(triangles), this->GetOptions(input), flattening::progressOf(this));
+  flattening::setDisk(output, input, cellsOf(triangles), disk);
+  output->GetFieldData()->PassData(input->GetFieldData());
+  flattening::setReport(output, disk.Report, input->GetNumberOfVerts() + input->GetNumberOfLines());
+  if (disk.Report.RemovedRegionPoints > 0)
   {
-    return 1;
+    vtkWarningMacro(<< this->GetBlockPrefix() << "the hole took " << disk.Report.RemovedRegionPoints
+                    << " points of the region of interest, which leaves it no other "
+                       "place: mark a smaller region or lower the hole's area");
   }
-  return flattening::runFilter(this,
-    outputVector,
-    [&]
-    {
-      const auto triangles = triangulate(input);
-      const flattening::DiskSurface disk = flattening::surfaceToDisk(
-        flattening::toTriangleMesh(triangles), this->GetOptions(input), flattening::progressOf(this));
-      flattening::setDisk(output, input, cellsOf(triangles), disk);
-      output->GetFieldData()->PassData(input->GetFieldData());
-      flattening::setReport(output, disk.Report, input->GetNumberOfVerts() + input->GetNumberOfLines());
-      if (disk.Report.RemovedRegionPoints > 0)
-      {
-        vtkWarningMacro(<< this->GetBlockPrefix() << "the hole took " << disk.Report.RemovedRegionPoints
-                        << " points of the region of interest, which leaves it no other "
-                           "place: mark a smaller region or lower the hole's area");
-      }
-      if (disk.Report.SeamRegionPoints > 0)
-      {
-        vtkWarningMacro(<< this->GetBlockPrefix()
-                        << "the cut of handles, or of a tube from end to end, runs through "
-                        << disk.Report.SeamRegionPoints
-                        << " points of the region of interest: set Handles to Remove, or choose points "
-                           "for the seam, to keep it whole");
-      }
-    });
+  if (disk.Report.SeamRegionPoints > 0)
+  {
+    vtkWarningMacro(<< this->GetBlockPrefix()
+                    << "the cut of handles, or of a tube from end to end, runs through "
+                    << disk.Report.SeamRegionPoints
+                    << " points of the region of interest: set Handles to Remove, or choose points "
+                       "for the seam, to keep it whole");
+  }
 }
 
 flattening::SurfaceToDiskOptions vtkSurfaceToDiskFilter::GetOptions(vtkPolyData* input)

@@ -391,9 +391,7 @@ protected:
   vtkSurfaceToDiskFilter() = default;
   ~vtkSurfaceToDiskFilter() override = default;
 
-  int RequestData(vtkInformation* request,
-    vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  void Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
   double MergeTolerance = 0.0;
   int ComponentMode = LARGEST;
