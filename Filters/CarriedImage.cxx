@@ -124,6 +124,8 @@ vtkSmartPointer<vtkPointData> interpolated(vtkImageData* input, vtkPoints* place
   vtkNew<vtkProbeFilter> filter;
   filter->SetInputData(probes);
   filter->SetSourceData(input);
+  filter->SetValidPointMaskArrayName(
+    "vtkPlanarWarpValidPointMask"); // the default is in images of other probes
   filter->Update();
   vtkSmartPointer<vtkPointData> values = filter->GetOutput()->GetPointData();
   values->RemoveArray(filter->GetValidPointMaskArrayName());

@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace flattening
 {
@@ -74,8 +75,9 @@ VolumeSampling::VolumeSampling(vtkImageData* volume, bool nearest)
     {
       vtkNew<vtkFloatArray> values;
       values->DeepCopy(array);
-      values->SetName(array->GetName());
+      values->SetName(std::to_string(this->Names.size()).c_str());
       this->Volume->GetPointData()->AddArray(values);
+      this->Names.emplace_back(array->GetName());
     }
   }
   if (this->Volume->GetPointData()->GetNumberOfArrays() == 0)
@@ -98,11 +100,11 @@ std::vector<VolumeSamples> VolumeSampling::at(const Points3& points) const
   vtkPointData* found = probe->GetOutput()->GetPointData();
   vtkDataArray* valid = found->GetArray(probe->GetValidPointMaskArrayName());
   std::vector<VolumeSamples> result;
-  for (int a = 0; a < this->Volume->GetPointData()->GetNumberOfArrays(); ++a)
+  for (std::size_t a = 0; a < this->Names.size(); ++a)
   {
     VolumeSamples samples;
-    samples.Values =
-      vtkFloatArray::SafeDownCast(found->GetArray(this->Volume->GetPointData()->GetArrayName(a)));
+    samples.Values = vtkFloatArray::SafeDownCast(found->GetArray(std::to_string(a).c_str()));
+    samples.Values->SetName(this->Names[a].c_str());
     samples.Inside.resize(points.rows());
     for (Eigen::Index i = 0; i < points.rows(); ++i)
     {

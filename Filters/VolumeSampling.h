@@ -6,6 +6,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include <string>
 #include <vector>
 
 class vtkFloatArray;
@@ -35,7 +36,9 @@ public:
   std::vector<VolumeSamples> at(const Points3& points) const;
 
 private:
-  vtkSmartPointer<vtkImageData> Volume;
+  vtkSmartPointer<vtkImageData>
+    Volume;                       ///< arrays by number: the probe's own has a name that may be theirs
+  std::vector<std::string> Names; ///< of the arrays
   bool Nearest;
 };
 

@@ -10,6 +10,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkShortArray.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -272,6 +273,35 @@ TEST_F(FlatMapSlab, ReportsWhatIsWrong)
   slab->Update();
   EXPECT_TRUE(errors.messages().empty());
   EXPECT_GT(slab->GetOutput()->GetNumberOfCells(), 1000);
+}
+
+// What ParaView's Resample To Image calls the array that it adds, as the filter's own means of sampling
+// does.
+TEST_F(FlatMapSlab, AVolumeMayHaveAnArrayOfAnyName)
+{
+  const auto volume = volumeOf<vtkDoubleArray>("Distance", distance);
+  for (const char* name : { "vtkValidPointMask", "InVolume", "0" })
+  {
+    vtkNew<vtkUnsignedCharArray> mask;
+    mask->SetName(name);
+    mask->SetNumberOfTuples(volume->GetNumberOfPoints());
+    mask->FillValue(7);
+    volume->GetPointData()->AddArray(mask);
+  }
+  vtkNew<vtkFlatMapSlab> slab;
+  slab->SetInputData(flatHemisphere());
+  slab->SetVolumeData(volume);
+  slab->SetStackSize(16);
+  slab->Update();
+  auto* map = vtkPolyData::SafeDownCast(slab->GetOutputDataObject(0));
+  for (const char* name : { "vtkValidPointMaskSlab", "InVolumeSlab", "0Slab" })
+  {
+    vtkDataArray* array = map->GetPointData()->GetArray(name);
+    ASSERT_NE(array, nullptr) << name;
+    EXPECT_EQ(array->GetComponent(5, 1), 7.0) << name;
+  }
+  EXPECT_NEAR(map->GetPointData()->GetArray("DistanceSlab")->GetComponent(5, 1), Radius - 1.0, 0.02);
+  EXPECT_EQ(map->GetPointData()->GetArray("InVolume")->GetComponent(5, 1), 1.0);
 }
 
 } // namespace
