@@ -1,0 +1,50 @@
+# Pages for ParaView's help: surfaceflattening_help(<variable> <server-manager XML>...) sets the variable to the
+# arguments of paraview_add_plugin that put them into the plugin. Without the tools that ParaView's help takes
+# (Debian: qttools5-dev, qtxmlpatterns5-dev-tools, python3-markdown) the plugin has no help, and says so here.
+function (surfaceflattening_help variable)
+  set("${variable}" XML_DOCUMENTATION OFF PARENT_SCOPE)
+  if (NOT PARAVIEW_USE_QT)
+    return ()
+  endif ()
+  set(missing)
+  find_package(Qt5 QUIET COMPONENTS Help)
+  if (NOT Qt5Help_FOUND)
+    list(APPEND missing qttools5-dev)
+  endif ()
+  find_program(qt_xmlpatterns_executable NAMES xmlpatterns-qt5 xmlpatterns
+    HINTS "${Qt5_DIR}/../../../qt5/bin")
+  mark_as_advanced(qt_xmlpatterns_executable)
+  execute_process(COMMAND "${qt_xmlpatterns_executable}" -version
+    RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET) # Debian's qtchooser has a link to what is not installed
+  if (NOT status EQUAL 0)
+    list(APPEND missing qtxmlpatterns5-dev-tools)
+  endif ()
+  find_package(Python3 QUIET COMPONENTS Interpreter)
+  execute_process(COMMAND "${Python3_EXECUTABLE}" -c "import markdown"
+    RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
+  if (NOT status EQUAL 0)
+    list(APPEND missing python3-markdown)
+  endif ()
+  if (missing)
+    list(JOIN missing ", " missing)
+    message(STATUS "The plugin has no pages in ParaView's help, for lack of ${missing}")
+    return ()
+  endif ()
+
+  set(repository "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/..")
+  set(pages "${CMAKE_CURRENT_BINARY_DIR}/help_pages")
+  set(script "${repository}/Plugin/Help/help_pages.py")
+  list(TRANSFORM ARGN PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/" OUTPUT_VARIABLE xmls)
+  file(GLOB_RECURSE docs CONFIGURE_DEPENDS "${repository}/docs/*.md" "${repository}/docs/*.png")
+  add_custom_command(
+    OUTPUT "${pages}/index.html"
+    COMMAND "${Python3_EXECUTABLE}" "${script}" "${pages}" "${repository}" ${xmls}
+    DEPENDS "${script}" "${repository}/README.md" ${xmls} ${docs}
+    COMMENT "Writing the pages of ParaView's help"
+    VERBATIM)
+  set("${variable}"
+    XML_DOCUMENTATION ON
+    DOCUMENTATION_DIR "${pages}"
+    DOCUMENTATION_DEPENDENCIES "${pages}/index.html"
+    PARENT_SCOPE)
+endfunction ()
