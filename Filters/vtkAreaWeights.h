@@ -156,12 +156,18 @@ public:
   ///@{
   /**
    * The function of IMPLICIT_FUNCTION: its region is where the function is <= 0, the inside of a sphere
-   * or box, or, with InsideOut, where it is >= 0. It is evaluated at the points of the input, or at the
-   * positions in the input array to process 1, a point array of 3 components: `SurfacePoints` for the
-   * place in space of the points of a flat surface. Default: none; InsideOut off.
+   * or box. It is evaluated at the points of the input, or at the positions in the input array to
+   * process 1, a point array of 3 components: `SurfacePoints` for the place in space of the points of a
+   * flat surface. Default: none.
    */
   virtual void SetImplicitFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetImplicitFunction();
+  ///@}
+
+  ///@{
+  /**
+   * If on, the region of IMPLICIT_FUNCTION is where the function is >= 0. Default: off.
+   */
   vtkSetMacro(InsideOut, bool);
   vtkGetMacro(InsideOut, bool);
   vtkBooleanMacro(InsideOut, bool);

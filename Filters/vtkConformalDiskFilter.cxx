@@ -3,6 +3,7 @@
 
 #include "Core/ConformalDisk.h"
 #include "Core/ConformalRectangle.h"
+#include "Core/Errors.h"
 #include "Core/MeshTopology.h"
 #include "FilterExecution.h"
 #include "PolyDataConversion.h"
@@ -34,6 +35,12 @@ int nearestVertex(const flattening::Points3& vertices,
   const double point[3])
 {
   const Eigen::RowVector3d target(point[0], point[1], point[2]);
+  if (!target.allFinite())
+  {
+    throw flattening::InvalidInput(
+      "a centre, boundary point or corner has a coordinate that is not finite: "
+      "give a point of the surface");
+  }
   int nearest = -1;
   double smallest = std::numeric_limits<double>::infinity();
   for (const int v : candidates)

@@ -151,10 +151,13 @@ public:
    */
   vtkSetVector3Macro(LowerLeftCorner, double);
   vtkGetVector3Macro(LowerLeftCorner, double);
+  /// The second corner, as LowerLeftCorner is the first.
   vtkSetVector3Macro(LowerRightCorner, double);
   vtkGetVector3Macro(LowerRightCorner, double);
+  /// The third corner, as LowerLeftCorner is the first.
   vtkSetVector3Macro(UpperRightCorner, double);
   vtkGetVector3Macro(UpperRightCorner, double);
+  /// The fourth corner, as LowerLeftCorner is the first.
   vtkSetVector3Macro(UpperLeftCorner, double);
   vtkGetVector3Macro(UpperLeftCorner, double);
   ///@}

@@ -30,7 +30,7 @@
  * surface, as arrays of one tuple: `SurfaceArea` and `FlatArea` (units of the input squared; the area
  * that the boundary encloses, so that flipped faces, which lie on top of others, count negative),
  * `FlippedFaces`, `DegenerateFaces`, `FacesWithin2Percent` (percent of the faces with surface area),
- * `RootMeanSquareStretch`, and `Mean<X>`, `AreaWeightedMean<X>`, `P95<X>`, `P99<X>` and `Max<X>` for X
+ * `RootMeanSquareStretch`, and `MeanX`, `AreaWeightedMeanX`, `P95X`, `P99X` and `MaxX` for X
  * one of `AreaError` (percent), `AreaDistortion` (its magnitude), `AngleDistortion`,
  * `BeltramiMagnitude`, `StretchL2`, `SymmetricDirichlet` and `AngleError` (degrees). A mean counts every
  * face the same unless it says area-weighted; percentiles are over the faces.

@@ -12,7 +12,7 @@
  * Every point array of the input is interpolated at the pixels' centres, if it is of floating point
  * numbers; all others (labels, ids, strings) take the value of the nearest corner of the triangle, for
  * the mean of two labels is a wrong label. Cell arrays take the value of the triangle under the pixel,
- * and are called `<name>Cell` where a point array has their name. Stock filters choose arrays (Pass
+ * and have `Cell` after their name where a point array has it. Stock filters choose arrays (Pass
  * Arrays) or parts of the image (Extract Subset). These are the way back:
  * - `SurfacePoints` (3 components, input units): the point of the surface under the pixel
  * - `CellId` (vtkIdType): the triangle under the pixel; -1 outside of the map

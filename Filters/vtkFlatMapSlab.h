@@ -9,8 +9,9 @@
  * inward normal of the surface: a slab of the volume, made flat, such as the cortex at 0, 1, 2 mm.
  *
  * Output port 0 is the flat map with these point arrays:
- * - `<array>Slab` (float), for every point array of the volume: a component per depth, named by it; of
- *   an array of several components all of the first depth, then of the second. NaN outside of the volume
+ * - for every point array of the volume, one with `Slab` after its name (float): a component per depth,
+ *   named by it; of an array of several components all of the first depth, then of the second. NaN
+ *   outside of the volume
  * - `InVolume` (unsigned char), a component per depth: 1 inside of the volume
  * - `SurfaceNormals` (double x 3): the outward unit normal of the surface
  *
@@ -50,7 +51,7 @@ public:
 
   ///@{
   /**
-   * The volume, port 1.
+   * The volume that is sampled, input port 1 (vtkImageData).
    */
   void SetVolumeConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetVolumeData(vtkImageData* volume);

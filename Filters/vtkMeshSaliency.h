@@ -127,11 +127,17 @@ public:
 
   ///@{
   /**
-   * Regions of a smaller or larger area than these (input units squared) are left out. Range [0, inf);
-   * MaximumRegionArea 0: any. Default: 0 and 0.
+   * Regions of a smaller area than this (input units squared) are left out. Range [0, inf). Default: 0.
    */
   vtkSetMacro(MinimumRegionArea, double);
   vtkGetMacro(MinimumRegionArea, double);
+  ///@}
+
+  ///@{
+  /**
+   * Regions of a larger area than this (input units squared) are left out. Range [0, inf); 0: none is.
+   * Default: 0.
+   */
   vtkSetMacro(MaximumRegionArea, double);
   vtkGetMacro(MaximumRegionArea, double);
   ///@}

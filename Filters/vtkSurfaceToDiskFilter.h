@@ -299,12 +299,18 @@ public:
 
   ///@{
   /**
-   * The points that the seam goes through, in order: the points of the surface closest to these, if
-   * UseSeamPoints is on. In units of the input. Default: none. Error if there are fewer than two, or if
-   * one is off the surface as for HolePoint.
+   * How many points the seam goes through, if UseSeamPoints is on. Default: 0. Error if there are fewer
+   * than two.
    */
   void SetNumberOfSeamPoints(int number);
   int GetNumberOfSeamPoints();
+  ///@}
+
+  ///@{
+  /**
+   * A point that the seam goes through, in their order: the point of the surface closest to this one. In
+   * units of the input. Error if it is off the surface as for HolePoint.
+   */
   void SetSeamPoint(int index, double x, double y, double z);
   void SetSeamPoint(int index, const double point[3]);
   void GetSeamPoint(int index, double point[3]);

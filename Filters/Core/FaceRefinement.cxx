@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FaceRefinement.h"
 
+#include "Errors.h"
 #include "FaceOrientation.h"
 #include "FlippedFaceRepair.h"
 #include "PlanarParts.h"
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace flattening
@@ -122,6 +124,11 @@ private:
 
   static double shapeWeight(const FaceRefinementOptions& options)
   {
+    if (!(options.AngleWeight >= 0.0 && options.AngleWeight < 1.0))
+    {
+      throw InvalidInput("the angle weight is " + std::to_string(options.AngleWeight) +
+                         ": it must be at least 0 and below 1");
+    }
     return LeastShapeWeight + ShapeWeightScale * options.AngleWeight / (1.0 - options.AngleWeight);
   }
 
