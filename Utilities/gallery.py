@@ -15,6 +15,8 @@ from paraview import simple
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "gallery"))
 
+import meshes
+
 EXAMPLES = (
     "brain",
     "vase",
@@ -32,8 +34,15 @@ HEAD = """# Gallery
 
 The paper's figures and tables with this project's data. `Utilities/gallery.sh` makes this page, its pictures and its
 figures; it takes a few minutes. Every example is a script of its own in `Utilities/gallery/`:
-`Utilities/gallery.sh city` makes its picture alone and prints its figures.
+`Utilities/gallery.sh city` makes its picture alone and prints its figures. What the examples begin with is saved in
+`gallery-output/`, so that they can be made by hand.
 """
+
+
+def save_inputs(folder):
+    os.makedirs(folder, exist_ok=True)
+    for name, source in meshes.INPUTS.items():
+        simple.SaveData(os.path.join(folder, name), source, DataMode="Binary")
 
 
 def section(title, picture, text, page):
@@ -46,6 +55,7 @@ def main():
     parser.add_argument("--plugin", required=True, help="SurfaceFlattening.so")
     parser.add_argument("--pictures", required=True, help="folder to write pictures to")
     parser.add_argument("--page", help="the page to write, with all examples")
+    parser.add_argument("--inputs", help="folder to write what the examples begin with to, for the GUI")
     parser.add_argument("--tables", nargs="*", default=[], help="files with further sections of the page")
     parser.add_argument("examples", nargs="*", help="of " + ", ".join(EXAMPLES))
     arguments = parser.parse_args()
@@ -62,6 +72,9 @@ def main():
         example = importlib.import_module(name)
         picture = os.path.join(arguments.pictures, example.PICTURE) if example.PICTURE else None
         text = "\n".join(example.make(picture))
+        if arguments.inputs and picture:
+            save_inputs(arguments.inputs)
+        meshes.INPUTS.clear()
         simple.ResetSession()
         simple.LoadPlugin(os.path.abspath(arguments.plugin), remote=False, ns=vars(simple))
         print(f"[{time.monotonic() - began:5.1f} s] {picture or name}\n\n{text}\n", flush=True)

@@ -3,6 +3,7 @@
 # docs/gallery.md and docs/pictures/gallery/*.png. Takes a few minutes once built. Safe to run again.
 #   Utilities/gallery.sh                   all of it
 #   Utilities/gallery.sh city graph        pictures of these examples alone, to gallery-output/; figures printed
+# What the examples begin with goes to gallery-output/ as well, to be opened in ParaView.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -11,7 +12,7 @@ build=$(realpath "${BUILD_DIRECTORY:-build}")
 plugin=$(find "$build/lib" -name SurfaceFlattening.so -print -quit)
 
 if [ $# -gt 0 ]; then
-  where=(--pictures gallery-output "$@")
+  where=(--pictures gallery-output --inputs gallery-output "$@")
 else
   results=$build/Testing/gallery.json
   "$build/Testing/bin/BenchmarkFlattening" --benchmark_filter='^paper: ' --benchmark_out="$results" \
@@ -22,7 +23,7 @@ else
     cat Utilities/gallery/table1.md
     python3 Testing/Benchmarks/markdown_table.py "$results" | sed 's/^| paper: /| /'
   } >"$tables"
-  where=(--pictures docs/pictures/gallery --page docs/gallery.md --tables "$tables")
+  where=(--pictures docs/pictures/gallery --page docs/gallery.md --inputs gallery-output --tables "$tables")
 fi
 # The server must not start anew when its last client leaves: ParaView tries the screen before it uses it.
 LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 2100x1180x24 -noreset" \

@@ -75,7 +75,7 @@ def ring(source):
 
 def make(path):
     points, faces, arrays = chest()
-    surface = meshes.source_of(meshes.poly_data(points, faces, point_arrays=arrays))
+    surface = meshes.source_of(meshes.poly_data(points, faces, point_arrays=arrays), "chest.vtp")
     table = simple.GetColorTransferFunction("Light")
     table.RGBPoints = [
         x
@@ -116,5 +116,5 @@ def make(path):
         "",
         *lines,
         "",
-        "In the GUI: *Flatten Region* with *Label Array* `Region`, or *Region From* Selection; its second output is the table.",
+        "In the GUI: *File > Open* `gallery-output/chest.vtp`, *Apply*; *Flatten Region* with *Label Array* `Region` and *Label* 1, *Apply*, *Reset Camera*; its second output, in a *SpreadSheet View*, is the table ([more](flatten_region.md)).",
     ]

@@ -117,7 +117,7 @@ def draw(box, scale, detailed):
     return np.asarray(north.resize(size, Image.BOX))[::-1]
 
 
-def image_source(pixels, box):
+def image_source(pixels, box, name):
     """An image in the pipeline; pixels lie within the box (km), not on its sides."""
     height, width, _ = pixels.shape
     spacing = (box[2] - box[0]) / width
@@ -128,7 +128,7 @@ def image_source(pixels, box):
     array = numpy_to_vtk(np.ascontiguousarray(pixels.reshape(-1, 3)), deep=1)
     array.SetName("Map")
     data.GetPointData().SetScalars(array)
-    return meshes.source_of(data)
+    return meshes.source_of(data, name)
 
 
 def warped(flat, source):
@@ -162,8 +162,8 @@ def make(path):
     plane = plane_lens.conformal_rectangle(mesh, WIDTH, HEIGHT)
     flat = plane_lens.transport(plane_lens.magnify(plane, CENTRE, RADIUS, FACTOR, edge_width=0.8))
 
-    overview, _ = warped(flat, image_source(coarse, whole))
-    detail, covered = warped(flat, image_source(fine, part))
+    overview, _ = warped(flat, image_source(coarse, whole, "city.vti"))
+    detail, covered = warped(flat, image_source(fine, part, "city_detail.vti"))
     merged = np.where(covered[:, :, None] == 1, detail, overview)
     lens = [CENTRE[0] - RADIUS, CENTRE[1] - RADIUS, CENTRE[0] + RADIUS, CENTRE[1] + RADIUS]
     images = [
@@ -189,5 +189,8 @@ def make(path):
         "",
         f"The sides of the map stay where they are to {max(moved, 1e-15):.0e} km.",
         "",
-        "In the GUI: the steps of [planar_warp.md](planar_warp.md), once for each of the two images, with the same *Image Size*.",
+        "In the GUI: the steps of [planar_warp.md](planar_warp.md) for `gallery-output/city.vti` and a *Plane* of 120 x 80 squares, *Point1* "
+        f"{WIDTH:g} 0 0, *Point2* 0 {HEIGHT:g} 0, *Origin* 0 0 0; the sphere at {CENTRE[0]:g} {CENTRE[1]:g} 0 with *Radius* {RADIUS:g}, "
+        f"*Factor* {FACTOR:g}, *Edge Width* 0.8; *Use Corners* with 0 0 0, {WIDTH:g} 0 0, {WIDTH:g} {HEIGHT:g} 0 and 0 {HEIGHT:g} 0. Then *Planar Warp* "
+        "once more, for `gallery-output/city_detail.vti`. Uncheck *Map Scalars* of both for their own colours.",
     ]

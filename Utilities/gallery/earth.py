@@ -96,7 +96,7 @@ def sphere(pieces):
     inward = (normals * points[faces[:, 0]]).sum(axis=1) < 0
     faces[inward] = faces[inward][:, ::-1]
     land = pieces[pixel_of(points)].astype(np.int32)
-    return meshes.source_of(meshes.poly_data(RADIUS * points, faces, point_arrays={"Land": land}))
+    return meshes.source_of(meshes.poly_data(RADIUS * points, faces, point_arrays={"Land": land}), "earth.vtp")
 
 
 def axes():
@@ -181,6 +181,7 @@ def make(path):
             f"| {name} | {on_sphere / 1e6:.3f} | {on_conformal / 1e6:.3f} | {on_map / 1e6:.3f} "
             f"| {100 * (on_map / on_sphere - 1):+.2f} % |"
         )
+    hole = " ".join(f"{x:.0f}" for x in -RADIUS * unit_vector(*CENTRE))
     return [
         f"The coasts of VTK's earth source on a sphere of {POINTS:,} points, cut open at a hole of {HOLE:.0%} of its area in the "
         "Pacific. The maps are drawn from an image of longitude and latitude by the inverse map. Areas are those of the "
@@ -188,6 +189,7 @@ def make(path):
         "",
         *rows,
         "",
-        "In the GUI: a sphere with points enough (*Sphere*), *Surface To Disk* with *Use Hole Point* and *Hole Area Fraction* 0.03, *Conformal "
-        "Disk*, *OMT Area Preserving*, *Flat Map Image*.",
+        "In the GUI: *File > Open* `gallery-output/earth.vtp`, *Apply*; *Surface To Disk* with *Use Hole Point*, *Hole Point* "
+        f"{hole} and *Hole Area Fraction* {HOLE:g}, "
+        "*Conformal Disk*, *OMT Area Preserving*, *Flat Map Image*, each with *Apply*; colour by `Land`.",
     ]

@@ -36,9 +36,10 @@ def network():
         edges.add((int(random.integers(0, 70)), 70 + 6 * k))
     points = np.column_stack([points, np.zeros(len(points))])
     stations = meshes.source_of(
-        meshes.poly_data(points, vertices=True, point_arrays={"Core": (radius < CORE).astype(np.int32)})
+        meshes.poly_data(points, vertices=True, point_arrays={"Core": (radius < CORE).astype(np.int32)}),
+        "stations.vtp",
     )
-    links = meshes.source_of(meshes.poly_data(points, lines=np.array(sorted(edges))))
+    links = meshes.source_of(meshes.poly_data(points, lines=np.array(sorted(edges))), "links.vtp")
     return stations, links
 
 
@@ -134,5 +135,7 @@ def make(path):
         "",
         "Factors are flat over original area of the faces in the region.",
         "",
-        "In the GUI: the steps of [planar_warp.md](planar_warp.md); *Inside Out* in *Area Weights* makes the surroundings the region.",
+        "In the GUI: the steps of [planar_warp.md](planar_warp.md) for `gallery-output/links.vtp`, and *Planar Warp* once more for "
+        "`gallery-output/stations.vtp`, with a *Plane* of 100 x 100 squares, *Origin* -1 -1 0, *Point1* 1 -1 0, *Point2* -1 1 0; the "
+        f"sphere at 0 0 0 with *Radius* {CORE:g}, *Factor* {FACTOR:g}, *Edge Width* {EDGE:g}; *Use Corners* with -1 -1 0, 1 -1 0, 1 1 0 and -1 1 0. *Inside Out* in *Area Weights* makes the surroundings the region.",
     ]

@@ -34,8 +34,8 @@ def radial_graph():
             edges.append((ring[int(np.argmin(gaps))], child))
         ring = children
     points = np.column_stack([np.array(points), np.zeros(len(points))])
-    nodes = meshes.source_of(meshes.poly_data(points, vertices=True))
-    return nodes, meshes.source_of(meshes.poly_data(points, lines=np.array(edges)))
+    nodes = meshes.source_of(meshes.poly_data(points, vertices=True), "nodes.vtp")
+    return nodes, meshes.source_of(meshes.poly_data(points, lines=np.array(edges)), "branches.vtp")
 
 
 def overlaps(nodes):
@@ -121,5 +121,5 @@ def make(path):
         "",
         *factor_table(),
         "",
-        "In the GUI: the steps of [planar_warp.md](planar_warp.md) with *Weights From* Label Table, or three *Area Weights* in a row.",
+        "In the GUI: as the network above, for `gallery-output/branches.vtp` and `nodes.vtp`; [planar_warp.md](planar_warp.md#several-magnifications) says how several factors are set.",
     ]

@@ -9,11 +9,16 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 
-def source_of(data):
-    """A data set as a source in the pipeline."""
+INPUTS = {}  # what examples begin with, by the name of the file that the gallery saves it to
+
+
+def source_of(data, name=None):
+    """A data set as a source in the pipeline; with a name, one that an example begins with."""
     producer = simple.TrivialProducer()
     producer.GetClientSideObject().SetOutput(data)
     producer.UpdatePipeline()
+    if name:
+        INPUTS[name] = producer
     return producer
 
 

@@ -120,7 +120,8 @@ def make(path):
     shade_map()
     points, faces, part = surface_of_vase()
     surface = meshes.source_of(
-        meshes.poly_data(points, faces, point_arrays={"Part": part, "Light": light(points, faces)})
+        meshes.poly_data(points, faces, point_arrays={"Part": part, "Light": light(points, faces)}),
+        "vase.vtp",
     )
     disk = simple.SurfaceToDisk(Input=surface)
     conformal = simple.ConformalDisk(
@@ -167,6 +168,6 @@ def report(metrics):
         "",
         *lines,
         "",
-        "In the GUI: *Surface To Disk*, *Conformal Disk*, *OMT Area Preserving*, *Distortion Metrics*; *Histogram* of `AreaDistortion` and "
+        "In the GUI: *File > Open* `gallery-output/vase.vtp`; *Surface To Disk*, *Conformal Disk*, *OMT Area Preserving*, *Distortion Metrics*; *Histogram* of `AreaDistortion` and "
         "`AngleDistortion`.",
     ]
