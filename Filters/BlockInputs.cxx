@@ -115,6 +115,14 @@ std::vector<std::string> leafTypes(vtkInformation* port)
   return types;
 }
 
+std::string wordFor(const std::string& type)
+{
+  return type == "vtkPolyData"    ? "a surface"
+         : type == "vtkImageData" ? "an image"
+         : type == "vtkGraph"     ? "a graph"
+                                  : "a " + type;
+}
+
 // The nodes that were made for this block, and those made for none.
 vtkSmartPointer<vtkSelection> selectionIn(unsigned int flatIndex, vtkSelection* selection)
 {
@@ -244,13 +252,15 @@ void BlockInputs::requireType(int port, vtkDataObject* data) const
   if (std::none_of(
         taken.begin(), taken.end(), [data](const std::string& type) { return data->IsA(type.c_str()); }))
   {
-    std::string others;
-    for (std::size_t i = 1; i < taken.size(); ++i)
+    std::string expected;
+    for (const std::string& type : taken)
     {
-      others += " or " + taken[i];
+      expected += (expected.empty() ? "" : " or ") + wordFor(type);
     }
-    throw InvalidInput("it is a " + std::string(data->GetClassName()) + ", not a surface" + others +
-                       ": run Extract Surface first");
+    const bool takesSurface = std::find(taken.begin(), taken.end(), "vtkPolyData") != taken.end();
+    throw InvalidInput(
+      "it is a " + std::string(data->GetClassName()) + ", not " + expected +
+      (takesSurface ? ": run Extract Surface first" : ": remove the block, or put one in its place"));
   }
 }
 

@@ -110,12 +110,13 @@ vtkImageData* vtkFlatMapSlab::GetStack()
 
 int vtkFlatMapSlab::FillInputPortInformation(int port, vtkInformation* info)
 {
+  this->Superclass::FillInputPortInformation(port, info);
   if (port == 1)
   {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-    return 1;
+    constexpr int PlaceOfPolyData = 0; // the types of composite data sets stay
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData", PlaceOfPolyData);
   }
-  return this->Superclass::FillInputPortInformation(port, info);
+  return 1;
 }
 
 const char* vtkFlatMapSlab::GetBlockOutputType(int port, vtkInformationVector** inputVector)

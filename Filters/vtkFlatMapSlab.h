@@ -4,9 +4,10 @@
  * @brief   the grey values of a volume on a flat map, at depths below the surface
  *
  * Port 0 takes a flat map (triangles in the plane with the point array `SurfacePoints`), port 1 the
- * volume that its surface came from, or another in the same coordinates (vtkImageData). At every point
- * of the map the volume is sampled where the point lies in space and at each depth from there along the
- * inward normal of the surface: a slab of the volume, made flat, such as the cortex at 0, 1, 2 mm.
+ * volume that its surface came from, or another in the same coordinates (vtkImageData); of composite
+ * data sets on both, block for block. At every point of the map the volume is sampled where the point
+ * lies in space and at each depth from there along the inward normal of the surface: a slab of the
+ * volume, made flat, such as the cortex at 0, 1, 2 mm.
  *
  * Output port 0 is the flat map with these point arrays:
  * - for every point array of the volume, one with `Slab` after its name (float): a component per depth,

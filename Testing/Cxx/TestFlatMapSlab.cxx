@@ -7,6 +7,7 @@
 
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkShortArray.h>
@@ -302,6 +303,53 @@ TEST_F(FlatMapSlab, AVolumeMayHaveAnArrayOfAnyName)
   }
   EXPECT_NEAR(map->GetPointData()->GetArray("DistanceSlab")->GetComponent(5, 1), Radius - 1.0, 0.02);
   EXPECT_EQ(map->GetPointData()->GetArray("InVolume")->GetComponent(5, 1), 1.0);
+}
+
+// Two maps and two volumes go together block by block; one volume serves all maps.
+TEST_F(FlatMapSlab, BlocksGoTogether)
+{
+  const auto map = flatHemisphere();
+  vtkNew<vtkMultiBlockDataSet> maps;
+  vtkNew<vtkMultiBlockDataSet> volumes;
+  for (unsigned int block = 0; block < 2; ++block)
+  {
+    maps->SetBlock(block, map);
+    volumes->SetBlock(
+      block, volumeOf<vtkDoubleArray>("Block", [block](double, double, double) { return block + 3.0; }));
+  }
+  vtkNew<vtkFlatMapSlab> slab;
+  ErrorLog errors(slab);
+  slab->SetStackSize(8);
+  slab->SetInputDataObject(0, maps);
+  slab->SetInputDataObject(1, volumes);
+  const auto valueIn = [&slab](unsigned int block)
+  {
+    auto* output = vtkMultiBlockDataSet::SafeDownCast(slab->GetOutputDataObject(0));
+    auto* data = output ? vtkPolyData::SafeDownCast(output->GetBlock(block)) : nullptr;
+    return data ? data->GetPointData()->GetArray("BlockSlab")->GetComponent(7, 0) : -1.0;
+  };
+  slab->Update();
+  EXPECT_EQ(vtkMultiBlockDataSet::SafeDownCast(slab->GetOutputDataObject(0))->GetNumberOfBlocks(), 2u);
+  EXPECT_EQ(valueIn(0), 3.0);
+  EXPECT_EQ(valueIn(1), 4.0);
+  auto* stacks = vtkMultiBlockDataSet::SafeDownCast(slab->GetOutputDataObject(1));
+  ASSERT_NE(vtkImageData::SafeDownCast(stacks->GetBlock(1)), nullptr);
+  EXPECT_EQ(vtkImageData::SafeDownCast(stacks->GetBlock(1))->GetDimensions()[0], 8);
+  slab->SetInputDataObject(1, volumes->GetBlock(1));
+  slab->Update();
+  EXPECT_EQ(valueIn(0), 4.0);
+  EXPECT_EQ(valueIn(1), 4.0);
+  EXPECT_TRUE(errors.messages().empty());
+
+  volumes->SetBlock(0, map);
+  slab->SetInputDataObject(1, volumes);
+  slab->Update();
+  ASSERT_EQ(errors.messages().size(), 1u);
+  EXPECT_NE(
+    errors.messages().front().find("it is a vtkPolyData, not an image: remove"), std::string::npos)
+    << errors.messages().front();
+  EXPECT_EQ(valueIn(0), -1.0);
+  EXPECT_EQ(valueIn(1), 4.0);
 }
 
 } // namespace
