@@ -102,12 +102,10 @@ struct WeightedRegions
       regionOf);
   }
 
-  AreaPreservingMap map(bool refined,
-    int verticesPerSite = AreaPreservingOptions().VerticesPerSite) const
+  AreaPreservingMap map(bool refined) const
   {
     AreaPreservingOptions options;
     options.RefineFaces = refined;
-    options.VerticesPerSite = verticesPerSite;
     return areaPreservingDiskMap(this->Mesh, this->Conformal, this->Weights, options).Map;
   }
 
@@ -154,16 +152,6 @@ TEST(WeightRange, FacesOfManyDecadesInOneMeshAreLinear)
   std::cout << "0.001: " << gains.front() << "\n";
   gains.erase(gains.begin());
   expectOnes(gains, 0.05);
-}
-
-// The remedy for the smallest ones: sites of the transport that are vertices, not groups of eight, which
-// blur weights that change a thousandfold over a few of them.
-TEST(WeightRange, ASiteForEveryVertexMakesTheSmallestFacesLinearToo)
-{
-  const WeightedRegions regions(10000, SixDecades, 0.12, 0.16);
-  const std::vector<double> gains = regions.faceGains(regions.map(true, 1));
-  std::cout << "0.001: " << gains.front() << "\n";
-  expectOnes(gains, 0.01);
 }
 
 class WeightRangeOf : public testing::TestWithParam<double>
