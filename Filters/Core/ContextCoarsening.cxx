@@ -145,6 +145,7 @@ DerivedMesh coarsenContext(const TriangleMesh& mesh,
   const std::vector<char> keep = facesToKeep(mesh, inRegion);
   if (std::count(keep.begin(), keep.end(), 0) <= contextFaces)
   {
+    report(progress, 1.0, "Nothing is too fine");
     return derivedFromItself(mesh);
   }
   report(progress, 0.0, "Collapsing edges");

@@ -1,18 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Every filter: progress runs from 0 to 1 and never back, and each report names its stage.
+/// Every filter: progress runs from 0 to 1 and never back, and each report names its stage. An abort at
+/// any report leaves the outputs empty without an error, and the filter gives the same as ever when it
+/// runs again.
 #include "FilterTest.h"
 #include "IsoSurface.h"
+#include "PlanarWarpSamples.h"
 
+#include <vtkAreaWeights.h>
 #include <vtkConformalDiskFilter.h>
+#include <vtkContextResolution.h>
 #include <vtkDistortionMetrics.h>
+#include <vtkFlatMapImage.h>
+#include <vtkFlatMapSlab.h>
 #include <vtkFlatMapTransfer.h>
+#include <vtkFlattenRegion.h>
 #include <vtkMeshSaliency.h>
 #include <vtkOMTAreaPreservingFilter.h>
+#include <vtkPlanarWarp.h>
 #include <vtkSurfaceToDiskFilter.h>
 
+#include <vtkDataSet.h>
+#include <vtkExecutive.h>
+#include <vtkImageData.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkTable.h>
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -95,6 +111,162 @@ TEST(Progress, OtherMethods)
   rectangle->SetInputConnection(disk->GetOutputPort());
   rectangle->SetDomain(vtkConformalDiskFilter::RECTANGLE);
   expectProgress(rectangle, 4);
+}
+
+// Nothing where there are neither points nor rows.
+vtkIdType sizeOf(vtkDataObject* data)
+{
+  if (auto* dataSet = vtkDataSet::SafeDownCast(data))
+  {
+    return dataSet->GetNumberOfPoints();
+  }
+  auto* table = vtkTable::SafeDownCast(data);
+  return table ? table->GetNumberOfRows() : 0;
+}
+
+struct Abort : vtkCommand
+{
+  int At = 0;
+  int Reports = 0;
+  void Execute(vtkObject* caller, unsigned long, void*) override
+  {
+    if (this->Reports++ == this->At)
+    {
+      vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+    }
+  }
+};
+
+void expectAbortAtAnyReport(vtkAlgorithm* filter)
+{
+  SCOPED_TRACE(filter->GetClassName());
+  const ErrorLog errors(filter);
+  auto abort = vtkSmartPointer<Abort>::Take(new Abort);
+  abort->At = -1;
+  filter->Update();
+  const vtkIdType size = sizeOf(filter->GetOutputDataObject(0));
+  ASSERT_GT(size, 0);
+  filter->AddObserver(vtkCommand::ProgressEvent, abort);
+  filter->Modified();
+  filter->Update();
+  const int reports = abort->Reports;
+  // VTK's own report of 1 comes when all is done; the filter's last may, too.
+  const int last = reports - 3;
+  ASSERT_GE(last, 0);
+  for (int sample = 0; sample <= 4; ++sample)
+  {
+    abort->At = sample * last / 4;
+    SCOPED_TRACE(std::to_string(abort->At) + " of " + std::to_string(reports));
+    abort->Reports = 0;
+    filter->Modified();
+    filter->Update();
+    for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+    {
+      EXPECT_EQ(sizeOf(filter->GetOutputDataObject(port)), 0) << "port " << port;
+    }
+    filter->SetAbortExecute(0);
+  }
+  EXPECT_TRUE(errors.messages().empty());
+  abort->At = -1;
+  filter->Modified();
+  filter->Update();
+  EXPECT_EQ(sizeOf(filter->GetOutputDataObject(0)), size);
+}
+
+// With the point array Label, 1 on one side.
+vtkSmartPointer<vtkPolyData> labelledDisk(vtkPolyData* disk)
+{
+  auto labelled = vtkSmartPointer<vtkPolyData>::New();
+  labelled->ShallowCopy(disk);
+  double centre[3];
+  disk->GetCenter(centre);
+  vtkNew<vtkIntArray> label;
+  label->SetName("Label");
+  for (vtkIdType i = 0; i < disk->GetNumberOfPoints(); ++i)
+  {
+    label->InsertNextValue(disk->GetPoint(i)[0] > centre[0] ? 1 : 0);
+  }
+  labelled->GetPointData()->AddArray(label);
+  return labelled;
+}
+
+vtkSmartPointer<vtkImageData> volumeAround(vtkPolyData* surface)
+{
+  auto volume = vtkSmartPointer<vtkImageData>::New();
+  const double* bounds = surface->GetBounds();
+  volume->SetOrigin(bounds[0], bounds[2], bounds[4]);
+  volume->SetDimensions(9, 9, 9);
+  volume->SetSpacing(
+    (bounds[1] - bounds[0]) / 8, (bounds[3] - bounds[2]) / 8, (bounds[5] - bounds[4]) / 8);
+  volume->AllocateScalars(VTK_FLOAT, 1);
+  volume->GetPointData()->GetScalars()->Fill(1.0);
+  return volume;
+}
+
+void chooseLabels(vtkAlgorithm* filter)
+{
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Label");
+}
+
+// Every filter that takes a disk or its map, and how many stages it is to report at least.
+void forEachLaterFilter(const std::function<void(vtkAlgorithm*, std::size_t leastStages)>& check)
+{
+  vtkNew<vtkSurfaceToDiskFilter> opened;
+  opened->SetInputData(foldedBall(33, true));
+  opened->RemeshOn();
+  opened->Update();
+  const vtkSmartPointer<vtkPolyData> disk = labelledDisk(opened->GetOutput());
+  vtkNew<vtkConformalDiskFilter> conformal;
+  conformal->SetInputData(disk);
+  vtkNew<vtkOMTAreaPreservingFilter> flat;
+  flat->SetInputConnection(conformal->GetOutputPort());
+  flat->Update();
+
+  vtkNew<vtkMeshSaliency> saliency;
+  saliency->SetInputData(disk);
+  saliency->FindRegionsOn();
+  check(saliency, 2);
+  vtkNew<vtkContextResolution> context;
+  context->SetInputData(disk);
+  context->SetContextFaces(100);
+  chooseLabels(context);
+  check(context, 3);
+  vtkNew<vtkContextResolution> fineEnough;
+  fineEnough->SetInputData(disk);
+  fineEnough->SetContextFaces(VTK_INT_MAX);
+  chooseLabels(fineEnough);
+  check(fineEnough, 1);
+  vtkNew<vtkAreaWeights> weights;
+  weights->SetInputData(disk);
+  chooseLabels(weights);
+  check(weights, 2);
+  vtkNew<vtkFlattenRegion> region;
+  region->SetInputData(disk);
+  chooseLabels(region);
+  check(region, 4);
+  vtkNew<vtkFlatMapImage> image;
+  image->SetInputData(flat->GetOutput());
+  image->SetSize(100);
+  check(image, 3);
+  vtkNew<vtkFlatMapSlab> slab;
+  slab->SetInputData(0, flat->GetOutput());
+  slab->SetInputData(1, volumeAround(disk));
+  slab->SetStackSize(50);
+  check(slab, 4);
+  vtkNew<vtkPlanarWarp> warp;
+  warp->SetInputData(0, doubled());
+  warp->SetInputData(1, plane(20));
+  check(warp, 1);
+}
+
+TEST(Progress, OfLaterFilters)
+{
+  forEachLaterFilter(expectProgress);
+}
+
+TEST(Progress, AbortOfLaterFilters)
+{
+  forEachLaterFilter([](vtkAlgorithm* filter, std::size_t) { expectAbortAtAnyReport(filter); });
 }
 
 } // namespace
