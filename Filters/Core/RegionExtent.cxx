@@ -128,11 +128,12 @@ public:
     std::set<std::pair<int, int>> pairs;
     for (int start = 0; start < Starts; ++start)
     {
-      report(progress, static_cast<double>(start) / Starts, "Greatest diameter");
       int from = this->Loop[start * this->Loop.size() / Starts];
       double before = 0.0;
       for (int sweep = 0; sweep < Sweeps; ++sweep)
       {
+        report(
+          progress, 0.4 * (start + static_cast<double>(sweep) / Sweeps) / Starts, "Greatest diameter");
         Eigen::Index to = 0;
         const double length = geodesicDistances(this->Region, from).maxCoeff(&to);
         if (length <= before)
@@ -148,6 +149,7 @@ public:
     SurfaceCurve longest;
     for (const auto& [from, to] : pairs)
     {
+      report(progress, 0.4, "Greatest diameter");
       SurfaceCurve curve = this->path(from, to);
       if (curve.Length > longest.Length)
       {
@@ -155,7 +157,7 @@ public:
         this->Ends = { from, to };
       }
     }
-    return this->lengthened(std::move(longest));
+    return this->lengthened(std::move(longest), subrange(progress, 0.4, 1.0));
   }
 
   // After the diameter.
@@ -197,6 +199,7 @@ public:
     for (double step = 1.0 / Levels; step > 0.25 / Levels; step *= 0.5)
     {
       const double middle = best;
+      report(progress, 1.0, "Greatest extent across");
       best = tryLevel(middle - step) ? middle - step : best;
       best = tryLevel(middle + step) ? middle + step : best;
     }
@@ -205,8 +208,9 @@ public:
 
 private:
   // The diameter after moving its ends along the boundary, as far as it gets longer by that.
-  SurfaceCurve lengthened(SurfaceCurve longest)
+  SurfaceCurve lengthened(SurfaceCurve longest, const ProgressCallback& progress)
   {
+    int tries = 0;
     const auto size = static_cast<std::ptrdiff_t>(this->Loop.size());
     // Near the maximum, a small move changes the length by its square only.
     const std::ptrdiff_t smallest = std::max<std::ptrdiff_t>(size / 100, 1);
@@ -221,6 +225,9 @@ private:
           {
             continue; // within the region
           }
+          report(progress,
+            1.0 - 1.0 / (1.0 + tries++),
+            "Greatest diameter"); // how many there will be is not known
           const int before = *end;
           *end = this->Loop[(place - this->Loop.begin() + move) % size];
           SurfaceCurve curve = this->Ends.first == this->Ends.second
