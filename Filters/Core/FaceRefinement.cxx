@@ -35,10 +35,12 @@ constexpr int MoreFirstStages = 2;
 // lost again.
 constexpr int FirstShapeRounds = 2;
 constexpr double FirstShapeFactor = 10.0;
-// A stage ends when so few faces are off by more than the patches' tolerance, or when rounds in a row do
-// not make them fewer by this share.
+// A stage ends when so few faces are off by more than the patches' tolerance, or when rounds in a row
+// bring neither their number nor how far they are off in sum down by this share.
 constexpr double EnoughShare = 0.003;
 constexpr double LeastProgress = 0.02;
+// Flipped faces count as if they had this share of their area.
+constexpr double LeastRatio = 1e-3;
 constexpr int MostIdleRounds = 2;
 // The same where refinement goes on from a refined map: few are off, and of these most are at once
 // mended.
@@ -161,13 +163,26 @@ private:
     return state.Places[last] - state.Places[0] < this->Unknowns.domain().perimeter();
   }
 
-  // Of the faces: those whose area is off by more than the tolerance.
-  double offShare(const FlatState& state)
+  struct Off
+  {
+    double Share = 0.0;    // of the faces: those whose area is off by more than the tolerance
+    double Distance = 0.0; // the sum of how far they are off, by the logarithms of their area ratios
+  };
+
+  Off off(const FlatState& state)
   {
     this->Energy.setEnclosed(state);
     const Eigen::VectorXd ratios = this->Energy.areaRatios(state);
-    const Eigen::Index off = ((ratios.array() - 1.0).abs() > RefinementPatches::AreaTolerance).count();
-    return static_cast<double>(off) / this->Surface.faceCount();
+    Off result;
+    for (const double ratio : ratios)
+    {
+      if (std::abs(ratio - 1.0) > RefinementPatches::AreaTolerance)
+      {
+        result.Share += 1.0 / this->Surface.faceCount();
+        result.Distance += std::abs(std::log(std::max(ratio, LeastRatio)));
+      }
+    }
+    return result;
   }
 
   Eigen::VectorXd presentTargets(const FlatState& state)
@@ -224,9 +239,10 @@ private:
   {
     const double progressShare = this->Map.IsContinued ? LeastContinuedProgress : LeastProgress;
     const int mostIdle = this->Map.IsContinued ? MostIdleContinuedRounds : MostIdleRounds;
-    double off = this->offShare(state);
+    Off before = this->off(state);
     int idle = 0;
-    for (int round = 0; round < most && (off > EnoughShare || until == Until::AllRounds); ++round)
+    for (int round = 0; round < most && (before.Share > EnoughShare || until == Until::AllRounds);
+         ++round)
     {
       ++this->Result.Rounds;
       const double begin = static_cast<double>(round) / most;
@@ -242,13 +258,15 @@ private:
       pass.KeepsOrientation = this->KeepsOrientation;
       pass.ShapeFactor = this->Result.Rounds <= this->ShapeRounds ? FirstShapeFactor : 1.0;
       const int patches = this->Patches.run(pass, state, subrange(progress, middle, end));
-      const double next = this->offShare(state);
-      idle = next > (1.0 - progressShare) * off ? idle + 1 : 0;
+      const Off next = this->off(state);
+      const bool isIdle = next.Share > (1.0 - progressShare) * before.Share &&
+                          next.Distance > (1.0 - progressShare) * before.Distance;
+      idle = isIdle ? idle + 1 : 0;
       if (patches == 0 || (until == Until::Enough && idle == mostIdle))
       {
         return;
       }
-      off = next;
+      before = next;
     }
   }
 

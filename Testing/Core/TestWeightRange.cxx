@@ -141,17 +141,18 @@ TEST(WeightRange, CellsOfSixDecadesInOneMeshAreLinear)
 
 // Where the weight has a dozen triangles to change in. Over a sharp edge triangles with corners on both
 // sides would have to be a hundred times as long as wide. Beside a region of 1000 the faces of a region
-// of 0.001 have a 20,000th of the mean area, and may come out too large: only its cells are asked for.
+// of 0.001 have a 20,000th of the mean area: they shrink to it over many rounds, in which their number
+// that is not right stays the same.
 TEST(WeightRange, FacesOfManyDecadesInOneMeshAreLinear)
 {
-  const WeightedRegions regions(20000, SixDecades, 0.12, 0.16);
-  const AreaPreservingMap map = regions.map(true);
-  EXPECT_TRUE(map.Bijective);
-  expectOnes(regions.cellGains(map), 1e-6);
-  std::vector<double> gains = regions.faceGains(map);
-  std::cout << "0.001: " << gains.front() << "\n";
-  gains.erase(gains.begin());
-  expectOnes(gains, 0.05);
+  for (const int vertexCount : { 16000, 20000 })
+  {
+    const WeightedRegions regions(vertexCount, SixDecades, 0.12, 0.16);
+    const AreaPreservingMap map = regions.map(true);
+    EXPECT_TRUE(map.Bijective);
+    expectOnes(regions.cellGains(map), 1e-6);
+    expectOnes(regions.faceGains(map), 0.02);
+  }
 }
 
 class WeightRangeOf : public testing::TestWithParam<double>
