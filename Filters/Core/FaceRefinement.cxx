@@ -228,8 +228,8 @@ private:
     }
     if (!this->Descent)
     {
-      report(progress, 0.0, "Face refinement: order of elimination");
-      this->Descent.emplace(this->Energy, this->Unknowns, this->Surface.Faces);
+      this->Descent.emplace(
+        this->Energy, this->Unknowns, this->Surface.Faces, SparseCholesky::Kernel::Blocks, progress);
     }
     this->Descent->keepOrientation(this->KeepsOrientation);
     this->Descent->round(state, progress);

@@ -2,12 +2,14 @@
 #include "RefinementDescent.h"
 
 #include "Errors.h"
+#include "InterruptibleCall.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace flattening
 {
@@ -36,7 +38,8 @@ constexpr int PerTask = 4096;
 // The mesh's own order, found on one unknown per vertex and expanded, in a quarter of the time.
 EliminationOrder expandedOrder(const FaceMatrix& faces,
   const FlatUnknowns& unknowns,
-  SparseCholesky::Ordering ordering)
+  SparseCholesky::Ordering ordering,
+  const ProgressCallback& progress)
 {
   const int vertexCount = unknowns.vertexCount();
   std::vector<Eigen::Triplet<double>> entries;
@@ -54,11 +57,17 @@ EliminationOrder expandedOrder(const FaceMatrix& faces,
       entries.emplace_back(std::max(a, b), std::min(a, b), 1.0);
     }
   }
-  SparseMatrix pattern(vertexCount, vertexCount);
-  pattern.setFromTriplets(entries.begin(), entries.end());
+  const auto pattern = std::make_shared<SparseMatrix>(vertexCount, vertexCount);
+  pattern->setFromTriplets(entries.begin(), entries.end());
+  const auto ofVertices = std::make_shared<EliminationOrder>();
+  callInterruptibly([pattern, ordering, ofVertices]()
+    { *ofVertices = SparseCholesky::orderOf(*pattern, ordering); },
+    progress,
+    0.0,
+    "Face refinement: order of elimination");
   EliminationOrder order;
   order.Fill = std::numeric_limits<double>::infinity();
-  for (const int v : SparseCholesky::orderOf(pattern, ordering).Unknowns)
+  for (const int v : ofVertices->Unknowns)
   {
     for (int k = 0; k < unknowns.countOf(v); ++k)
     {
@@ -99,15 +108,18 @@ double crossProduct(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 RefinementDescent::RefinementDescent(RefinementEnergy& energy,
   const FlatUnknowns& unknowns,
   const FaceMatrix& faces,
-  SparseCholesky::Kernel kernel)
+  SparseCholesky::Kernel kernel,
+  const ProgressCallback& progress)
   : Energy(energy)
   , Unknowns(unknowns)
   , Faces(faces)
-  , Cholesky(expandedOrder(faces,
-               unknowns,
-               kernel == SparseCholesky::Kernel::Blocks ? SparseCholesky::Ordering::Thorough
-                                                        : SparseCholesky::Ordering::Quick),
-      kernel)
+  , Cholesky(std::make_shared<SparseCholesky>(
+      expandedOrder(faces,
+        unknowns,
+        kernel == SparseCholesky::Kernel::Blocks ? SparseCholesky::Ordering::Thorough
+                                                 : SparseCholesky::Ordering::Quick,
+        progress),
+      kernel))
   , Damping(FirstDamping)
 {
 }
@@ -115,27 +127,33 @@ RefinementDescent::RefinementDescent(RefinementEnergy& energy,
 // With more damping where slivers leave the last digits of the matrix indefinite.
 void RefinementDescent::factorise(const FlatState& state, const ProgressCallback& progress)
 {
-  SparseMatrix matrix = this->Energy.hessian(state);
-  report(progress, 0.0, "Face refinement: factorization");
+  const auto matrix = std::make_shared<SparseMatrix>(this->Energy.hessian(state));
   double added = 0.0;
   for (int trial = 0; trial < FactorTrials; ++trial)
   {
-    for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+    for (Eigen::Index column = 0; column < matrix->cols(); ++column)
     {
-      matrix.valuePtr()[matrix.outerIndexPtr()[column]] +=
+      matrix->valuePtr()[matrix->outerIndexPtr()[column]] +=
         this->Damping - added; // the diagonal is first
     }
     added = this->Damping;
-    if (this->Analysed)
-    {
-      this->Cholesky.recompute(matrix);
-    }
-    else
-    {
-      this->Cholesky.compute(matrix);
-      this->Analysed = true;
-    }
-    if (this->Cholesky.info() == Eigen::Success)
+    callInterruptibly(
+      [cholesky = this->Cholesky, matrix, isAnalysed = this->Analysed]()
+      {
+        if (isAnalysed)
+        {
+          cholesky->recompute(*matrix);
+        }
+        else
+        {
+          cholesky->compute(*matrix);
+        }
+      },
+      progress,
+      0.0,
+      "Face refinement: factorization");
+    this->Analysed = true;
+    if (this->Cholesky->info() == Eigen::Success)
     {
       this->Updates.clear();
       return;
@@ -157,7 +175,7 @@ Eigen::VectorXd RefinementDescent::direction(const Eigen::VectorXd& gradient) co
     shares[i] = update.Step.dot(rest) / update.Product;
     rest -= shares[i] * update.Change;
   }
-  Eigen::VectorXd step = this->Cholesky.solve(rest);
+  Eigen::VectorXd step = this->Cholesky->solve(rest);
   for (std::size_t i = 0; i < this->Updates.size(); ++i)
   {
     const Update& update = this->Updates[i];

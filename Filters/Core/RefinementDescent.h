@@ -5,6 +5,7 @@
 #include "Progress.h"
 #include "RefinementEnergy.h"
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -17,10 +18,12 @@ namespace flattening
 class RefinementDescent
 {
 public:
+  /// Finds an order of elimination. @throws Cancelled.
   RefinementDescent(RefinementEnergy& energy,
     const FlatUnknowns& unknowns,
     const FaceMatrix& faces,
-    SparseCholesky::Kernel kernel = SparseCholesky::Kernel::Blocks);
+    SparseCholesky::Kernel kernel = SparseCholesky::Kernel::Blocks,
+    const ProgressCallback& progress = {});
 
   /// Whether steps end before the first face is flipped. All faces must be positive then.
   void keepOrientation(bool keep) { this->KeepsOrientation = keep; }
@@ -37,7 +40,7 @@ private:
   RefinementEnergy& Energy;
   const FlatUnknowns& Unknowns;
   const FaceMatrix& Faces;
-  SparseCholesky Cholesky;
+  std::shared_ptr<SparseCholesky> Cholesky; // a factorization that is abandoned has it, too
   bool Analysed = false;
   bool KeepsOrientation = false;
   double Damping; // of the Hessian's diagonal
