@@ -39,17 +39,18 @@ constexpr const char* FlatPoints = "FlatPoints";
 // The weights per point; empty if all are 1.
 Eigen::VectorXd readWeights(vtkPolyData* input, const char* chosen)
 {
-  const bool isChosen = chosen && *chosen && std::string(chosen) != "None";
-  const std::string name = isChosen ? chosen : DefaultWeights;
+  const bool isSet = chosen && *chosen;
+  const std::string name = isSet && std::string(chosen) != "None" ? chosen : DefaultWeights;
   vtkDataArray* array = input->GetPointData()->GetArray(name.c_str());
-  if (!array && !isChosen)
+  if (!array && !isSet)
   {
     return {};
   }
   if (!array)
   {
     throw flattening::InvalidInput("the input has no point array " + name +
-                                   " for the area weights: choose another or turn UseAreaWeight off");
+                                   " for the area weights: add it with Area Weights, choose another "
+                                   "array or turn UseAreaWeight off");
   }
   if (array->GetNumberOfComponents() != 1)
   {

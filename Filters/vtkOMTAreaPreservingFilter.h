@@ -125,7 +125,8 @@ public:
    * Whether the points have weights. If on, the input array to process 0 (SetInputArrayToProcess; by
    * default the point array `AreaWeight`) gives each point the factor by which its area is to grow
    * relative to the others: dimensionless, > 0, 1 everywhere = no change. If the array has not been
-   * chosen and there is no `AreaWeight`, all are 1. Default: on.
+   * chosen and there is no `AreaWeight`, all are 1; "None", which ParaView sends for no choice, asks for
+   * `AreaWeight` and is an error without. Default: on.
    */
   vtkSetMacro(UseAreaWeight, bool);
   vtkGetMacro(UseAreaWeight, bool);

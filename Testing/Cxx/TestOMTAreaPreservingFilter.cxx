@@ -375,6 +375,8 @@ TEST(OMTAreaPreservingFilter, AreaWeights)
     }
   }
   EXPECT_NEAR(shareOfRegion() / before, 2.0, 1e-9) << "AreaWeight by default";
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "None");
+  EXPECT_NEAR(shareOfRegion() / before, 2.0, 1e-9) << "AreaWeight where none is chosen";
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Importance");
   EXPECT_NEAR(shareOfRegion() / before, 3.0, 1e-9);
   filter->UseAreaWeightOff();
@@ -472,6 +474,14 @@ TEST(OMTAreaPreservingFilter, BadInput)
   data->GetPointData()->AddArray(vectors);
   expect(data, "the area weights AreaWeight have 3 components, not 1");
 
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "None");
+  const auto weighted = copyOf(good);
+  addWeights(weighted, "AreaWeight", 1.0);
+  expectError(filter.Get(),
+    copyOf(good),
+    "no point array AreaWeight for the area weights: add it with Area Weights",
+    weighted);
+  filter->SetInputData(copyOf(good));
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Missing");
   ErrorLog errors(filter);
   filter->Update();

@@ -114,6 +114,18 @@ def share(arrays):
 
 assert math.isclose(share(data) / share(plain), 4, rel_tol=1e-6)
 
+# --- Without the array, neither the active nor the first of the others is taken for it ------------------------------
+bare = ConformalDisk(Input=labelled)
+arrays = bare.PointData.keys()
+assert "AreaWeight" not in arrays and "ConformalFactor" in arrays, arrays
+without = OMTAreaPreserving(Input=bare, UseAreaWeight=1)
+assert without.AreaWeightArray[1] == "None", without.AreaWeightArray
+without.UpdatePipeline()
+assert without.GetDataInformation().GetNumberOfPoints() == 0
+without.UseAreaWeight = 0
+without.UpdatePipeline()
+assert without.GetDataInformation().GetNumberOfPoints() == bare.GetDataInformation().GetNumberOfPoints()
+
 # --- After a change of the factor, from the map before -----------------------------------------------------------
 conformal = ConformalDisk(Input=labelled)
 once = OMTAreaPreserving(Input=conformal)
