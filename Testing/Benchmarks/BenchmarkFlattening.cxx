@@ -145,6 +145,7 @@ void refineAll(benchmark::State& state, const TriangleMesh& mesh, const Points2&
   counters["area_error_percent"] = faces[Measure::AreaError].AreaWeightedMean;
   counters["area_error_p99"] = faces[Measure::AreaError].P99;
   counters["angle_error"] = faces[Measure::AngleError].Mean;
+  counters["angle_error_by_area"] = faces[Measure::AngleError].AreaWeightedMean;
   counters["flipped"] = flat.Map.FlippedFaces;
   counters["bijective"] = flat.Map.Bijective;
 }
@@ -266,6 +267,8 @@ int main(int argc, char** argv)
   addSurface("half brain, split once", split(half, 1));
   addSurface("half brain, split twice", split(half, 2));
   addSurface("whole brain, remeshed", [scan] { return benchmarks::remeshedBrain(scan); });
+  addSurface(
+    "whole brain, coarse hole", [scan] { return benchmarks::remeshedBrainWithCoarseHole(scan); });
   addSurface("whole brain, raw", whole);
   addSurface("whole brain, raw, hole 0.1 %", [scan] { return benchmarks::closedBrain(scan); });
   addSurface("whole brain, split once", split(whole, 1));

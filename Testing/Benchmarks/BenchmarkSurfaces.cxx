@@ -2,9 +2,16 @@
 #include "BenchmarkSurfaces.h"
 
 #include "AnalyticSurfaces.h"
+#include "DerivedMesh.h"
+#include "EdgeDistance.h"
+#include "Errors.h"
+#include "HolePlacement.h"
+#include "IsotropicRemeshing.h"
+#include "MeshTopology.h"
 #include "ScanSurface.h"
 
 #include <vtkCellArray.h>
+#include <vtkCleanPolyData.h>
 #include <vtkClipPolyData.h>
 #include <vtkIdList.h>
 #include <vtkImageData.h>
@@ -14,15 +21,23 @@
 #include <vtkPlane.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataConnectivityFilter.h>
 #include <vtkSmartPointer.h>
 #include <vtkSurfaceToDiskFilter.h>
 
+#include <algorithm>
 #include <chrono>
+#include <numeric>
+#include <vector>
 
 namespace flattening::benchmarks
 {
 namespace
 {
+
+// Of the whole brain.
+constexpr double BrainEdgeLength = 1.465; // mm
+constexpr double BrainHoleFraction = 0.0075;
 
 TriangleMesh meshOf(vtkPolyData* data)
 {
@@ -90,6 +105,46 @@ BenchmarkSurface asDisk(vtkPolyData* surface, double edgeLength, double holeFrac
   return asDisk(toDisk, surface, edgeLength);
 }
 
+// Without the triangles nearest to where a hole is placed, as many as have that share of the area, and
+// as few more as make the rest a disk.
+TriangleMesh withoutTriangles(const TriangleMesh& closed, double areaFraction)
+{
+  const SurfaceMesh surface = toSurfaceMesh(closed);
+  const Eigen::VectorXd distances =
+    EdgeDistances(surface).from({ SurfaceMesh::Vertex_index(geodesicCentre(closed)) });
+  const Eigen::VectorXd areas = faceAreas(closed.Vertices, closed.Faces);
+  std::vector<double> nearest(closed.faceCount());
+  for (int f = 0; f < closed.faceCount(); ++f)
+  {
+    nearest[f] = std::min(
+      { distances[closed.Faces(f, 0)], distances[closed.Faces(f, 1)], distances[closed.Faces(f, 2)] });
+  }
+  std::vector<int> order(closed.faceCount());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return nearest[a] < nearest[b]; });
+  double removed = 0.0;
+  for (auto rest = order.begin(); rest != order.end(); ++rest)
+  {
+    const bool isEnough = removed >= areaFraction * areas.sum();
+    if (isEnough && nearest[*rest] > nearest[*(rest - 1)])
+    {
+      std::vector<int> kept(rest, order.end());
+      std::sort(kept.begin(), kept.end());
+      TriangleMesh mesh = extractFaces(closed, kept).Mesh;
+      try
+      {
+        requireDisk(mesh);
+        return mesh;
+      }
+      catch (const TopologyError&)
+      {
+      }
+    }
+    removed += areas[*rest];
+  }
+  throw TopologyError("no disk is left");
+}
+
 // What lies on side 1 or -1 of the mid-plane.
 BenchmarkSurface half(const std::string& scan, double edgeLength, int side = 1)
 {
@@ -154,12 +209,25 @@ BenchmarkSurface closedBrain(const std::string& scan)
 
 BenchmarkSurface remeshedBrain(const std::string& scan)
 {
-  return asDisk(brainSurface(scan), 1.465, 0.0075);
+  return asDisk(brainSurface(scan), BrainEdgeLength, BrainHoleFraction);
+}
+
+BenchmarkSurface remeshedBrainWithCoarseHole(const std::string& scan)
+{
+  vtkNew<vtkPolyDataConnectivityFilter> largest;
+  largest->SetInputData(brainSurface(scan));
+  largest->SetExtractionModeToLargestRegion();
+  vtkNew<vtkCleanPolyData> used;
+  used->SetInputConnection(largest->GetOutputPort());
+  used->PointMergingOff();
+  used->Update();
+  const TriangleMesh remeshed = remeshIsotropically(meshOf(used->GetOutput()), BrainEdgeLength).Mesh;
+  return { withoutTriangles(remeshed, BrainHoleFraction) };
 }
 
 BenchmarkSurface brainWithResolvedHole(const std::string& scan)
 {
-  return asDisk(brainSurface(scan), 0.0, 0.0075);
+  return asDisk(brainSurface(scan), 0.0, BrainHoleFraction);
 }
 
 BenchmarkSurface unrolled(const TriangleMesh& tube, double edgeLength)

@@ -49,6 +49,7 @@ ERRORS = {
     "mean area error": lambda b: f"{b['area_error_percent']:.2f} %",
     "P99": lambda b: f"{b['area_error_p99']:.1f} %",
     "angle error": lambda b: f"{b['angle_error']:.1f}°",
+    "by area": lambda b: f"{b['angle_error_by_area']:.1f}°",
     "flipped  ": lambda b: f"{b['flipped']:.0f}",
     "bijective": lambda b: "yes" if b["bijective"] else "no",
 }
