@@ -153,7 +153,7 @@ int vtkFlatMapImage::RequestInformation(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
-  int size = this->Size;
+  double size = this->Size;
   if (this->PixelLength > 0.0)
   {
     // An image's extent must be known before its data, and here it follows from the map.
@@ -162,10 +162,12 @@ int vtkFlatMapImage::RequestInformation(vtkInformation* vtkNotUsed(request),
     before->Update(port);
     if (vtkPolyData* map = vtkPolyData::GetData(inputVector[0]); !flattening::isEmpty(map))
     {
-      size = static_cast<int>(std::min<double>(this->PixelsFor(sideOf(map)), GreatestSize));
+      size = this->PixelsFor(sideOf(map));
     }
   }
-  const int extent[6] = { 0, size - 1, 0, size - 1, 0, 0 };
+  // Of what Execute() refuses nothing is announced: who found less than that would ask once more.
+  const int last = size <= GreatestSize ? static_cast<int>(size) - 1 : -1;
+  const int extent[6] = { 0, last, 0, last, 0, std::min(last, 0) };
   outputVector->GetInformationObject(0)->Set(
     vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   return 1;
