@@ -2,6 +2,7 @@
 #include "vtkFlatMapTransfer.h"
 
 #include "Core/DerivedMesh.h"
+#include "Core/Errors.h"
 #include "Core/FlatMapTransfer.h"
 #include "FilterExecution.h"
 #include "FlatPart.h"
@@ -12,6 +13,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
+#include <sstream>
 #include <vector>
 
 vtkStandardNewMacro(vtkFlatMapTransfer);
@@ -32,6 +34,14 @@ DerivedMesh survivingPart(const flattening::TriangleMesh& original, const Transf
     {
       faces.push_back(f);
     }
+  }
+  if (faces.empty())
+  {
+    std::ostringstream message;
+    message << "no triangle of the original surface has all of its points within " << map.Tolerance
+            << " of the flattened one: raise the tolerance, or set it to 0, for half of the flattened "
+               "surface's mean edge length";
+    throw flattening::InvalidInput(message.str());
   }
   return flattening::extractFaces(original, faces);
 }

@@ -25,7 +25,8 @@
  *
  * An empty input on either port gives an empty output. Errors, each with an empty output: cells that are
  * not triangles, a missing `SurfacePoints` array, a flattened surface that is not flat or not an
- * oriented manifold, coordinates that are not finite, surfaces that are nowhere near each other.
+ * oriented manifold, coordinates that are not finite, a tolerance that is negative or not finite, no
+ * original point or no whole original triangle within the tolerance.
  *
  * @sa vtkSurfaceToDiskFilter vtkConformalDiskFilter vtkOMTAreaPreservingFilter
  */
@@ -52,10 +53,10 @@ public:
 
   ///@{
   /**
-   * Greatest distance of an original point from the flattened surface (input units). Range [0, inf).
-   * Default: 0, half of the flattened surface's mean edge length in space.
+   * Greatest distance of an original point from the flattened surface (input units). Range [0, inf),
+   * else an error. Default: 0, half of the flattened surface's mean edge length in space.
    */
-  vtkSetClampMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}
 

@@ -141,6 +141,34 @@ TEST(FlatMapTransferFilter, ReportsWhatIsWrong)
   expectError(filter.Get(), doubled(moved(sheet, 9, 9, 9)), "raise the tolerance", doubled(sheet));
 }
 
+TEST(FlatMapTransferFilter, RefusesATolerance)
+{
+  const TriangleMesh sheet = square(7);
+  vtkNew<vtkFlatMapTransfer> filter;
+  filter->SetInputData(doubled(sheet));
+  const auto expectMessage = [&filter](double tolerance, const std::string& words)
+  {
+    ErrorLog errors(filter);
+    filter->SetTolerance(tolerance);
+    filter->Update();
+    ASSERT_EQ(errors.messages().size(), 1u);
+    EXPECT_NE(errors.messages().front().find(words), std::string::npos) << errors.messages().front();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  };
+  filter->SetOriginalData(polyDataOf(sheet));
+  expectMessage(-0.5, "the tolerance is -0.5");
+  expectMessage(std::nan(""), "set it to 0, for half of the mean edge length, or to a length");
+
+  TriangleMesh tilted = sheet; // one corner point of it alone is near
+  tilted.Vertices.col(2) += tilted.Vertices.col(0) + tilted.Vertices.col(1);
+  filter->SetOriginalData(polyDataOf(tilted));
+  expectMessage(1e-6, "no triangle of the original surface has all of its points within 1e-06");
+  filter->SetTolerance(0.0);
+  filter->SetOriginalData(polyDataOf(sheet));
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), sheet.vertexCount());
+}
+
 TEST(FlatMapTransferFilter, CanBeStopped)
 {
   const TriangleMesh sheet = square(7);
