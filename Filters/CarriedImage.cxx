@@ -102,10 +102,11 @@ Points2 pixelCentres(vtkImageData* image)
 // Where what each pixel shows comes from.
 CarriedPoints sourcesOf(const Points2& centres, const ResamplingRules& rules)
 {
-  CarriedPoints sources = rules.Warp.carryBack(centres, rules.Progress);
+  CarriedPoints sources =
+    rules.Warp.carryBack(centres, subrange(rules.Progress, 0.0, rules.LeaveUnmoved ? 0.5 : 1.0));
   if (rules.LeaveUnmoved)
   {
-    const CarriedPoints covered = rules.Warp.carry(centres);
+    const CarriedPoints covered = rules.Warp.carry(centres, subrange(rules.Progress, 0.5, 1.0));
     for (Eigen::Index i = 0; i < centres.rows(); ++i)
     {
       if (!sources.Inside[i] && !covered.Inside[i]) // else what was there is elsewhere now

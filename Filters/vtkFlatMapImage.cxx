@@ -181,7 +181,7 @@ void vtkFlatMapImage::Execute(vtkInformationVector** inputVector, vtkInformation
   flattening::report(progress, 0.0, "Reading the flat map");
   const flattening::TriangleMesh surface = flattening::surfaceOfFlattened(input);
   const flattening::Points2 positions = flattening::toPlanarPositions(input);
-  const flattening::FlatMapLocation map(surface, positions);
+  const flattening::FlatMapLocation map(surface, positions, flattening::subrange(progress, 0.0, 0.1));
   const flattening::TextureSquare square = flattening::textureSquare(positions);
   if (const double pixels = this->PixelsFor(square.Side); !(pixels <= GreatestSize))
   {
@@ -200,9 +200,12 @@ void vtkFlatMapImage::Execute(vtkInformationVector** inputVector, vtkInformation
   output->SetOrigin(grid.First.x(), grid.First.y(), 0.0);
   output->SetSpacing(grid.Length, grid.Length, grid.Length);
   vtkPointData* pixels = output->GetPointData();
-  flattening::transferPointData(
-    input->GetPointData(), cornersOf(places, surface.Faces, surface.vertexCount()), pixels);
+  const flattening::VertexOrigins corners = cornersOf(places, surface.Faces, surface.vertexCount());
+  flattening::report(progress, 0.6, "Sampling the arrays");
+  flattening::transferPointData(input->GetPointData(), corners, pixels);
+  flattening::report(progress, 0.8, "Sampling the arrays");
   addCellArrays(input, places, pixels);
+  flattening::report(progress, 0.9, "Sampling the arrays");
   setNoNumber(pixels, places);
   const long long count = addInverse(places, pixels);
   flattening::setFigure(output->GetFieldData(), "PixelLength", grid.Length);

@@ -102,7 +102,8 @@ void vtkPlanarWarp::Execute(vtkInformationVector** inputVector, vtkInformationVe
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
   const flattening::TriangleMesh mesh = flattening::surfaceOfFlattened(flat);
   const flattening::Points2 positions = flattening::toPlanarPositions(flat);
-  const flattening::PlanarWarp warp(mesh, positions);
+  const auto progress = flattening::progressOf(this);
+  const flattening::PlanarWarp warp(mesh, positions, flattening::subrange(progress, 0.0, 0.2));
   if (warp.facesDown())
   {
     vtkWarningMacro(<< this->GetBlockPrefix()
@@ -110,11 +111,11 @@ void vtkPlanarWarp::Execute(vtkInformationVector** inputVector, vtkInformationVe
                        "carries is mirrored: turn its triangles over first, e.g. with Flip Normals in "
                        "Generate Surface Normals");
   }
-  const auto progress = flattening::progressOf(this);
+  const auto ofCarrying = flattening::subrange(progress, 0.2, 1.0);
   const flattening::CarryRules rules{ warp,
     this->OutsidePoints == REMOVE,
     segmentLength(this->SubdivideLines, this->MaximumSegmentLength, warp.meanSide()),
-    progress };
+    ofCarrying };
   flattening::CarryCounts counts;
   if (auto* lines = vtkPolyData::SafeDownCast(data))
   {
@@ -146,7 +147,7 @@ void vtkPlanarWarp::Execute(vtkInformationVector** inputVector, vtkInformationVe
         this->OutsidePoints == LEAVE_UNMOVED,
         this->NearestPixel,
         { chosen[0], chosen[1] },
-        progress },
+        ofCarrying },
       vtkImageData::SafeDownCast(output));
   }
   flattening::setFigure(output->GetFieldData(), "OutsidePoints", counts.Outside);

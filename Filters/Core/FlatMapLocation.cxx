@@ -59,7 +59,7 @@ void requireFinite(const Eigen::RowVector3d& point)
 
 } // namespace
 
-FlatMapLocation::Searched::Searched(TriangleMesh whole)
+FlatMapLocation::Searched::Searched(TriangleMesh whole, const ProgressCallback& progress)
   : Mesh(std::move(whole))
 {
   if (!this->Mesh.Vertices.allFinite())
@@ -86,7 +86,7 @@ FlatMapLocation::Searched::Searched(TriangleMesh whole)
   this->Mesh.Faces.conservativeResize(static_cast<Eigen::Index>(this->Faces.size()), 3);
   this->Diagonal =
     (this->Mesh.Vertices.colwise().maxCoeff() - this->Mesh.Vertices.colwise().minCoeff()).norm();
-  this->Projection = std::make_unique<SurfaceProjection>(this->Mesh);
+  this->Projection = std::make_unique<SurfaceProjection>(this->Mesh, progress);
 }
 
 MapPlace FlatMapLocation::Searched::nearest(const Eigen::RowVector3d& point) const
@@ -97,10 +97,12 @@ MapPlace FlatMapLocation::Searched::nearest(const Eigen::RowVector3d& point) con
   return { this->Faces[found.Face], found.Weights, distance, distance <= Rounding * this->Diagonal };
 }
 
-FlatMapLocation::FlatMapLocation(const TriangleMesh& surface, const Points2& positions)
+FlatMapLocation::FlatMapLocation(const TriangleMesh& surface,
+  const Points2& positions,
+  const ProgressCallback& progress)
   : Surface(surface)
   , Positions(positions)
-  , Map(flatMesh(surface, positions))
+  , Map(flatMesh(surface, positions), progress)
   , MapWalk(this->Map.Mesh)
 {
   if (!surface.Vertices.allFinite())
@@ -132,10 +134,15 @@ MapPlace FlatMapLocation::onMap(const Eigen::RowVector2d& point, int nearFace) c
   return this->Map.nearest(inSpace);
 }
 
-MapPlace FlatMapLocation::onSurface(const Eigen::RowVector3d& point) const
+void FlatMapLocation::prepareSurface(const ProgressCallback& progress) const
 {
   std::call_once(
-    this->SpaceSearched, [this] { this->Space = std::make_unique<Searched>(this->Surface); });
+    this->SpaceSearched, [&] { this->Space = std::make_unique<Searched>(this->Surface, progress); });
+}
+
+MapPlace FlatMapLocation::onSurface(const Eigen::RowVector3d& point) const
+{
+  this->prepareSurface({});
   return this->Space->nearest(point);
 }
 

@@ -2,6 +2,7 @@
 /// Where points of the plane lie on a flat map, and points in space on the surface that it is of.
 #pragma once
 
+#include "Progress.h"
 #include "SurfaceProjection.h"
 #include "SurfaceWalk.h"
 #include "TriangleMesh.h"
@@ -39,7 +40,9 @@ public:
   /// @p surface and @p positions (n x 2) share vertices and faces. Copies both.
   /// @throws InvalidInput if a coordinate is not finite, the sizes differ, or no face has an area in the
   /// map.
-  FlatMapLocation(const TriangleMesh& surface, const Points2& positions);
+  FlatMapLocation(const TriangleMesh& surface,
+    const Points2& positions,
+    const ProgressCallback& progress = {});
 
   /// The place on the map nearest to @p point of the plane; Distance is in the plane.
   /// @throws InvalidInput if it is not finite.
@@ -48,6 +51,10 @@ public:
   /// The same where a face nearby is known, such as that of the point looked up before: ten times as
   /// fast for points inside. Of several faces that share the place it may answer another.
   MapPlace onMap(const Eigen::RowVector2d& point, int nearFace) const;
+
+  /// Does now, with progress, what the first onSurface() does else.
+  /// @throws InvalidInput if no face has an area on the surface.
+  void prepareSurface(const ProgressCallback& progress) const;
 
   /// The place on the surface nearest to @p point in space; Distance is in space.
   /// @throws InvalidInput if it is not finite or no face has an area on the surface.
@@ -61,7 +68,7 @@ private:
   // The faces of a mesh that have an area, which alone can be looked up, and their numbers in the whole.
   struct Searched
   {
-    explicit Searched(TriangleMesh whole);
+    Searched(TriangleMesh whole, const ProgressCallback& progress);
     MapPlace nearest(const Eigen::RowVector3d& point) const;
 
     TriangleMesh Mesh;

@@ -19,7 +19,7 @@ namespace
 constexpr double Planarity = 1e-6;
 
 // Points between two reports of progress.
-constexpr Eigen::Index Batch = 1 << 17;
+constexpr Eigen::Index Batch = 1 << 14;
 
 double heightOf(const TriangleMesh& mesh)
 {
@@ -97,21 +97,24 @@ CarriedPoints carried(const Points2& points,
 
 } // namespace
 
-PlanarWarp::PlanarWarp(const TriangleMesh& mesh, const Points2& positions)
+PlanarWarp::PlanarWarp(const TriangleMesh& mesh,
+  const Points2& positions,
+  const ProgressCallback& progress)
   : PlaneHeight(heightOf(mesh))
   , FacesDown(facesDownAll(mesh))
   , MeanSide(meanEdgeLength(mesh))
   , Diagonals{ diagonal(mesh.Vertices.leftCols<2>()), diagonal(positions) }
-  , Location(mesh, positions)
+  , Location(mesh, positions, progress)
 {
 }
 
 CarriedPoints PlanarWarp::carry(const Points2& points, const ProgressCallback& progress) const
 {
+  this->Location.prepareSurface(subrange(progress, 0.0, 0.3));
   return carried(
     points,
     Rounding * this->Diagonals[0],
-    progress,
+    subrange(progress, 0.3, 1.0),
     [this](const Eigen::RowVector2d& point) {
       return this->Location.onSurface({ point.x(), point.y(), this->PlaneHeight });
     },

@@ -31,7 +31,7 @@ public:
   /// @throws InvalidInput as FlatMapLocation, if z is not constant (to 1e-6 of the larger extent), or if
   /// the faces of @p mesh do not all face the same way (exactly; faces without area aside), so that it
   /// folds over itself.
-  PlanarWarp(const TriangleMesh& mesh, const Points2& positions);
+  PlanarWarp(const TriangleMesh& mesh, const Points2& positions, const ProgressCallback& progress = {});
 
   /// From the undeformed mesh to the flat map. A point that is not finite is not inside.
   CarriedPoints carry(const Points2& points, const ProgressCallback& progress = {}) const;

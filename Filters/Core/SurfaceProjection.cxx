@@ -2,6 +2,7 @@
 #include "SurfaceProjection.h"
 
 #include "EditableSurface.h"
+#include "InterruptibleCall.h"
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
@@ -56,9 +57,9 @@ struct SurfaceProjection::Tree
   CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> Boxes;
 };
 
-SurfaceProjection::SurfaceProjection(const TriangleMesh& mesh)
+SurfaceProjection::SurfaceProjection(const TriangleMesh& mesh, const ProgressCallback& progress)
   : Mesh(mesh)
-  , Boxes(std::make_unique<Tree>())
+  , Boxes(std::make_shared<Tree>())
 {
   Triangles& faces = this->Boxes->Faces;
   faces.reserve(mesh.faceCount());
@@ -68,8 +69,19 @@ SurfaceProjection::SurfaceProjection(const TriangleMesh& mesh)
       pointOf(mesh.Vertices, mesh.Faces(f, 1)),
       pointOf(mesh.Vertices, mesh.Faces(f, 2)));
   }
-  this->Boxes->Boxes.insert(faces.cbegin(), faces.cend());
-  this->Boxes->Boxes.accelerate_distance_queries();
+  callInterruptibly(
+    [tree = this->Boxes, isComplete = static_cast<bool>(progress)]()
+    {
+      tree->Boxes.insert(tree->Faces.cbegin(), tree->Faces.cend());
+      tree->Boxes.accelerate_distance_queries();
+      if (isComplete && !tree->Faces.empty())
+      {
+        tree->Boxes.closest_point(tree->Faces.front()[0]); // the first query builds what is missing
+      }
+    },
+    progress,
+    0.0,
+    "Building the search tree");
 }
 
 SurfaceProjection::~SurfaceProjection() = default;

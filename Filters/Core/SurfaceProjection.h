@@ -2,6 +2,7 @@
 /// Closest points on a triangle mesh.
 #pragma once
 
+#include "Progress.h"
 #include "TriangleMesh.h"
 
 #include <Eigen/Core>
@@ -24,7 +25,9 @@ struct SurfacePoint
 class SurfaceProjection
 {
 public:
-  explicit SurfaceProjection(const TriangleMesh& mesh);
+  /// With @p progress the tree is built at once, which an abort does not wait for; else by the first
+  /// query.
+  explicit SurfaceProjection(const TriangleMesh& mesh, const ProgressCallback& progress = {});
   ~SurfaceProjection();
   SurfaceProjection(const SurfaceProjection&) = delete;
   SurfaceProjection& operator=(const SurfaceProjection&) = delete;
@@ -34,7 +37,7 @@ public:
 private:
   struct Tree;
   const TriangleMesh& Mesh;
-  std::unique_ptr<Tree> Boxes;
+  std::shared_ptr<Tree> Boxes; ///< shared with the call that builds it, which an abort leaves behind
 };
 
 } // namespace flattening
