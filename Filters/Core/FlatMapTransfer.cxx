@@ -27,6 +27,9 @@ constexpr double BeyondBoundary = 1e-6;
 // Vertices that are not lost for good are found from their neighbours; the places spread as far a round.
 constexpr int GreatestRounds = 100;
 
+// Vertices or faces between two reports of progress.
+constexpr int Batch = 1 << 14;
+
 void requireFits(const FlattenedSurface& flattened, const TriangleMesh& target, double tolerance)
 {
   if (flattened.Positions.rows() != flattened.Surface.vertexCount())
@@ -86,7 +89,7 @@ public:
     map.Places.assign(target.vertexCount(), { 0, Eigen::Vector3d::Zero(), { 1.0, 0.0, 0.0 } });
   }
 
-  void projectAll();
+  void projectAll(const ProgressCallback& progress);
   void walkFromNeighbours(const ProgressCallback& progress);
   void place();
 
@@ -129,21 +132,27 @@ bool MapTransfer::accepts(int v, const SurfacePoint& at) const
          this->Normals.row(v).dot(this->Walk.normal(at)) > 0.0 && !this->isBeyondBoundary(v, at);
 }
 
-void MapTransfer::projectAll()
+void MapTransfer::projectAll(const ProgressCallback& progress)
 {
-  const SurfaceProjection projection(this->Flattened.Surface);
-  std::vector<double> agreement(this->Target.vertexCount(), 0.0);
-  tbb::parallel_for(0,
-    this->Target.vertexCount(),
-    [&](int v)
-    {
-      SurfacePoint& at = this->Map.Places[v];
-      at = projection.closest(this->point(v));
-      if ((at.Position - this->point(v)).norm() <= this->Map.Tolerance)
+  const SurfaceProjection projection(this->Flattened.Surface, subrange(progress, 0.0, 0.4));
+  const int vertexCount = this->Target.vertexCount();
+  std::vector<double> agreement(vertexCount, 0.0);
+  for (int begin = 0; begin < vertexCount; begin += Batch)
+  {
+    report(progress, 0.4 + 0.6 * begin / vertexCount, "carrying the map over");
+    tbb::parallel_for(begin,
+      std::min(begin + Batch, vertexCount),
+      [&](int v)
       {
-        agreement[v] = this->Normals.row(v).dot(this->Walk.normal(at));
-      }
-    });
+        SurfacePoint& at = this->Map.Places[v];
+        at = projection.closest(this->point(v));
+        if ((at.Position - this->point(v)).norm() <= this->Map.Tolerance)
+        {
+          agreement[v] = this->Normals.row(v).dot(this->Walk.normal(at));
+        }
+      });
+  }
+  report(progress, 1.0, "carrying the map over");
   double sum = 0.0;
   for (const double cosine : agreement)
   {
@@ -163,10 +172,13 @@ void MapTransfer::walkFromNeighbours(const ProgressCallback& progress)
   std::vector<char> open(this->Target.vertexCount(), 1); // worth a try
   for (int round = 0; round < GreatestRounds; ++round)
   {
-    report(progress, static_cast<double>(round) / GreatestRounds, "carrying the map over");
     std::vector<int> found;
     for (int f = 0; f < this->Target.faceCount(); ++f)
     {
+      if (f % Batch == 0)
+      {
+        report(progress, static_cast<double>(round) / GreatestRounds, "carrying the map over");
+      }
       for (int k = 0; k < 3; ++k)
       {
         const int lost = this->Target.Faces(f, k);
@@ -230,7 +242,7 @@ TransferredMap transferFlatMap(const FlattenedSurface& flattened,
   map.Tolerance = tolerance;
   report(progress, 0.0, "carrying the map over");
   MapTransfer transfer(flattened, target, map);
-  transfer.projectAll();
+  transfer.projectAll(subrange(progress, 0.2, 0.6));
   transfer.walkFromNeighbours(subrange(progress, 0.6, 0.9));
   if (std::find(map.Survived.begin(), map.Survived.end(), 1) == map.Survived.end())
   {
@@ -240,6 +252,7 @@ TransferredMap transferFlatMap(const FlattenedSurface& flattened,
                "the tolerance";
     throw InvalidInput(message.str());
   }
+  report(progress, 0.9, "carrying the map over");
   transfer.place();
   report(progress, 1.0, "carrying the map over");
   return map;
