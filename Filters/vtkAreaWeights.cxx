@@ -303,9 +303,13 @@ void vtkAreaWeights::Execute(vtkInformationVector** inputVector, vtkInformationV
     const auto meaning = this->FactorMeaning == MAGNIFICATION
                            ? flattening::FactorMeaning::Magnification
                            : flattening::FactorMeaning::RelativeToRest;
-    weights.array() *=
-      flattening::regionWeights(mesh, areas.cwiseProduct(weights), regions, meaning, this->EdgeWidth)
-        .Weights.array();
+    weights.array() *= flattening::regionWeights(mesh,
+      areas.cwiseProduct(weights),
+      regions,
+      meaning,
+      this->EdgeWidth,
+      flattening::subrange(flattening::progressOf(this), 0.3, 0.9))
+                         .Weights.array();
   }
   if (!(areas.sum() > 0.0))
   {

@@ -2,6 +2,7 @@
 #include "GeodesicDistance.h"
 
 #include "Errors.h"
+#include "InterruptibleCall.h"
 #include "IntrinsicTriangulation.h"
 #include "SparseCholesky.h"
 
@@ -10,12 +11,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace flattening
 {
 namespace
 {
+
+constexpr const char* Stage = "Distances on the surface";
 
 // Corners of a face in ascending order of their values.
 std::array<int, 3> ascending(const FaceMatrix& faces, Eigen::Index f, const Eigen::VectorXd& values)
@@ -120,15 +125,19 @@ struct HeatFaces
 class HeatSolver
 {
 public:
-  Eigen::VectorXd solve(const SparseMatrix& matrix, const Eigen::VectorXd& rightSide)
+  Eigen::VectorXd solve(SparseMatrix matrix,
+    const Eigen::VectorXd& rightSide,
+    const ProgressCallback& progress)
   {
-    this->Factor.compute(matrix);
+    const auto owned = std::make_shared<const SparseMatrix>(std::move(matrix));
+    callInterruptibly(
+      [factor = this->Factor, owned]() { factor->compute(*owned); }, progress, 0.0, Stage);
     Eigen::VectorXd solution;
-    if (this->Factor.info() == Eigen::Success)
+    if (this->Factor->info() == Eigen::Success)
     {
-      solution = this->Factor.solve(rightSide);
+      solution = this->Factor->solve(rightSide);
     }
-    if (this->Factor.info() != Eigen::Success || !solution.allFinite())
+    if (this->Factor->info() != Eigen::Success || !solution.allFinite())
     {
       throw ConvergenceError(
         "distances on the surface could not be computed: remesh it (Surface To Disk, "
@@ -138,12 +147,17 @@ public:
   }
 
 private:
-  SparseCholesky Factor{ SparseCholesky::Ordering::Quick };
+  // Shared with the call that computes it, which an abort leaves behind.
+  std::shared_ptr<SparseCholesky> Factor =
+    std::make_shared<SparseCholesky>(SparseCholesky::Ordering::Quick);
 };
 
 // Of the heat method, up to a constant.
-Eigen::VectorXd distancesByHeat(const TriangleMesh& mesh, const std::vector<int>& sources)
+Eigen::VectorXd distancesByHeat(const TriangleMesh& mesh,
+  const std::vector<int>& sources,
+  const ProgressCallback& progress)
 {
+  report(progress, 0.0, Stage);
   // At unit size, by a power of two: not one decision depends on the unit of length.
   int exponent = 0;
   std::frexp(
@@ -151,8 +165,11 @@ Eigen::VectorXd distancesByHeat(const TriangleMesh& mesh, const std::vector<int>
   TriangleMesh unit = mesh;
   unit.Vertices *= std::ldexp(1.0, -exponent);
   IntrinsicTriangulation surface(unit);
+  report(progress, 0.1, Stage);
   surface.flipToDelaunay();
+  report(progress, 0.2, Stage);
   const HeatFaces faces(surface);
+  report(progress, 0.3, Stage);
 
   // Heat that spreads from the source for a short time.
   SparseMatrix heat = faces.Laplacian * (faces.MeanEdge * faces.MeanEdge);
@@ -163,26 +180,32 @@ Eigen::VectorXd distancesByHeat(const TriangleMesh& mesh, const std::vector<int>
   {
     impulse[source] = 1.0;
   }
-  const Eigen::VectorXd spread = solver.solve(heat, impulse);
+  const Eigen::VectorXd spread = solver.solve(std::move(heat), impulse, subrange(progress, 0.3, 0.7));
+  report(progress, 0.7, Stage);
 
   // The function whose gradient has length 1 against that of the heat.
   SparseMatrix poisson = faces.Laplacian;
   // Fixes the constant: the right-hand side sums to 0.
   poisson.coeffRef(sources.front(), sources.front()) += 1.0;
-  return solver.solve(poisson, faces.divergenceOfDirection(spread)) * std::ldexp(1.0, exponent);
+  const Eigen::VectorXd divergence = faces.divergenceOfDirection(spread);
+  Eigen::VectorXd distance = solver.solve(std::move(poisson), divergence, subrange(progress, 0.8, 1.0));
+  report(progress, 1.0, Stage);
+  return distance * std::ldexp(1.0, exponent);
 }
 
 } // namespace
 
-Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh, int source)
+Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh, int source, const ProgressCallback& progress)
 {
-  const Eigen::VectorXd distance = distancesByHeat(mesh, { source });
+  const Eigen::VectorXd distance = distancesByHeat(mesh, { source }, progress);
   return distance.array() - distance.minCoeff();
 }
 
-Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh, const std::vector<int>& sources)
+Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh,
+  const std::vector<int>& sources,
+  const ProgressCallback& progress)
 {
-  const Eigen::VectorXd distance = distancesByHeat(mesh, sources);
+  const Eigen::VectorXd distance = distancesByHeat(mesh, sources, progress);
   return (distance.array() - distance(sources).mean()).cwiseMax(0.0);
 }
 

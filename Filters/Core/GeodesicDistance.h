@@ -2,6 +2,7 @@
 /// Distances along a surface from one vertex or several, and the curve that encloses a given area.
 #pragma once
 
+#include "Progress.h"
 #include "TriangleMesh.h"
 
 #include <Eigen/Core>
@@ -14,11 +15,15 @@ namespace flattening
 /// Smooth geodesic distance of every vertex of a connected manifold from @p source (n, input units): the
 /// heat method on the intrinsic Delaunay triangulation (Crane, Weischedel, Wardetzky 2013, "Geodesics in
 /// heat"; CGAL Heat_method_3), so that slivers do no harm.
-Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh, int source);
+Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh,
+  int source,
+  const ProgressCallback& progress = {});
 
 /// The same from the nearest of several vertices, at least one; 0 at a distance that rounding makes
 /// negative.
-Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh, const std::vector<int>& sources);
+Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh,
+  const std::vector<int>& sources,
+  const ProgressCallback& progress = {});
 
 /// Area of the part of the surface where the function, linear on every face, is below @p level.
 double areaBelow(const TriangleMesh& mesh, const Eigen::VectorXd& values, double level);

@@ -75,13 +75,17 @@ std::vector<int> borderOf(const TriangleMesh& mesh, const std::vector<char>& ins
 }
 
 // 1 in the region, falling to 0 over the width around it.
-Eigen::VectorXd softShare(const TriangleMesh& mesh, const std::vector<char>& inside, double width)
+Eigen::VectorXd softShare(const TriangleMesh& mesh,
+  const std::vector<char>& inside,
+  double width,
+  const ProgressCallback& progress)
 {
   Eigen::VectorXd share = Eigen::VectorXd::Zero(mesh.vertexCount());
   const std::vector<int> border = width > 0.0 ? borderOf(mesh, inside) : std::vector<int>{};
   if (!border.empty())
   {
-    const Eigen::ArrayXd t = (1.0 - geodesicDistances(mesh, border).array() / width).cwiseMax(0.0);
+    const Eigen::ArrayXd t =
+      (1.0 - geodesicDistances(mesh, border, progress).array() / width).cwiseMax(0.0);
     share = t * t * (3.0 - 2.0 * t);
   }
   for (int v = 0; v < mesh.vertexCount(); ++v)
@@ -98,15 +102,23 @@ struct AffineWeights
   Eigen::VectorXd Rest;
 };
 
-AffineWeights blend(const TriangleMesh& mesh, const std::vector<WeightedRegion>& regions, double width)
+AffineWeights blend(const TriangleMesh& mesh,
+  const std::vector<WeightedRegion>& regions,
+  double width,
+  const ProgressCallback& progress)
 {
   const int n = mesh.vertexCount();
   Eigen::VectorXd fixed = Eigen::VectorXd::Zero(n);
   Eigen::VectorXd shares = Eigen::VectorXd::Zero(n);
   std::vector<char> taken(n, 0);
+  const auto count = static_cast<double>(regions.size());
+  double done = 0.0;
   for (const WeightedRegion& region : regions)
   {
-    const Eigen::VectorXd share = softShare(mesh, region.Inside, width);
+    report(progress, done / count, "Weighting the regions");
+    const Eigen::VectorXd share =
+      softShare(mesh, region.Inside, width, subrange(progress, done / count, (done + 1.0) / count));
+    done += 1.0;
     for (int v = 0; v < n; ++v)
     {
       if (taken[v])
@@ -143,7 +155,8 @@ RegionWeights regionWeights(const TriangleMesh& mesh,
   const Eigen::VectorXd& areas,
   const std::vector<WeightedRegion>& regions,
   FactorMeaning meaning,
-  double edgeWidth)
+  double edgeWidth,
+  const ProgressCallback& progress)
 {
   requireRegions(regions);
   if (!(edgeWidth >= 0.0) || !std::isfinite(edgeWidth))
@@ -155,7 +168,7 @@ RegionWeights regionWeights(const TriangleMesh& mesh,
   {
     requireSmoothable(mesh);
   }
-  const AffineWeights affine = blend(mesh, regions, edgeWidth);
+  const AffineWeights affine = blend(mesh, regions, edgeWidth, progress);
   const bool hasRest = areas.dot(affine.Rest) > 0.0;
   if (!hasRest && (regions.size() == 1 || meaning == FactorMeaning::Magnification))
   {

@@ -2,6 +2,7 @@
 /// Area weights that enlarge or shrink regions of a surface by given factors, with sharp or soft edges.
 #pragma once
 
+#include "Progress.h"
 #include "TriangleMesh.h"
 
 #include <Eigen/Core>
@@ -47,7 +48,8 @@ RegionWeights regionWeights(const TriangleMesh& mesh,
   const Eigen::VectorXd& areas,
   const std::vector<WeightedRegion>& regions,
   FactorMeaning meaning,
-  double edgeWidth);
+  double edgeWidth,
+  const ProgressCallback& progress = {});
 
 /// The smallest and greatest magnification, over all vertices, of weights w: w_v sum(areas) / sum(w
 /// areas).
