@@ -11,6 +11,7 @@
 #include <vtkPolyData.h>
 #include <vtkProbeFilter.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -19,6 +20,23 @@ namespace flattening
 {
 namespace
 {
+
+// Between two reports of progress.
+constexpr vtkIdType Batch = 1 << 20;
+
+vtkSmartPointer<vtkFloatArray> inFloatingPoint(vtkDataArray* array, const ProgressCallback& progress)
+{
+  auto values = vtkSmartPointer<vtkFloatArray>::New();
+  const vtkIdType count = array->GetNumberOfTuples();
+  values->SetNumberOfComponents(array->GetNumberOfComponents());
+  values->SetNumberOfTuples(count);
+  for (vtkIdType begin = 0; begin < count; begin += Batch)
+  {
+    report(progress, static_cast<double>(begin) / static_cast<double>(count), "Reading the volume");
+    values->InsertTuples(begin, std::min(Batch, count - begin), begin, array);
+  }
+  return values;
+}
 
 // The centre of the voxel that a point within the volume is in.
 void moveToVoxel(vtkImageData* volume, Eigen::RowVector3d& point)
@@ -64,17 +82,18 @@ vtkSmartPointer<vtkPolyData> pointsOnly(const Points3& points, vtkImageData* vox
 
 } // namespace
 
-VolumeSampling::VolumeSampling(vtkImageData* volume, bool nearest)
+VolumeSampling::VolumeSampling(vtkImageData* volume, bool nearest, const ProgressCallback& progress)
   : Volume(vtkSmartPointer<vtkImageData>::New())
   , Nearest(nearest)
 {
   this->Volume->CopyStructure(volume);
-  for (int a = 0; a < volume->GetPointData()->GetNumberOfArrays(); ++a)
+  const int count = volume->GetPointData()->GetNumberOfArrays();
+  for (int a = 0; a < count; ++a)
   {
     if (vtkDataArray* array = volume->GetPointData()->GetArray(a); array && array->GetName())
     {
-      vtkNew<vtkFloatArray> values;
-      values->DeepCopy(array);
+      const vtkSmartPointer<vtkFloatArray> values =
+        inFloatingPoint(array, subrange(progress, static_cast<double>(a) / count, (a + 1.0) / count));
       values->SetName(std::to_string(this->Names.size()).c_str());
       this->Volume->GetPointData()->AddArray(values);
       this->Names.emplace_back(array->GetName());

@@ -2,6 +2,7 @@
 /// The values of a volume at points in space.
 #pragma once
 
+#include "Core/Progress.h"
 #include "Core/TriangleMesh.h"
 
 #include <vtkSmartPointer.h>
@@ -29,7 +30,7 @@ class VolumeSampling
 public:
   /// @p nearest: the value of the nearest voxel, for labels; else linear between the voxels.
   /// @throws InvalidInput if the volume has no numeric point array.
-  VolumeSampling(vtkImageData* volume, bool nearest);
+  VolumeSampling(vtkImageData* volume, bool nearest, const ProgressCallback& progress = {});
   ~VolumeSampling();
 
   /// One per array, in the volume's order. Points that are not finite are outside.

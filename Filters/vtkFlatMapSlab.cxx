@@ -8,6 +8,7 @@
 #include "VolumeSampling.h"
 #include "vtkFlatMapImage.h"
 
+#include <vtkCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -55,8 +56,28 @@ Points3 vectorsOf(vtkDataArray* array)
   return vectors;
 }
 
+constexpr const char* PixelsStage = "Looking up the pixels";
+
+// Takes the progress of a filter within this one, and an abort to it.
+struct PassedOn
+{
+  vtkAlgorithm* Inner;
+  flattening::ProgressCallback Progress;
+
+  void reported()
+  {
+    const char* stage = this->Inner->GetProgressText();
+    if (!this->Progress(this->Inner->GetProgress(), stage ? stage : PixelsStage))
+    {
+      this->Inner->SetAbortExecute(1);
+    }
+  }
+};
+
 // The map as an image with nothing but where its pixels are in space, and the normals there.
-vtkSmartPointer<vtkImageData> pixelsOf(vtkPolyData* map, int size)
+vtkSmartPointer<vtkImageData> pixelsOf(vtkPolyData* map,
+  int size,
+  const flattening::ProgressCallback& progress)
 {
   vtkNew<vtkPolyData> bare;
   bare->CopyStructure(map);
@@ -68,7 +89,10 @@ vtkSmartPointer<vtkImageData> pixelsOf(vtkPolyData* map, int size)
   image->SetInputData(bare);
   image->SetSize(size);
   image->SetMargin(0);
+  PassedOn passedOn{ image, progress };
+  image->AddObserver(vtkCommand::ProgressEvent, &passedOn, &PassedOn::reported);
   image->Update();
+  flattening::report(progress, 1.0, PixelsStage); // throws if the image is empty for an abort
   return image->GetOutput();
 }
 
@@ -165,7 +189,8 @@ void vtkFlatMapSlab::Execute(vtkInformationVector** inputVector, vtkInformationV
   const flattening::TriangleMesh surface = flattening::surfaceOfFlattened(input);
   const Points3 normals = flattening::vertexNormals(surface);
   const double sign = this->Outwards ? 1.0 : -1.0;
-  const flattening::VolumeSampling sampling(volume, this->NearestVoxel);
+  const flattening::VolumeSampling sampling(
+    volume, this->NearestVoxel, flattening::subrange(progress, 0.0, 0.1));
   const flattening::Layers layers = flattening::sampleLayers(
     sampling, surface.Vertices, sign * normals, this->Depths, flattening::subrange(progress, 0.1, 0.4));
 
@@ -185,8 +210,8 @@ void vtkFlatMapSlab::Execute(vtkInformationVector** inputVector, vtkInformationV
   vtkImageData* stack = vtkImageData::GetData(outputVector, 1);
   if (this->StackSize > 1)
   {
-    flattening::report(progress, 0.4, "Looking up the pixels");
-    const vtkSmartPointer<vtkImageData> pixels = pixelsOf(output, this->StackSize);
+    const vtkSmartPointer<vtkImageData> pixels =
+      pixelsOf(output, this->StackSize, flattening::subrange(progress, 0.4, 0.5));
     // Interpolated normals are shorter than 1.
     const Points3 direction =
       vectorsOf(pixels->GetPointData()->GetArray(NormalsName)).rowwise().normalized();
