@@ -240,6 +240,11 @@ void forEachLaterFilter(const std::function<void(vtkAlgorithm*, std::size_t leas
   weights->SetInputData(disk);
   chooseLabels(weights);
   check(weights, 2);
+  vtkNew<vtkAreaWeights> softWeights;
+  softWeights->SetInputData(disk);
+  chooseLabels(softWeights);
+  softWeights->SetEdgeWidth(5.0);
+  check(softWeights, 3);
   vtkNew<vtkFlattenRegion> region;
   region->SetInputData(disk);
   chooseLabels(region);
@@ -248,6 +253,10 @@ void forEachLaterFilter(const std::function<void(vtkAlgorithm*, std::size_t leas
   image->SetInputData(flat->GetOutput());
   image->SetSize(100);
   check(image, 3);
+  vtkNew<vtkFlatMapTransfer> transfer;
+  transfer->SetInputData(0, flat->GetOutput());
+  transfer->SetInputData(1, disk);
+  check(transfer, 2);
   vtkNew<vtkFlatMapSlab> slab;
   slab->SetInputData(0, flat->GetOutput());
   slab->SetInputData(1, volumeAround(disk));
@@ -256,7 +265,7 @@ void forEachLaterFilter(const std::function<void(vtkAlgorithm*, std::size_t leas
   vtkNew<vtkPlanarWarp> warp;
   warp->SetInputData(0, doubled());
   warp->SetInputData(1, plane(20));
-  check(warp, 1);
+  check(warp, 2);
 }
 
 TEST(Progress, OfLaterFilters)
