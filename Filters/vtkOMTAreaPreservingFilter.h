@@ -34,7 +34,7 @@
  * - `TargetArea`, the area asked for, and `CellArea`, the area of the point's power cell or its share of
  *   its site's cell (output units squared; both sum to the area of the domain)
  * - `PowerWeight` (output units squared), the weight w_i of the point's site in the power diagram,
- * scaled to the size of the output
+ *   scaled to the size of the output
  * - `FlatPoints` (3 components), the output's points once more, for a later run to start from
  *
  * and the active texture coordinates `TCoords`, of this map (see vtkConformalDiskFilter).

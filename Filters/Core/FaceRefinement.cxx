@@ -39,7 +39,7 @@ constexpr double FirstShapeFactor = 10.0;
 // bring neither their number nor how far they are off in sum down by this share.
 constexpr double EnoughShare = 0.003;
 constexpr double LeastProgress = 0.02;
-// Flipped faces count as if they had this share of their area.
+// Faces with less of their target, flipped ones among them, count as if they had this share of it.
 constexpr double LeastRatio = 1e-3;
 constexpr int MostIdleRounds = 2;
 // The same where refinement goes on from a refined map: few are off, and of these most are at once
@@ -163,26 +163,27 @@ private:
     return state.Places[last] - state.Places[0] < this->Unknowns.domain().perimeter();
   }
 
-  struct Off
+  // The faces whose area is off by more than the tolerance.
+  struct WrongFaces
   {
-    double Share = 0.0;    // of the faces: those whose area is off by more than the tolerance
+    double Share = 0.0;    // of all faces
     double Distance = 0.0; // the sum of how far they are off, by the logarithms of their area ratios
   };
 
-  Off off(const FlatState& state)
+  WrongFaces wrongFaces(const FlatState& state)
   {
     this->Energy.setEnclosed(state);
     const Eigen::VectorXd ratios = this->Energy.areaRatios(state);
-    Off result;
+    WrongFaces wrong;
     for (const double ratio : ratios)
     {
       if (std::abs(ratio - 1.0) > RefinementPatches::AreaTolerance)
       {
-        result.Share += 1.0 / this->Surface.faceCount();
-        result.Distance += std::abs(std::log(std::max(ratio, LeastRatio)));
+        wrong.Share += 1.0 / this->Surface.faceCount();
+        wrong.Distance += std::abs(std::log(std::max(ratio, LeastRatio)));
       }
     }
-    return result;
+    return wrong;
   }
 
   Eigen::VectorXd presentTargets(const FlatState& state)
@@ -239,7 +240,7 @@ private:
   {
     const double progressShare = this->Map.IsContinued ? LeastContinuedProgress : LeastProgress;
     const int mostIdle = this->Map.IsContinued ? MostIdleContinuedRounds : MostIdleRounds;
-    Off before = this->off(state);
+    WrongFaces before = this->wrongFaces(state);
     int idle = 0;
     for (int round = 0; round < most && (before.Share > EnoughShare || until == Until::AllRounds);
          ++round)
@@ -258,7 +259,7 @@ private:
       pass.KeepsOrientation = this->KeepsOrientation;
       pass.ShapeFactor = this->Result.Rounds <= this->ShapeRounds ? FirstShapeFactor : 1.0;
       const int patches = this->Patches.run(pass, state, subrange(progress, middle, end));
-      const Off next = this->off(state);
+      const WrongFaces next = this->wrongFaces(state);
       const bool isIdle = next.Share > (1.0 - progressShare) * before.Share &&
                           next.Distance > (1.0 - progressShare) * before.Distance;
       idle = isIdle ? idle + 1 : 0;

@@ -55,7 +55,7 @@ struct FaceRefinementResult
 /// as no face is flipped.
 /// @p faceTargets (m, >= 0) are the areas that the faces should have, up to a common factor. The errors
 /// that are left are not in the result: see measureDistortion().
-/// @throws ConvergenceError, Cancelled.
+/// @throws InvalidInput if AngleWeight is out of its range, ConvergenceError, Cancelled.
 FaceRefinementResult refineFaces(const TriangleMesh& surface,
   const TransportedMap& map,
   const Eigen::VectorXd& faceTargets,

@@ -38,8 +38,9 @@ public:
   static constexpr double Rounding = 1e-12;
 
   /// @p surface and @p positions (n x 2) share vertices and faces. Copies both.
+  /// With @p progress an abort does not wait for the search tree.
   /// @throws InvalidInput if a coordinate is not finite, the sizes differ, or no face has an area in the
-  /// map.
+  /// map; Cancelled.
   FlatMapLocation(const TriangleMesh& surface,
     const Points2& positions,
     const ProgressCallback& progress = {});

@@ -7,7 +7,6 @@
 #include "TransportSites.h"
 #include "TriangleMesh.h"
 
-#include <optional>
 #include <vector>
 
 namespace flattening

@@ -5,8 +5,14 @@ import json
 import sys
 
 
-def given(benchmark, counter):
-    return f"{benchmark[counter]:.2f}" if counter in benchmark else ""
+def figure(counter, form, unit=""):
+    """A column: a counter of the benchmark."""
+    return lambda b: f"{b[counter]:{form}}{unit}"
+
+
+def figure_if_given(counter, form):
+    """The same, empty where the benchmark does not have it."""
+    return lambda b: figure(counter, form)(b) if counter in b else ""
 
 
 def flow(title, name, tail):
@@ -16,10 +22,10 @@ def flow(title, name, tail):
         return lambda b: text(b) if b.get(f"{name}_converged") else "-"
 
     return {
-        f"{title} (s)": where_there_is(lambda b: f"{b[name + '_cpu_seconds']:.2f}"),
-        f"steps{tail}": where_there_is(lambda b: f"{b[name + '_steps']:.0f}"),
-        f"faces within 2 % {tail}": where_there_is(lambda b: f"{b[name + '_faces_within_2_percent']:.1f} %"),
-        f"mean area error{tail}": where_there_is(lambda b: f"{b[name + '_area_error_percent']:.1f} %"),
+        f"{title} (s)": where_there_is(figure(f"{name}_cpu_seconds", ".2f")),
+        f"steps{tail}": where_there_is(figure(f"{name}_steps", ".0f")),
+        f"faces within 2 % {tail}": where_there_is(figure(f"{name}_faces_within_2_percent", ".1f", " %")),
+        f"mean area error{tail}": where_there_is(figure(f"{name}_area_error_percent", ".1f", " %")),
     }
 
 
@@ -31,60 +37,60 @@ def plain_newton(benchmark):
 
 TIMES = {
     "surface": lambda b: b["name"].split("/")[0],
-    "vertices": lambda b: f"{b['vertices']:,.0f}",
-    "to disk (s)": lambda b: f"{b['surface_to_disk_seconds']:.1f}",
-    "conformal (s)": lambda b: f"{b['conformal_seconds']:.2f}",
-    "sites": lambda b: f"{b['sites']:,.0f}",
-    "their transport (s)": lambda b: f"{b['sites_seconds']:.2f}",
-    "refinement (s)": lambda b: f"{b['refinement_seconds']:.2f}",
-    "rounds": lambda b: f"{b['rounds']:.0f}",
-    "both (s)": lambda b: f"{b['area_preserving_seconds']:.2f}",
-    "memory (GB)": lambda b: f"{b['peak_memory']:.2f}",
+    "vertices": figure("vertices", ",.0f"),
+    "to disk (s)": figure("surface_to_disk_seconds", ".1f"),
+    "conformal (s)": figure("conformal_seconds", ".2f"),
+    "sites": figure("sites", ",.0f"),
+    "their transport (s)": figure("sites_seconds", ".2f"),
+    "refinement (s)": figure("refinement_seconds", ".2f"),
+    "rounds": figure("rounds", ".0f"),
+    "both (s)": figure("area_preserving_seconds", ".2f"),
+    "memory (GB)": figure("peak_memory", ".2f"),
 }
 ERRORS = {
     "surface": TIMES["surface"],
-    "conformal: angle error": lambda b: f"{b['conformal_angle_error']:.2f}°",
-    "flipped": lambda b: f"{b['conformal_flipped']:.0f}",
-    "area-preserving: faces within 2 %": lambda b: f"{b['faces_within_2_percent']:.1f} %",
-    "mean area error": lambda b: f"{b['area_error_percent']:.2f} %",
-    "P99": lambda b: f"{b['area_error_p99']:.1f} %",
-    "angle error": lambda b: f"{b['angle_error']:.1f}°",
-    "by area": lambda b: f"{b['angle_error_by_area']:.1f}°",
-    "flipped  ": lambda b: f"{b['flipped']:.0f}",
+    "conformal: angle error": figure("conformal_angle_error", ".2f", "°"),
+    "flipped": figure("conformal_flipped", ".0f"),
+    "area-preserving: faces within 2 %": figure("faces_within_2_percent", ".1f", " %"),
+    "mean area error": figure("area_error_percent", ".2f", " %"),
+    "P99": figure("area_error_p99", ".1f", " %"),
+    "angle error": figure("angle_error", ".1f", "°"),
+    "by area": figure("angle_error_by_area", ".1f", "°"),
+    "flipped  ": figure("flipped", ".0f"),
     "bijective": lambda b: "yes" if b["bijective"] else "no",
 }
 CELLS = {
     "surface": TIMES["surface"],
-    "transport of every vertex (s)": lambda b: f"{b['transport_seconds']:.2f}",
-    "Newton steps ": lambda b: f"{b['newton_steps']:.0f}",
-    "power diagrams": lambda b: f"{b['power_diagrams']:.0f}",
+    "transport of every vertex (s)": figure("transport_seconds", ".2f"),
+    "Newton steps ": figure("newton_steps", ".0f"),
+    "power diagrams": figure("power_diagrams", ".0f"),
     "one triangulation + factorization (s)": lambda b: (
         f"{b['triangulation_seconds']:.3f} + {b['factorization_seconds']:.3f}"
     ),
-    "ratio": lambda b: f"{b['transport_ratio']:.1f}",
-    "cell error": lambda b: f"{b['cell_error']:.0e}",
-    "faces within 2 %": lambda b: f"{b['cells_within_2_percent']:.1f} %",
-    "flipped ": lambda b: f"{b['cells_flipped']:.0f}",
+    "ratio": figure("transport_ratio", ".1f"),
+    "cell error": figure("cell_error", ".0e"),
+    "faces within 2 %": figure("cells_within_2_percent", ".1f", " %"),
+    "flipped ": figure("cells_flipped", ".0f"),
 }
 PLAIN = {
     "surface": TIMES["surface"],
     "vertices": TIMES["vertices"],
-    "ours (s)": lambda b: f"{b['transport_cpu_seconds']:.2f}",
+    "ours (s)": figure("transport_cpu_seconds", ".2f"),
     "steps": CELLS["Newton steps "],
     "power diagrams": CELLS["power diagrams"],
-    "plain Newton (s)": lambda b: plain_newton(b),
-    "steps ": lambda b: f"{b['plain_newton_steps']:.0f}",
-    "power diagrams ": lambda b: f"{b['plain_newton_power_diagrams']:.0f}",
+    "plain Newton (s)": plain_newton,
+    "steps ": figure("plain_newton_steps", ".0f"),
+    "power diagrams ": figure("plain_newton_power_diagrams", ".0f"),
 }
 PAPER = {
     "surface": lambda b: b["name"].split("/")[0].removeprefix("paper: "),
-    "paper: vertices": lambda b: f"{b['paper_vertices']:,.0f}",
-    "OMT (s)": lambda b: f"{b['paper_seconds']:.2f}",
-    "minimal flow (s)": lambda b: given(b, "paper_minimal_flow_seconds"),
-    "Lie advection (s)": lambda b: given(b, "paper_lie_advection_seconds"),
+    "paper: vertices": figure("paper_vertices", ",.0f"),
+    "OMT (s)": figure("paper_seconds", ".2f"),
+    "minimal flow (s)": figure_if_given("paper_minimal_flow_seconds", ".2f"),
+    "Lie advection (s)": figure_if_given("paper_lie_advection_seconds", ".2f"),
     "ours: vertices": TIMES["vertices"],
-    "conformal (s)": lambda b: f"{b['conformal_cpu_seconds']:.2f}",
-    "transport of every vertex (s)": lambda b: f"{b['transport_cpu_seconds']:.2f}",
+    "conformal (s)": figure("conformal_cpu_seconds", ".2f"),
+    "transport of every vertex (s)": figure("transport_cpu_seconds", ".2f"),
     "faces within 2 %": CELLS["faces within 2 %"],
     "transport of sites + refinement (s)": lambda b: (
         f"{b['sites_cpu_seconds']:.2f} + {b['refinement_cpu_seconds']:.2f}"
@@ -107,68 +113,68 @@ FLOWS = {
 HANDLES = {
     "surface": TIMES["surface"],
     "vertices": TIMES["vertices"],
-    "genus": lambda b: f"{b['genus']:.0f}",
-    "handles removed (s)": lambda b: f"{b['handles_seconds']:.1f}",
-    "longest loop (mm)": lambda b: f"{b['longest_loop']:.0f}",
-    "area added": lambda b: f"{b['area_added_percent']:.2f} %",
-    "moved at most (mm)": lambda b: f"{b['displacement']:.2f}",
-    "whole filter (s)": lambda b: f"{b['raw_seconds']:.1f}",
-    "intersecting pairs": lambda b: f"{b['intersections']:.0f}",
-    "with Remesh (s)": lambda b: f"{b['remeshed_seconds']:.1f}",
-    "smallest angle": lambda b: f"{b['smallest_angle']:.1f}°",
-    "intersecting pairs ": lambda b: f"{b['remeshed_intersections']:.0f}",
+    "genus": figure("genus", ".0f"),
+    "handles removed (s)": figure("handles_seconds", ".1f"),
+    "longest loop (mm)": figure("longest_loop", ".0f"),
+    "area added": figure("area_added_percent", ".2f", " %"),
+    "moved at most (mm)": figure("displacement", ".2f"),
+    "whole filter (s)": figure("raw_seconds", ".1f"),
+    "intersecting pairs": figure("intersections", ".0f"),
+    "with Remesh (s)": figure("remeshed_seconds", ".1f"),
+    "smallest angle": figure("smallest_angle", ".1f", "°"),
+    "intersecting pairs ": figure("remeshed_intersections", ".0f"),
 }
 METHODS = {
     "surface": TIMES["surface"],
     "vertices": TIMES["vertices"],
     "method": lambda b: b["name"].split("/")[1],
-    "seconds": lambda b: f"{b['conformal_cpu_seconds']:.2f}",
-    "wall clock": lambda b: f"{b['conformal_wall_seconds']:.2f}",
-    "memory (GB)": lambda b: f"{b['peak_memory']:.1f}",
-    "in factorizations": lambda b: f"{b['conformal_ratio']:.1f}",
-    "mean angle error": lambda b: f"{b['angle_error']:.2f}°",
-    "AngleDistortion P95": lambda b: f"{b['angle_distortion_p95']:.3f}",
-    "turned over": lambda b: f"{b['repaired']:.0f}",
-    "flipped": lambda b: f"{b['flipped']:.0f}",
-    "curvature error": lambda b: f"{b['curvature_error']:.0e}" if "curvature_error" in b else "",
+    "seconds": figure("conformal_cpu_seconds", ".2f"),
+    "wall clock": figure("conformal_wall_seconds", ".2f"),
+    "memory (GB)": figure("peak_memory", ".1f"),
+    "in factorizations": figure("conformal_ratio", ".1f"),
+    "mean angle error": figure("angle_error", ".2f", "°"),
+    "AngleDistortion P95": figure("angle_distortion_p95", ".3f"),
+    "turned over": figure("repaired", ".0f"),
+    "flipped": figure("flipped", ".0f"),
+    "curvature error": figure_if_given("curvature_error", ".0e"),
 }
 
 AREA_MAPS = {
     "surface": TIMES["surface"],
     "vertices": TIMES["vertices"],
     "map": lambda b: b["name"].split("/")[1],
-    "seconds": lambda b: f"{b['map_cpu_seconds']:.1f}",
-    "faces within 2 %": lambda b: f"{b['faces_within_2_percent']:.1f} %",
-    "mean area error": lambda b: f"{b['area_error_percent']:.2f} %",
-    "mean angle error": lambda b: f"{b['angle_error']:.1f}°",
-    "flipped": lambda b: f"{b['flipped']:.0f}",
+    "seconds": figure("map_cpu_seconds", ".1f"),
+    "faces within 2 %": figure("faces_within_2_percent", ".1f", " %"),
+    "mean area error": figure("area_error_percent", ".2f", " %"),
+    "mean angle error": figure("angle_error", ".1f", "°"),
+    "flipped": figure("flipped", ".0f"),
 }
 
 INTERACTIVE = {
     "factor": lambda b: b["name"].split("/")[0],
-    "from the map before (s)": lambda b: f"{b['warm_cpu_seconds']:.2f}",
-    "rounds": lambda b: f"{b['warm_rounds']:.0f}",
-    "faces within 2 %": lambda b: f"{b['warm_within_2_percent']:.1f} %",
-    "angle error": lambda b: f"{b['warm_angle_error']:.1f}°",
-    "from the beginning (s)": lambda b: f"{b['cold_cpu_seconds']:.2f}",
-    "rounds ": lambda b: f"{b['cold_rounds']:.0f}",
-    "faces within 2 % ": lambda b: f"{b['cold_within_2_percent']:.1f} %",
-    "angle error ": lambda b: f"{b['cold_angle_error']:.1f}°",
+    "from the map before (s)": figure("warm_cpu_seconds", ".2f"),
+    "rounds": figure("warm_rounds", ".0f"),
+    "faces within 2 %": figure("warm_within_2_percent", ".1f", " %"),
+    "angle error": figure("warm_angle_error", ".1f", "°"),
+    "from the beginning (s)": figure("cold_cpu_seconds", ".2f"),
+    "rounds ": figure("cold_rounds", ".0f"),
+    "faces within 2 % ": figure("cold_within_2_percent", ".1f", " %"),
+    "angle error ": figure("cold_angle_error", ".1f", "°"),
 }
 
 FLAT_MAP = {
     "surface": TIMES["surface"],
-    "triangles": lambda b: f"{b['faces']:,.0f}",
-    "greatest error, of the diagonal": lambda b: f"{b['greatest_error']:.0e}",
-    "lost": lambda b: f"{b['lost']:.0f}",
-    "1024 x 1024 pixels looked up (s)": lambda b: f"{b['pixels_cpu_seconds']:.1f}",
+    "triangles": figure("faces", ",.0f"),
+    "greatest error, of the diagonal": figure("greatest_error", ".0e"),
+    "lost": figure("lost", ".0f"),
+    "1024 x 1024 pixels looked up (s)": figure("pixels_cpu_seconds", ".1f"),
 }
 
 SALIENCY = {
     "surface": TIMES["surface"],
     "points": TIMES["vertices"],
-    "processor time (s)": lambda b: f"{b['saliency_cpu_seconds']:.1f}",
-    "by the clock (s)": lambda b: f"{b['saliency_seconds']:.1f}",
+    "processor time (s)": figure("saliency_cpu_seconds", ".1f"),
+    "by the clock (s)": figure("saliency_seconds", ".1f"),
 }
 
 
