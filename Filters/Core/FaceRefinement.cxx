@@ -4,16 +4,12 @@
 #include "Errors.h"
 #include "FaceOrientation.h"
 #include "FlippedFaceRepair.h"
-#include "PlanarParts.h"
-#include "RefinementDescent.h"
-#include "RefinementEnergy.h"
-#include "RefinementPatches.h"
+#include "RefinementRounds.h"
 #include "ResolvableAreas.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -31,26 +27,7 @@ constexpr int SecondStageRounds = 24;
 // More rounds of the first stage where faces remain flipped, and how often.
 constexpr int MoreRounds = 4;
 constexpr int MoreFirstStages = 2;
-// Shapes count so many times as much in the first rounds: what they gain there, over a long way, is not
-// lost again.
-constexpr int FirstShapeRounds = 2;
-constexpr double FirstShapeFactor = 10.0;
-// A stage ends when so few faces are off by more than the patches' tolerance, or when rounds in a row
-// bring neither their number nor how far they are off in sum down by this share.
-constexpr double EnoughShare = 0.003;
-constexpr double LeastProgress = 0.02;
-// Faces with less of their target, flipped ones among them, count as if they had this share of it.
-constexpr double LeastRatio = 1e-3;
-constexpr int MostIdleRounds = 2;
-// The same where refinement goes on from a refined map: few are off, and of these most are at once
-// mended.
-constexpr double LeastContinuedProgress = 0.2;
-constexpr int MostIdleContinuedRounds = 1;
-// Every other round looks whether regions of the size of a patch have their area to this share.
-constexpr double RegionAngle = 0.5;
-constexpr double RegionTolerance = 0.01;
-constexpr int RoundsPerBalance = 2;
-// The same in the end: regions are what people measure.
+// In the end, for regions are what people measure (RefinementRounds::balance).
 constexpr double FinalRegionTolerance = 2e-4;
 // The shape weight without and with AngleWeight (times AngleWeight / (1 - AngleWeight)).
 constexpr double LeastShapeWeight = 1e-3;
@@ -76,8 +53,11 @@ public:
     , Unknowns(surface.vertexCount(), map.Domain, map.Loop, map.Corners)
     , Targets(faceTargets.cwiseMax(LeastTarget * faceTargets.mean()))
     , Terms(surface, map.Loop, map.Domain->perimeter(), shapeWeight(options))
-    , Energy(this->Terms, this->FacesOf, this->Unknowns)
-    , Patches(this->Terms, this->FacesOf, this->Unknowns)
+    , Rounds(surface,
+        this->Terms,
+        this->FacesOf,
+        this->Unknowns,
+        map.IsContinued ? RefinementRounds::Start::Refined : RefinementRounds::Start::Transported)
     , OnBoundary(surface.vertexCount(), 0)
   {
     this->Targets *= map.Domain->area() / this->Targets.sum();
@@ -90,10 +70,6 @@ public:
   FaceRefinementResult run(const ProgressCallback& progress)
   {
     FlatState state = this->stateAt(this->Map.Positions);
-    if (this->Map.IsContinued)
-    {
-      this->ShapeRounds = 0;
-    }
     if (!this->Map.IsContinued || countFlippedFaces(state.Positions, this->Surface.Faces) > 0)
     {
       this->firstStage(state, subrange(progress, 0.0, 0.5));
@@ -106,6 +82,7 @@ public:
     {
       this->secondStage(state, subrange(progress, 0.7, 1.0));
     }
+    this->Result.Rounds = this->Rounds.count();
     this->Result.FlippedFaces = countFlippedFaces(state.Positions, this->Surface.Faces);
     this->Result.Bijective = this->Result.FlippedFaces == 0 && this->inOrder(state);
     this->Result.Positions = std::move(state.Positions);
@@ -113,11 +90,7 @@ public:
   }
 
 private:
-  enum class Until
-  {
-    Enough,
-    AllRounds
-  };
+  using Until = RefinementRounds::Until;
   enum class PatchSizes
   {
     Small,
@@ -163,138 +136,27 @@ private:
     return state.Places[last] - state.Places[0] < this->Unknowns.domain().perimeter();
   }
 
-  // The faces whose area is off by more than the tolerance.
-  struct WrongFaces
-  {
-    double Share = 0.0;    // of all faces
-    double Distance = 0.0; // the sum of how far they are off, by the logarithms of their area ratios
-  };
-
-  WrongFaces wrongFaces(const FlatState& state)
-  {
-    this->Energy.setEnclosed(state);
-    const Eigen::VectorXd ratios = this->Energy.areaRatios(state);
-    WrongFaces wrong;
-    for (const double ratio : ratios)
-    {
-      if (std::abs(ratio - 1.0) > RefinementPatches::AreaTolerance)
-      {
-        wrong.Share += 1.0 / this->Surface.faceCount();
-        wrong.Distance += std::abs(std::log(std::max(ratio, LeastRatio)));
-      }
-    }
-    return wrong;
-  }
-
-  Eigen::VectorXd presentTargets(const FlatState& state)
-  {
-    this->Energy.setEnclosed(state);
-    Eigen::VectorXd targets(this->Surface.faceCount());
-    for (int f = 0; f < this->Surface.faceCount(); ++f)
-    {
-      targets[f] = this->Energy.targetOf(f);
-    }
-    return targets;
-  }
-
-  // The largest share by which a region's area is wrong.
-  double imbalance(const FlatState& state, const Eigen::VectorXd& targets) const
-  {
-    const FaceMatrix& faces = this->Surface.Faces;
-    const int n = this->Surface.vertexCount();
-    const Eigen::VectorXd areas = vertexAreas(faces, signedFaceAreas(state.Positions, faces), n);
-    const Eigen::VectorXd wanted = vertexAreas(faces, targets, n);
-    double largest = 0.0;
-    for (const std::vector<int>& region :
-      planarParts(state.Positions, RefinementPatches::LargestPatch, RegionAngle))
-    {
-      double has = 0.0;
-      double wants = 0.0;
-      for (const int v : region)
-      {
-        has += areas[v];
-        wants += wanted[v];
-      }
-      largest = std::max(largest, std::abs(has / wants - 1.0));
-    }
-    return largest;
-  }
-
-  // Area that must travel farther than a patch reaches takes steps of the whole mesh.
-  void balance(FlatState& state, double tolerance, const ProgressCallback& progress)
-  {
-    if (this->imbalance(state, this->presentTargets(state)) < tolerance)
-    {
-      return;
-    }
-    if (!this->Descent)
-    {
-      this->Descent.emplace(
-        this->Energy, this->Unknowns, this->Surface.Faces, SparseCholesky::Kernel::Blocks, progress);
-    }
-    this->Descent->keepOrientation(this->KeepsOrientation);
-    this->Descent->round(state, progress);
-  }
-
-  void rounds(FlatState& state, int most, Until until, const ProgressCallback& progress)
-  {
-    const double progressShare = this->Map.IsContinued ? LeastContinuedProgress : LeastProgress;
-    const int mostIdle = this->Map.IsContinued ? MostIdleContinuedRounds : MostIdleRounds;
-    WrongFaces before = this->wrongFaces(state);
-    int idle = 0;
-    for (int round = 0; round < most && (before.Share > EnoughShare || until == Until::AllRounds);
-         ++round)
-    {
-      ++this->Result.Rounds;
-      const double begin = static_cast<double>(round) / most;
-      const double end = (round + 1.0) / most;
-      const double middle = 0.5 * (begin + end);
-      if (round % RoundsPerBalance == RoundsPerBalance - 1)
-      {
-        this->balance(state, RegionTolerance, subrange(progress, begin, middle));
-      }
-      RefinementPatches::Pass pass;
-      pass.Targets = this->presentTargets(state);
-      pass.Epsilon = this->KeepsOrientation ? 0.0 : FirstEpsilon;
-      pass.KeepsOrientation = this->KeepsOrientation;
-      pass.ShapeFactor = this->Result.Rounds <= this->ShapeRounds ? FirstShapeFactor : 1.0;
-      const int patches = this->Patches.run(pass, state, subrange(progress, middle, end));
-      const WrongFaces next = this->wrongFaces(state);
-      const bool isIdle = next.Share > (1.0 - progressShare) * before.Share &&
-                          next.Distance > (1.0 - progressShare) * before.Distance;
-      idle = isIdle ? idle + 1 : 0;
-      if (patches == 0 || (until == Until::Enough && idle == mostIdle))
-      {
-        return;
-      }
-      before = next;
-    }
-  }
-
   void firstStage(FlatState& state, const ProgressCallback& progress)
   {
     const bool isRound = this->Unknowns.domain().isRound();
-    this->Energy.setTargets(
+    this->Rounds.setStage(
       isRound
         ? resolvableAreas(this->Surface.Faces, this->Map.Conformal, this->Map.Positions, this->Targets)
-        : this->Targets);
-    this->Energy.setEpsilon(FirstEpsilon);
-    this->KeepsOrientation = false;
-    this->rounds(state, FirstStageRounds, Until::Enough, progress);
+        : this->Targets,
+      FirstEpsilon);
+    this->Rounds.run(state, FirstStageRounds, Until::Enough, progress);
   }
 
   void secondStage(FlatState& state, const ProgressCallback& progress)
   {
-    this->Energy.setTargets(this->Targets);
-    this->Energy.setEpsilon(0.0);
-    this->KeepsOrientation = true;
+    this->Rounds.setStage(this->Targets, 0.0);
     if (this->Map.IsContinued)
     {
       // What is off is so a little and everywhere, which steps of the whole mesh mend at once.
-      this->balance(state, FinalRegionTolerance, subrange(progress, 0.0, 0.3));
+      this->Rounds.balance(state, FinalRegionTolerance, subrange(progress, 0.0, 0.3));
     }
-    this->rounds(state, SecondStageRounds, Until::Enough, subrange(progress, 0.3, 0.8));
-    this->balance(state, FinalRegionTolerance, subrange(progress, 0.8, 1.0));
+    this->Rounds.run(state, SecondStageRounds, Until::Enough, subrange(progress, 0.3, 0.8));
+    this->Rounds.balance(state, FinalRegionTolerance, subrange(progress, 0.8, 1.0));
   }
 
   // Most of what is flipped after the first stage turns over in a few more of its rounds, and the rest
@@ -312,7 +174,7 @@ private:
       }
       if (more < MoreFirstStages)
       {
-        this->rounds(state,
+        this->Rounds.run(state,
           MoreRounds,
           Until::AllRounds,
           subrange(progress, fraction + 0.5 * part, fraction + part));
@@ -324,7 +186,7 @@ private:
       return false;
     }
     FlatState again = state;
-    this->rounds(again, MoreRounds, Until::AllRounds, subrange(progress, 0.95, 0.98));
+    this->Rounds.run(again, MoreRounds, Until::AllRounds, subrange(progress, 0.95, 0.98));
     if (this->turnOver(again, PatchSizes::Small, subrange(progress, 0.98, 1.0)))
     {
       state = std::move(again);
@@ -396,11 +258,7 @@ private:
   FlatUnknowns Unknowns;
   Eigen::VectorXd Targets;
   RefinementTerms Terms;
-  RefinementEnergy Energy;
-  RefinementPatches Patches;
-  std::optional<RefinementDescent> Descent; // of the whole mesh
-  bool KeepsOrientation = true;
-  int ShapeRounds = FirstShapeRounds;
+  RefinementRounds Rounds;
   std::vector<char> OnBoundary;
   FaceRefinementResult Result;
 };
