@@ -2,22 +2,17 @@
 #include "SurfaceToDisk.h"
 
 #include "BorderStitching.h"
-#include "BoundaryRefinement.h"
 #include "CoincidentPoints.h"
 #include "ConsistentOrientation.h"
-#include "CutGraph.h"
 #include "Errors.h"
 #include "FaceConditioning.h"
-#include "GeodesicSeam.h"
-#include "HandleLoops.h"
 #include "HoleFilling.h"
 #include "IsotropicRemeshing.h"
 #include "MeshTopology.h"
 #include "PlaneCut.h"
-#include "SeamCut.h"
-#include "SeamPlacement.h"
 #include "SelfIntersections.h"
 #include "SmallAngles.h"
+#include "SurfaceOpening.h"
 #include "TubeSeam.h"
 
 #include <algorithm>
@@ -31,9 +26,7 @@ namespace
 {
 
 constexpr double Pi = 3.14159265358979323846;
-constexpr double RemeshedAngle = 1.0; // degrees; remeshed surfaces keep far from it but at a cut
-// A polygon of so many covers nine tenths of the disk.
-constexpr int LeastBoundaryVertices = 8;
+constexpr double RemeshedAngle = 1.0;    // degrees; remeshed surfaces keep far from it but at a cut
 constexpr double FilledAreaShare = 0.05; // of a circle as long as the longest loop that is filled
 
 void requireValid(const TriangleMesh& soup, const SurfaceToDiskOptions& options)
@@ -68,16 +61,6 @@ void requireValid(const TriangleMesh& soup, const SurfaceToDiskOptions& options)
   }
 }
 
-double boundaryLength(const TriangleMesh& mesh)
-{
-  double length = 0.0;
-  for (const std::vector<int>& loop : analyseTopology(mesh.Faces, mesh.vertexCount()).BoundaryLoops)
-  {
-    length += loopLength(mesh.Vertices, loop);
-  }
-  return length;
-}
-
 // The two sides of a seam coincide; they are one for this purpose.
 int countSelfIntersections(const TriangleMesh& mesh, const ProgressCallback& progress)
 {
@@ -93,27 +76,12 @@ int countSelfIntersections(const TriangleMesh& mesh, const ProgressCallback& pro
   return static_cast<int>(selfIntersections(joined, progress).size());
 }
 
-// Flags of vertices made of others: whether all of those are flagged, or any.
-std::vector<char> flagsOf(const VertexOrigins& origins, const std::vector<char>& flags, bool all)
-{
-  std::vector<char> result(origins.rows(), all);
-  for (int v = 0; v < origins.rows(); ++v)
-  {
-    for (VertexOrigins::InnerIterator origin(origins, v); origin; ++origin)
-    {
-      result[v] = all ? result[v] && flags[origin.col()] : result[v] || flags[origin.col()];
-    }
-  }
-  return result;
-}
-
 // One surface on its way to a disk; each step is a stage of surfaceToDisk.
 class DiskMaker
 {
 public:
   DiskMaker(const SurfaceToDiskOptions& options)
     : Options(options)
-    , Hole(options.Hole)
   {
   }
 
@@ -153,7 +121,7 @@ public:
     {
       this->condition(subrange(progress, 0.4, 0.75));
     }
-    this->open(subrange(progress, 0.75, 0.95));
+    openSurface(this->Disk, this->Ends, this->Options, subrange(progress, 0.75, 0.95));
     if (this->Options.Remesh && this->Disk.Seam.empty())
     {
       follow(this->Disk.Surface, withoutSmallAngles(this->mesh(), RemeshedAngle));
@@ -251,25 +219,24 @@ private:
     this->Figures.Genus = topology.Genus;
     std::vector<std::vector<int>>& loops = topology.BoundaryLoops;
     const int kept = chooseBoundary(this->mesh().Vertices, loops, this->Options.Boundary);
-    this->Closed = kept < 0;
     const std::vector<int> ends =
       kept >= 0 && this->seamOpensTube() ? endsOfTube(this->mesh().Vertices, loops) : std::vector<int>();
-    this->IsTube = !ends.empty();
-    if (this->IsTube)
+    if (!ends.empty())
     {
+      this->Ends.Ends = OpenEnds::Kind::Two;
       loops.erase(loops.begin() + std::max(ends[0], ends[1]));
       loops.erase(loops.begin() + std::min(ends[0], ends[1]));
     }
     else if (kept >= 0)
     {
-      this->Closed = isPuncture(this->mesh(), loops[kept], this->Hole.AreaFraction);
-      if (!this->Closed)
+      if (isPuncture(this->mesh(), loops[kept], this->Options.Hole.AreaFraction))
       {
-        loops.erase(loops.begin() + kept);
+        this->Ends.Puncture = centreOfLoop(this->mesh().Vertices, loops[kept]);
       }
-      else if (!this->Hole.Centre)
+      else
       {
-        this->Hole.Centre = centreOfLoop(this->mesh().Vertices, loops[kept]);
+        this->Ends.Ends = OpenEnds::Kind::One;
+        loops.erase(loops.begin() + kept);
       }
     }
     if (!loops.empty())
@@ -333,141 +300,6 @@ private:
     }
   }
 
-  // Cutting handles opens a closed surface; but what was asked for by name is done as well.
-  void open(const ProgressCallback& progress)
-  {
-    if (this->Figures.Genus == 0 || this->Options.Handles != HandleMode::Cut)
-    {
-      this->openOnce(progress);
-      return;
-    }
-    const bool opensTwice = this->Options.Cut == CutMode::Seam
-                              ? !this->Options.SeamPoints.empty()
-                              : this->Options.Cut == CutMode::Hole && this->Options.Hole.Centre;
-    if (opensTwice)
-    {
-      this->openOnce(subrange(progress, 0.0, 0.4));
-    }
-    this->cutHandles(subrange(progress, opensTwice ? 0.4 : 0.0, 1.0));
-  }
-
-  void cutHandles(const ProgressCallback& progress)
-  {
-    HandleLoops handles = handleLoops(this->mesh(), subrange(progress, 0.0, 0.7));
-    this->followFlags(handles.Surface);
-    follow(this->Disk.Surface, std::move(handles.Surface));
-    CutSurface cut = cutToDisk(this->mesh(), handles.Loops, subrange(progress, 0.7, 1.0));
-    const std::vector<char> region = this->avoided();
-    for (std::size_t v = 0; v < region.size(); ++v)
-    {
-      this->Figures.SeamRegionPoints += region[v] && cut.OnSeam[v] ? 1 : 0;
-    }
-    this->followSeam(std::move(cut));
-    this->resolveBoundary(this->Hole.BoundaryVertices);
-  }
-
-  void openOnce(const ProgressCallback& progress)
-  {
-    if (this->Options.Cut == CutMode::Seam &&
-        (this->Closed || this->IsTube || !this->Options.SeamPoints.empty()))
-    {
-      this->cutSeam(progress);
-    }
-    else if (this->Closed)
-    {
-      this->cutHole(progress);
-    }
-    else
-    {
-      this->resolveBoundary(std::min(LeastBoundaryVertices, this->Hole.BoundaryVertices));
-    }
-  }
-
-  void cutSeam(const ProgressCallback& progress)
-  {
-    GeodesicSeamOptions seam;
-    seam.Points = this->Options.SeamPoints;
-    seam.BoundaryVertices = this->Hole.BoundaryVertices;
-    if (this->IsTube)
-    {
-      const MeshTopology topology = analyseTopology(this->mesh().Faces, this->mesh().vertexCount());
-      seam.Points = placeTubeSeam(this->mesh(),
-        topology.BoundaryLoops[0],
-        topology.BoundaryLoops[1],
-        subrange(progress, 0.0, 0.4));
-    }
-    else if (seam.Points.empty())
-    {
-      seam.Points = placeSeam(this->mesh(), this->avoided(), subrange(progress, 0.0, 0.4));
-    }
-    CutSurface cut = cutGeodesicSeam(this->mesh(), seam, subrange(progress, 0.4, 1.0)).Cut;
-    if (this->IsTube && !this->Options.RegionOfInterest.empty())
-    {
-      const std::vector<char> region = flagsOf(cut.Surface.Vertices, this->avoided(), false);
-      int points = 0; // on both sides of the seam
-      for (std::size_t v = 0; v < region.size(); ++v)
-      {
-        points += region[v] && cut.OnSeam[v] ? 1 : 0;
-      }
-      this->Figures.SeamRegionPoints = points / 2;
-    }
-    this->followSeam(std::move(cut));
-  }
-
-  // The region of interest on the surface as it is now.
-  std::vector<char> avoided() const
-  {
-    return this->Options.RegionOfInterest.empty()
-             ? std::vector<char>()
-             : flagsOf(this->Disk.Surface.Vertices, this->Options.RegionOfInterest, false);
-  }
-
-  void followSeam(CutSurface&& cut)
-  {
-    const double before = boundaryLength(this->mesh());
-    this->followFlags(cut.Surface);
-    this->Disk.Seam.resize(cut.OnSeam.size(), 0);
-    std::transform(cut.OnSeam.begin(),
-      cut.OnSeam.end(),
-      this->Disk.Seam.begin(),
-      this->Disk.Seam.begin(),
-      [](char now, char earlier) { return now || earlier; });
-    follow(this->Disk.Surface, std::move(cut.Surface));
-    this->Figures.SeamLength += 0.5 * (boundaryLength(this->mesh()) - before);
-  }
-
-  // The vertices of an earlier seam, if there is one, on the surface that comes next.
-  void followFlags(const DerivedMesh& next)
-  {
-    if (!this->Disk.Seam.empty())
-    {
-      this->Disk.Seam = flagsOf(next.Vertices, this->Disk.Seam, true);
-    }
-  }
-
-  void cutHole(const ProgressCallback& progress)
-  {
-    this->Hole.Avoided = this->avoided();
-    OpenedSurface opened = cutGeodesicHole(this->mesh(), this->Hole, progress);
-    this->Figures.HoleCentre = opened.Centre;
-    this->Figures.HoleRadius = opened.Radius;
-    this->Figures.RemovedArea += opened.RemovedArea;
-    this->Figures.RemovedRegionPoints = opened.RemovedAvoided;
-    follow(this->Disk.Surface, std::move(opened.Surface));
-  }
-
-  // Cutting along a graph of edges leaves as many boundary vertices as they have, and a boundary of the
-  // input may have but three.
-  void resolveBoundary(int vertices)
-  {
-    DerivedMesh refined = refineBoundary(this->mesh(), vertices);
-    if (refined.Mesh.vertexCount() > this->mesh().vertexCount())
-    {
-      this->followFlags(refined);
-      follow(this->Disk.Surface, std::move(refined));
-    }
-  }
-
   void measure()
   {
     this->Disk.Seam.resize(this->mesh().vertexCount(), 0);
@@ -479,13 +311,11 @@ private:
   }
 
   const SurfaceToDiskOptions& Options;
-  GeodesicHoleOptions Hole;
   DiskSurface Disk;
   SurfaceToDiskReport& Figures = Disk.Report;
   std::vector<char> Reversed;
   std::vector<char> OneSided;
-  bool Closed = false;
-  bool IsTube = false;  // two boundaries are kept until the seam joins them
+  OpenEnds Ends;
   bool Pierced = false; // a patch or a cap passes through other faces
 };
 
