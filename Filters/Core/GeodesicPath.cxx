@@ -2,6 +2,7 @@
 #include "GeodesicPath.h"
 
 #include "Errors.h"
+#include "InterruptibleCall.h"
 
 #include <CGAL/Surface_mesh_shortest_path.h>
 #include <CGAL/boost/graph/properties_Surface_mesh.h>
@@ -9,6 +10,7 @@
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -26,6 +28,8 @@ using ShortestPath =
 // Half the strip's width at first, in edges, and what it grows by.
 constexpr int FirstRings = 4;
 constexpr int MoreRings = 2;
+
+constexpr const char* Stage = "looking for the geodesic";
 
 Vertex numberIn(const std::vector<Vertex>& sorted, Vertex v)
 {
@@ -178,6 +182,23 @@ struct PathCollector
   void operator()(Face, const ShortestPath::Barycentric_coordinates&) {}
 };
 
+// Owns all that the search for it uses: an abort leaves the search behind.
+struct StripGeodesic
+{
+  SurfaceMesh Strip;
+  Vertex From;
+  Vertex To;
+  GeodesicPath Path;
+
+  void find()
+  {
+    ShortestPath geodesics(this->Strip);
+    geodesics.add_source_point(this->To);
+    PathCollector collector{ this->Path.Points };
+    this->Path.Length = geodesics.shortest_path_sequence_to_source_points(this->From, collector).first;
+  }
+};
+
 // The strip's border, but for what is the border of the whole surface.
 bool isAtBorder(const SurfaceMesh& strip, const PathPoint& point)
 {
@@ -191,21 +212,21 @@ GeodesicPath geodesicPath(const SurfaceMesh& mesh,
   Vertex to,
   const ProgressCallback& progress)
 {
-  report(progress, 0.0, "looking for the geodesic");
+  report(progress, 0.0, Stage);
   std::vector<Vertex> middle = shortestEdgePath(mesh, from, to);
   for (int rings = FirstRings;; rings += MoreRings)
   {
-    report(progress, 0.5, "looking for the geodesic");
+    report(progress, 0.5, Stage);
     Strip strip(mesh, middle);
     const bool isPart = strip.widen(rings);
     std::vector<Vertex> original;
-    const SurfaceMesh part = strip.mesh(original);
-    ShortestPath geodesics(part);
-    geodesics.add_source_point(numberIn(original, to));
-    GeodesicPath path;
-    PathCollector collector{ path.Points };
-    path.Length =
-      geodesics.shortest_path_sequence_to_source_points(numberIn(original, from), collector).first;
+    const auto geodesic = std::make_shared<StripGeodesic>();
+    geodesic->Strip = strip.mesh(original);
+    geodesic->From = numberIn(original, from);
+    geodesic->To = numberIn(original, to);
+    callInterruptibly([geodesic]() { geodesic->find(); }, progress, 0.5, Stage);
+    const SurfaceMesh& part = geodesic->Strip;
+    GeodesicPath path = std::move(geodesic->Path);
     const bool isWhole = path.Points.size() > 1;
 
     // A strip around a path that its border holds back lets the next one come closer to the geodesic.

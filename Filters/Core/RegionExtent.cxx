@@ -21,6 +21,19 @@ constexpr int Sweeps = 4;          // each to the farthest point
 constexpr int Levels = 15;         // along the diameter, at which the extent across is measured
 constexpr int SmoothingSteps = 12; // of the boundary
 
+constexpr const char* DiameterStage = "Greatest diameter";
+constexpr const char* AcrossStage = "Greatest extent across";
+
+// For a step whose own progress is no part of the whole's.
+ProgressCallback standing(const ProgressCallback& progress, double fraction, const char* stage)
+{
+  if (!progress)
+  {
+    return {};
+  }
+  return [progress, fraction, stage](double, const char*) { return progress(fraction, stage); };
+}
+
 SurfaceCurve curveOf(const SurfaceMesh& mesh, const GeodesicPath& path)
 {
   SurfaceCurve curve;
@@ -113,12 +126,13 @@ public:
   }
 
   // The geodesic, with the length that it has between the ends of the smoothed boundary.
-  SurfaceCurve path(int from, int to) const
+  SurfaceCurve path(int from, int to, const ProgressCallback& progress) const
   {
     SurfaceCurve curve = curveOf(this->Mesh,
       geodesicPath(this->Mesh,
         SurfaceMesh::Vertex_index(static_cast<unsigned>(from)),
-        SurfaceMesh::Vertex_index(static_cast<unsigned>(to))));
+        SurfaceMesh::Vertex_index(static_cast<unsigned>(to)),
+        progress));
     curve.Length -= overhang(this->Region.Vertices, this->Amid, curve);
     return curve;
   }
@@ -132,10 +146,10 @@ public:
       double before = 0.0;
       for (int sweep = 0; sweep < Sweeps; ++sweep)
       {
-        report(
-          progress, 0.4 * (start + static_cast<double>(sweep) / Sweeps) / Starts, "Greatest diameter");
+        const double done = 0.4 * (start + static_cast<double>(sweep) / Sweeps) / Starts;
         Eigen::Index to = 0;
-        const double length = geodesicDistances(this->Region, from).maxCoeff(&to);
+        const double length =
+          geodesicDistances(this->Region, from, standing(progress, done, DiameterStage)).maxCoeff(&to);
         if (length <= before)
         {
           break;
@@ -149,8 +163,7 @@ public:
     SurfaceCurve longest;
     for (const auto& [from, to] : pairs)
     {
-      report(progress, 0.4, "Greatest diameter");
-      SurfaceCurve curve = this->path(from, to);
+      SurfaceCurve curve = this->path(from, to, standing(progress, 0.4, DiameterStage));
       if (curve.Length > longest.Length)
       {
         longest = std::move(curve);
@@ -163,8 +176,9 @@ public:
   // After the diameter.
   SurfaceCurve across(const ProgressCallback& progress) const
   {
-    const Eigen::VectorXd fromFirst = geodesicDistances(this->Region, this->Ends.first);
-    const Eigen::VectorXd fromSecond = geodesicDistances(this->Region, this->Ends.second);
+    const ProgressCallback atFirst = standing(progress, 0.0, AcrossStage);
+    const Eigen::VectorXd fromFirst = geodesicDistances(this->Region, this->Ends.first, atFirst);
+    const Eigen::VectorXd fromSecond = geodesicDistances(this->Region, this->Ends.second, atFirst);
     const Eigen::VectorXd along = fromFirst - fromSecond;
     const std::size_t first = this->placeNearest(fromFirst);
     const std::size_t second = this->placeNearest(fromSecond);
@@ -175,7 +189,8 @@ public:
     {
       return longest;
     }
-    const auto tryLevel = [&](double level) // from -1 at one end of the diameter to 1 at the other
+    // @param level from -1 at one end of the diameter to 1 at the other
+    const auto tryLevel = [&](double level, double done)
     {
       const double value = level * fromFirst[this->Ends.second];
       const auto nearest = [&](const std::vector<int>& side)
@@ -184,7 +199,8 @@ public:
           side.end(),
           [&](int a, int b) { return std::abs(along[a] - value) < std::abs(along[b] - value); });
       };
-      SurfaceCurve curve = this->path(nearest(sides[0]), nearest(sides[1]));
+      SurfaceCurve curve =
+        this->path(nearest(sides[0]), nearest(sides[1]), standing(progress, done, AcrossStage));
       const bool isLonger = curve.Length > longest.Length;
       longest = isLonger ? std::move(curve) : longest;
       return isLonger;
@@ -192,16 +208,15 @@ public:
     double best = 0.0;
     for (int level = 1; level < Levels; ++level)
     {
-      report(progress, static_cast<double>(level) / Levels, "Greatest extent across");
-      const double place = 2.0 * level / Levels - 1.0;
-      best = tryLevel(place) ? place : best;
+      const double done = static_cast<double>(level) / Levels;
+      const double place = 2.0 * done - 1.0;
+      best = tryLevel(place, done) ? place : best;
     }
     for (double step = 1.0 / Levels; step > 0.25 / Levels; step *= 0.5)
     {
       const double middle = best;
-      report(progress, 1.0, "Greatest extent across");
-      best = tryLevel(middle - step) ? middle - step : best;
-      best = tryLevel(middle + step) ? middle + step : best;
+      best = tryLevel(middle - step, 1.0) ? middle - step : best;
+      best = tryLevel(middle + step, 1.0) ? middle + step : best;
     }
     return longest;
   }
@@ -225,14 +240,13 @@ private:
           {
             continue; // within the region
           }
-          report(progress,
-            1.0 - 1.0 / (1.0 + tries++),
-            "Greatest diameter"); // how many there will be is not known
+          const double done = 1.0 - 1.0 / (1.0 + tries++); // how many there will be is not known
           const int before = *end;
           *end = this->Loop[(place - this->Loop.begin() + move) % size];
-          SurfaceCurve curve = this->Ends.first == this->Ends.second
-                                 ? SurfaceCurve()
-                                 : this->path(this->Ends.first, this->Ends.second);
+          SurfaceCurve curve =
+            this->Ends.first == this->Ends.second
+              ? SurfaceCurve()
+              : this->path(this->Ends.first, this->Ends.second, standing(progress, done, DiameterStage));
           if (curve.Length > longest.Length)
           {
             longest = std::move(curve);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "AbandonedCall.h"
 #include "Errors.h"
 #include "GeodesicPath.h"
 #include "GeodesicSeam.h"
@@ -90,6 +91,37 @@ TEST(GeodesicPath, OfATubeIsTheStraightLineOfItsNet)
   expectStraight(14, 28, 5);
   expectStraight(10, 2, 2);
   expectStraight(1, 7, 7);
+}
+
+TEST(GeodesicPath, ReportsWhileALibraryIsBusyWithIt)
+{
+  const EditableSurface tube(cylinder(48, 40, 3.0));
+  using Vertex = SurfaceMesh::Vertex_index;
+  const Vertex from(5 * 48 + 3);
+  const Vertex to(28 * 48 + 17);
+  AbandonedCall busy;
+  int reports = 0;
+  const GeodesicPath path = geodesicPath(tube.mesh(),
+    from,
+    to,
+    [&](double, const char*)
+    {
+      if (++reports == 10) // more than of its own
+      {
+        busy.end();
+      }
+      return true;
+    });
+  EXPECT_TRUE(busy.isOver());
+  const GeodesicPath quiet = geodesicPath(tube.mesh(), from, to);
+  EXPECT_EQ(path.Length, quiet.Length);
+  ASSERT_EQ(path.Points.size(), quiet.Points.size());
+  for (std::size_t i = 0; i < path.Points.size(); ++i)
+  {
+    EXPECT_EQ(path.Points[i].Vertex, quiet.Points[i].Vertex);
+    EXPECT_EQ(path.Points[i].Edge, quiet.Points[i].Edge);
+    EXPECT_EQ(path.Points[i].Fraction, quiet.Points[i].Fraction);
+  }
 }
 
 TEST(GeodesicSeam, OnASphereIsAnArcOfAGreatCircle)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "AbandonedCall.h"
 #include "Errors.h"
 #include "MarchingTetrahedra.h"
 #include "MeshTopology.h"
@@ -14,7 +15,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -293,6 +296,63 @@ TEST(RegionExtent, OfARectangleIsItsDiagonalAndWhatIsSquareToIt)
   EXPECT_EQ(extent.Outline.Length, 68.0);
   EXPECT_NEAR(extent.Perimeter, 68.0, 3.0);
   EXPECT_EQ(extent.EdgeLength, 1.0);
+}
+
+void expectSameCurve(const SurfaceCurve& curve, const SurfaceCurve& other)
+{
+  EXPECT_EQ(curve.Length, other.Length);
+  ASSERT_EQ(curve.Points.size(), other.Points.size());
+  for (std::size_t i = 0; i < curve.Points.size(); ++i)
+  {
+    EXPECT_EQ(curve.Points[i].From, other.Points[i].From);
+    EXPECT_EQ(curve.Points[i].To, other.Points[i].To);
+    EXPECT_EQ(curve.Points[i].Fraction, other.Points[i].Fraction);
+  }
+}
+
+// No step waits for a library without reports.
+TEST(RegionExtent, ReportsWhileALibraryIsBusyWithADistance)
+{
+  const int n = 40;
+  const TriangleMesh region =
+    regionDisk(sheet(n), squares(n, [](int j, int i) { return j >= 5 && j < 35 && i >= 10 && i < 14; }))
+      .Disk.Mesh;
+  const RegionExtent quiet = regionExtent(region);
+  // Sweeps by the heat method, geodesics between their ends, while these move, the sweeps of the other
+  // extent, its geodesics.
+  for (const double begin : { 0.0, 0.24, 0.4, 0.6, 0.62 })
+  {
+    SCOPED_TRACE(begin);
+    std::unique_ptr<AbandonedCall> busy;
+    double busySince = 0.0;
+    double before = 0.0;
+    int reports = 0;
+    const RegionExtent extent = regionExtent(region,
+      [&](double fraction, const char*)
+      {
+        EXPECT_GE(fraction, before);
+        before = fraction;
+        if (fraction < begin)
+        {
+          return true;
+        }
+        if (!busy)
+        {
+          busySince = fraction;
+          busy = std::make_unique<AbandonedCall>();
+        }
+        if (!busy->isOver() && ++reports == 20) // more than a step has of its own
+        {
+          EXPECT_EQ(fraction, busySince);
+          busy->end();
+        }
+        return true;
+      });
+    EXPECT_TRUE(busy && busy->isOver());
+    EXPECT_LT(busySince, begin + 0.025); // in this step, not in the next
+    expectSameCurve(extent.Diameter, quiet.Diameter);
+    expectSameCurve(extent.Across, quiet.Across);
+  }
 }
 
 } // namespace
