@@ -5,13 +5,16 @@
 #include "ConvexCombinationDisk.h"
 #include "Errors.h"
 #include "HornSpreading.h"
+#include "InterruptibleCall.h"
 #include "IntrinsicTriangulation.h"
 #include "SparseCholesky.h"
 #include "SpringLayout.h"
+#include "StandingProgress.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 
 namespace flattening
@@ -23,12 +26,15 @@ using Complex = std::complex<double>;
 // Radians. The error that is left is no greater than the last change.
 constexpr double GreatestChange = 1e-9;
 constexpr int LargestIterations = 200;
+constexpr const char* LaplacianStage = "Cotangent Laplacian";
 
 // The Poisson equation on the surface, with the angle defects as its curvature.
 class CherrierEquation
 {
 public:
-  CherrierEquation(const IntrinsicTriangulation& t, const std::vector<int>& loop)
+  CherrierEquation(const IntrinsicTriangulation& t,
+    const std::vector<int>& loop,
+    const ProgressCallback& progress)
     : Loop(loop)
     , Defects(Eigen::VectorXd::Constant(t.vertexCount(), 2.0 * EIGEN_PI))
   {
@@ -58,10 +64,13 @@ public:
     }
     // The factors are known up to a constant: one of them is held.
     entries.emplace_back(loop.front(), loop.front(), 1.0);
-    SparseMatrix laplacian(t.vertexCount(), t.vertexCount());
-    laplacian.setFromTriplets(entries.begin(), entries.end());
-    this->Cholesky.compute(laplacian);
-    if (this->Cholesky.info() != Eigen::Success)
+    const auto laplacian = std::make_shared<SparseMatrix>(t.vertexCount(), t.vertexCount());
+    laplacian->setFromTriplets(entries.begin(), entries.end());
+    callInterruptibly([cholesky = this->Cholesky, laplacian]() { cholesky->compute(*laplacian); },
+      progress,
+      0.5,
+      LaplacianStage);
+    if (this->Cholesky->info() != Eigen::Success)
     {
       throw ConvergenceError(
         "the cotangent Laplacian could not be factored: remesh the surface (Surface To Disk, Remesh)");
@@ -77,7 +86,7 @@ public:
     {
       right[this->Loop[k]] += exteriorAngles[k];
     }
-    return this->Cholesky.solve(right);
+    return this->Cholesky->solve(right);
   }
   Eigen::VectorXd boundaryFactors(const Eigen::VectorXd& exteriorAngles) const
   {
@@ -87,7 +96,9 @@ public:
 private:
   const std::vector<int>& Loop;
   Eigen::VectorXd Defects; // 2 pi, or pi on the boundary, minus the angle sum
-  SparseCholesky Cholesky{ SparseCholesky::Ordering::Quick };
+  // Shared with the call that computes it, which an abort leaves behind.
+  std::shared_ptr<SparseCholesky> Cholesky =
+    std::make_shared<SparseCholesky>(SparseCholesky::Ordering::Quick);
 };
 
 // Mean of each entry, which belongs to the edge after a vertex, and the one before.
@@ -205,14 +216,16 @@ ConformalDiskMap boundaryFirstDisk(const TriangleMesh& mesh,
   IntrinsicTriangulation triangulation(mesh);
   map.Flips = triangulation.flipToDelaunay();
   map.AddedLength = triangulation.addedLength();
-  report(progress, 0.2, "Cotangent Laplacian");
-  const CherrierEquation equation(triangulation, loop);
+  report(progress, 0.2, LaplacianStage);
+  const CherrierEquation equation(triangulation, loop, subrange(progress, 0.2, 0.4));
   const Eigen::VectorXd lengths = loopLengths(mesh, loop, map.AddedLength);
   const Eigen::VectorXd angles =
     boundaryAngles(equation, lengths, map.BoundaryIterations, subrange(progress, 0.4, 0.7));
-  report(progress, 0.7, "Harmonic extension");
+  const ProgressCallback extension = standing(progress, 0.7, "Harmonic extension");
+  report(extension, 0.0, "");
   ComplexVector disk = convexCombinationDisk(
-    cotangentWeights(triangulation), WeightSymmetry::Symmetric, loop, angles, centring);
+    cotangentWeights(triangulation), WeightSymmetry::Symmetric, loop, angles, centring, extension);
+  report(extension, 1.0, "");
   const double area = faceAreas(mesh.Vertices, mesh.Faces).sum();
   map.SpreadVertices = spreadHornsInOwnMetric(
     triangulation, logFactorsOf(equation, lengths, loop, disk), 0.5 * std::log(EIGEN_PI / area), disk);

@@ -124,7 +124,8 @@ Rectangle layOut(const IntrinsicTriangulation& t,
   const IntrinsicTriangulation::Factors& u,
   const std::vector<int>& corners,
   const EliminationOrder& order,
-  ComplexVector& position)
+  ComplexVector& position,
+  const ProgressCallback& progress)
 {
   std::array<double, 4> lengths{};
   const std::vector<BoundaryPlace> places = placesOnSides(t, u, corners, lengths);
@@ -136,7 +137,7 @@ Rectangle layOut(const IntrinsicTriangulation& t,
     position[place.Vertex] = rectangle.at(place.Side, place.Along / lengths[place.Side], place.Inside);
     placed[place.Vertex] = 1;
   }
-  relaxSprings(springsOf(t, u), placed, position, order);
+  relaxSprings(springsOf(t, u), placed, position, order, progress);
   return rectangle;
 }
 
@@ -185,9 +186,9 @@ ConformalRectangleMap conformalRectangleMap(const TriangleMesh& mesh,
   result.Map.Flips += flow.Flips;
   result.Map.MaxCurvatureError = flow.MaxCurvatureError;
 
-  report(progress, 0.9, "Laying out the rectangle");
   ComplexVector position;
-  const Rectangle rectangle = layOut(t, flow.LogFactors, result.Corners, flow.Elimination, position);
+  const Rectangle rectangle = layOut(
+    t, flow.LogFactors, result.Corners, flow.Elimination, position, subrange(progress, 0.9, 0.95));
   result.Map.LayoutError = layoutError(t, flow.LogFactors, position);
   requireLayout(result.Map.LayoutError);
   result.Modulus = rectangle.Width / rectangle.Height;

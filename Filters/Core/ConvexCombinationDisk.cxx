@@ -3,6 +3,7 @@
 
 #include "BoundaryAngles.h"
 #include "Errors.h"
+#include "InterruptibleCall.h"
 #include "SparseLu.h"
 
 #include <cmath>
@@ -19,6 +20,31 @@ using Complex = std::complex<double>;
 // centres the masses, and close to that all other vertices crowd at the far side.
 constexpr double GreatestShare = 0.49;
 constexpr int Refinements = 1;
+constexpr const char* Stage = "Convex combination map";
+
+// One of the two, of the matrix.
+struct WeightFactors
+{
+  SparseMatrix Matrix;
+  std::unique_ptr<SparseCholesky> Cholesky;
+  std::unique_ptr<SparseLu> Lu;
+
+  void factor(WeightSymmetry symmetry)
+  {
+    if (symmetry == WeightSymmetry::Symmetric)
+    {
+      this->Cholesky = std::make_unique<SparseCholesky>(this->Matrix);
+    }
+    else
+    {
+      this->Lu = std::make_unique<SparseLu>(this->Matrix);
+    }
+  }
+  bool isFactored() const
+  {
+    return (this->Cholesky ? this->Cholesky->info() : this->Lu->info()) == Eigen::Success;
+  }
+};
 
 class ConvexCombinations
 {
@@ -26,7 +52,8 @@ public:
   ConvexCombinations(const std::vector<NeighbourWeight>& weights,
     WeightSymmetry symmetry,
     const std::vector<int>& loop,
-    Eigen::Index vertexCount)
+    Eigen::Index vertexCount,
+    const ProgressCallback& progress)
     : Loop(loop)
     , Row(vertexCount, 0)
   {
@@ -51,7 +78,7 @@ public:
     }
     if (!this->Inner.empty())
     {
-      this->factor(symmetry);
+      this->factor(symmetry, progress);
     }
   }
 
@@ -62,8 +89,8 @@ public:
     if (!this->Inner.empty())
     {
       const Eigen::VectorXd inner = vertexShares(this->Inner);
-      const Eigen::VectorXd passed =
-        this->Cholesky ? this->Cholesky->solve(inner) : this->Lu->solveTransposed(inner);
+      const Eigen::VectorXd passed = this->Factors->Cholesky ? this->Factors->Cholesky->solve(inner)
+                                                             : this->Factors->Lu->solveTransposed(inner);
       for (const NeighbourWeight& w : this->Weights)
       {
         all[w.To] += this->Row[w.To] < 0 ? w.Weight * passed[this->Row[w.From]] : 0.0;
@@ -90,8 +117,8 @@ public:
         const Complex pull = w.Weight * (position[w.To] - position[w.From]);
         residual.row(this->Row[w.From]) += Eigen::RowVector2d(pull.real(), pull.imag());
       }
-      const Eigen::MatrixXd change =
-        this->Cholesky ? this->Cholesky->solve(residual) : this->Lu->solve(residual);
+      const Eigen::MatrixXd change = this->Factors->Cholesky ? this->Factors->Cholesky->solve(residual)
+                                                             : this->Factors->Lu->solve(residual);
       for (std::size_t i = 0; i < this->Inner.size(); ++i)
       {
         position[this->Inner[i]] += Complex(change(i, 0), change(i, 1));
@@ -101,7 +128,7 @@ public:
   }
 
 private:
-  void factor(WeightSymmetry symmetry)
+  void factor(WeightSymmetry symmetry, const ProgressCallback& progress)
   {
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(2 * this->Weights.size());
@@ -114,17 +141,13 @@ private:
         entries.emplace_back(i, this->Row[w.To], -w.Weight);
       }
     }
-    this->Matrix.resize(this->Inner.size(), this->Inner.size());
-    this->Matrix.setFromTriplets(entries.begin(), entries.end());
-    if (symmetry == WeightSymmetry::Symmetric)
-    {
-      this->Cholesky = std::make_unique<SparseCholesky>(this->Matrix);
-    }
-    else
-    {
-      this->Lu = std::make_unique<SparseLu>(this->Matrix);
-    }
-    if ((this->Cholesky ? this->Cholesky->info() : this->Lu->info()) != Eigen::Success)
+    SparseMatrix& matrix = this->Factors->Matrix;
+    matrix.resize(this->Inner.size(), this->Inner.size());
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    callInterruptibly(
+      [factors = this->Factors, symmetry]() { factors->factor(symmetry); }, progress, 0.2, Stage);
+    report(progress, 0.6, Stage);
+    if (!this->Factors->isFactored())
     {
       throw ConvergenceError("the weights of neighbours could not be factored: remesh the surface "
                              "(Surface To Disk, Remesh)");
@@ -135,9 +158,8 @@ private:
   std::vector<int> Row; // of every vertex; -1 on the boundary
   std::vector<int> Inner;
   std::vector<NeighbourWeight> Weights; // of inner vertices
-  SparseMatrix Matrix;
-  std::unique_ptr<SparseCholesky> Cholesky; // or
-  std::unique_ptr<SparseLu> Lu;
+  // Shared with the call that computes them, which an abort leaves behind.
+  std::shared_ptr<WeightFactors> Factors = std::make_shared<WeightFactors>();
 };
 
 ComplexVector onCircle(ComplexVector points)
@@ -217,9 +239,10 @@ ComplexVector convexCombinationDisk(const std::vector<NeighbourWeight>& weights,
   WeightSymmetry symmetry,
   const std::vector<int>& loop,
   const Eigen::VectorXd& angles,
-  const DiskCentring& centring)
+  const DiskCentring& centring,
+  const ProgressCallback& progress)
 {
-  const ConvexCombinations combinations(weights, symmetry, loop, centring.weights().size());
+  const ConvexCombinations combinations(weights, symmetry, loop, centring.weights().size(), progress);
   ComplexVector disk = centred(combinations, loop, angles, centring);
   if (centring.vertex() >= 0)
   {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "DiskCentring.h"
+#include "Progress.h"
 
 #include <vector>
 
@@ -37,11 +38,12 @@ enum class WeightSymmetry
 /// neighbour weighs less than that, faces may flip. And where one boundary vertex weighs half of the
 /// centre or more, as where the centre is a neighbour of the boundary, no boundary on the circle has it
 /// at 0: a Moebius map is then applied to all of the vertices.
-/// @throws ConvergenceError if the matrix cannot be factored or the centre is not found.
+/// @throws ConvergenceError if the matrix cannot be factored or the centre is not found; Cancelled.
 ComplexVector convexCombinationDisk(const std::vector<NeighbourWeight>& weights,
   WeightSymmetry symmetry,
   const std::vector<int>& loop,
   const Eigen::VectorXd& angles,
-  const DiskCentring& centring);
+  const DiskCentring& centring,
+  const ProgressCallback& progress = {});
 
 } // namespace flattening

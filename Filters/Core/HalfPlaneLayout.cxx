@@ -96,7 +96,8 @@ std::vector<char> layOutBoundary(const IntrinsicTriangulation& t,
 ComplexVector layOutInHalfPlane(const IntrinsicTriangulation& t,
   const IntrinsicTriangulation::Factors& u,
   int firstEdge,
-  const EliminationOrder& order)
+  const EliminationOrder& order,
+  const ProgressCallback& progress)
 {
   ComplexVector position(t.vertexCount(), Infinity);
   std::vector<char> placed = layOutBoundary(t, u, firstEdge, position);
@@ -116,7 +117,7 @@ ComplexVector layOutInHalfPlane(const IntrinsicTriangulation& t,
       placed[v] = 1;
     }
   }
-  relaxSprings(springsOf(t, u), placed, position, order);
+  relaxSprings(springsOf(t, u), placed, position, order, progress);
   return position;
 }
 

@@ -4,6 +4,7 @@
 
 #include "IntrinsicTriangulation.h"
 #include "MoebiusNormalisation.h"
+#include "Progress.h"
 #include "SparseCholesky.h"
 
 namespace flattening
@@ -16,11 +17,12 @@ namespace flattening
 /// be a Cauchy problem, whose rounding errors grow exponentially. Vertices that are neither on the
 /// boundary nor on a face get (infinity, 0).
 /// @param order  as for relaxSprings
-/// @throws ConvergenceError if the linear system cannot be factored.
+/// @throws ConvergenceError if the linear system cannot be factored; Cancelled.
 ComplexVector layOutInHalfPlane(const IntrinsicTriangulation& triangulation,
   const IntrinsicTriangulation::Factors& u,
   int firstEdge,
-  const EliminationOrder& order = {});
+  const EliminationOrder& order = {},
+  const ProgressCallback& progress = {});
 
 /// Greatest error of an edge's length in @p position, relative to that length or to 1e-11 of the
 /// layout's extent, whichever is longer: no shorter edge is resolved by positions in double precision.

@@ -336,8 +336,7 @@ DerivedMesh remeshIsotropically(const TriangleMesh& mesh,
   remesher.flipToDelaunay(subrange(progress, 0.8, 0.9));
   removeSmallAngles(surface, NarrowAngle, subrange(progress, 0.85, 0.9));
   removeSelfIntersections(surface, subrange(progress, 0.9, 0.95));
-  report(progress, 0.95, "carrying attributes over");
-  return surface.derived();
+  return surface.derived(subrange(progress, 0.95, 1.0));
 }
 
 } // namespace flattening

@@ -4,6 +4,7 @@
 #include "GeodesicDistance.h"
 #include "GeodesicPath.h"
 #include "MeshTopology.h"
+#include "StandingProgress.h"
 
 #include <algorithm>
 #include <array>
@@ -23,16 +24,6 @@ constexpr int SmoothingSteps = 12; // of the boundary
 
 constexpr const char* DiameterStage = "Greatest diameter";
 constexpr const char* AcrossStage = "Greatest extent across";
-
-// For a step whose own progress is no part of the whole's.
-ProgressCallback standing(const ProgressCallback& progress, double fraction, const char* stage)
-{
-  if (!progress)
-  {
-    return {};
-  }
-  return [progress, fraction, stage](double, const char*) { return progress(fraction, stage); };
-}
 
 SurfaceCurve curveOf(const SurfaceMesh& mesh, const GeodesicPath& path)
 {

@@ -21,6 +21,8 @@ namespace
 
 // How far a vertex may lie off the chord that replaces it on a boundary, as a share of the chord.
 constexpr double BoundarySagitta = 0.05;
+constexpr int FacesPerReport = 32768;
+constexpr const char* CarryingStage = "carrying attributes over";
 
 } // namespace
 
@@ -281,8 +283,9 @@ bool ResampledSurface::collapse(Edge edge, const Guard& guard)
   return true;
 }
 
-DerivedMesh ResampledSurface::derived() const
+DerivedMesh ResampledSurface::derived(const ProgressCallback& progress) const
 {
+  report(progress, 0.0, CarryingStage);
   DerivedMesh result;
   result.Mesh.Vertices.resize(this->Surface.number_of_vertices(), 3);
   result.Mesh.Faces.resize(this->Surface.number_of_faces(), 3);
@@ -318,17 +321,22 @@ DerivedMesh ResampledSurface::derived() const
     nearby.push_back(this->Place[this->Surface.target(this->Surface.halfedge(f))].Face);
   }
   result.Faces.resize(nearby.size());
-  tbb::parallel_for(0,
-    result.Mesh.faceCount(),
-    [this, &result, &nearby](int f)
-    {
-      Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-      for (int k = 0; k < 3; ++k)
+  const int faces = result.Mesh.faceCount();
+  for (int begin = 0; begin < faces; begin += FacesPerReport)
+  {
+    report(progress, 0.2 + 0.8 * begin / faces, CarryingStage);
+    tbb::parallel_for(begin,
+      std::min(begin + FacesPerReport, faces),
+      [this, &result, &nearby](int f)
       {
-        sum += result.Mesh.Vertices.row(result.Mesh.Faces(f, k));
-      }
-      result.Faces[f] = this->Walk.closest(sum.transpose() / 3.0, nearby[f]).Face;
-    });
+        Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+        for (int k = 0; k < 3; ++k)
+        {
+          sum += result.Mesh.Vertices.row(result.Mesh.Faces(f, k));
+        }
+        result.Faces[f] = this->Walk.closest(sum.transpose() / 3.0, nearby[f]).Face;
+      });
+  }
   return result;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "DerivedMesh.h"
+#include "Progress.h"
 #include "SurfaceWalk.h"
 
 #include <CGAL/Surface_mesh.h>
@@ -75,7 +76,7 @@ public:
 
   /// The mesh, compacted; vertices are made of the old face below them, faces are parts of the old face
   /// nearest to their centroids.
-  DerivedMesh derived() const;
+  DerivedMesh derived(const ProgressCallback& progress = {}) const;
 
 private:
   struct Target

@@ -4,6 +4,7 @@
 #include "CurvatureSystem.h"
 #include "Errors.h"
 #include "StaleFactorSolver.h"
+#include "StandingProgress.h"
 
 #include <algorithm>
 #include <cmath>
@@ -192,9 +193,9 @@ private:
     const double tolerance =
       std::max(std::min(LinearTolerance, error), 0.1 * this->Options.Tolerance / error);
     Eigen::VectorXd step;
-    report(
-      progress, 0.0, this->Solver.hasFactor() ? "Ricci flow: solution" : "Ricci flow: factorization");
-    if (!this->Solver.solve(hessian, -this->System.gradient(), tolerance, step))
+    const char* stage = this->Solver.hasFactor() ? "Ricci flow: solution" : "Ricci flow: factorization";
+    if (!this->Solver.solve(
+          hessian, -this->System.gradient(), tolerance, step, standing(progress, 0.0, stage)))
     {
       throw ConvergenceError("the Ricci flow's Hessian could not be factored after " +
                              std::to_string(this->Result.NewtonIterations) +

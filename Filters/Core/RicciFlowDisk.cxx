@@ -83,13 +83,12 @@ HalfPlaneMap mapToHalfPlane(Workpiece& piece,
 
   const RicciFlowResult flow =
     discreteRicciFlow(t, targets, fixed, start, options, subrange(progress, 0.0, 0.9));
-  report(progress, 0.9, "Layout");
   map.NewtonIterations += flow.NewtonIterations;
   map.Flips += flow.Flips;
   map.MaxCurvatureError = flow.MaxCurvatureError;
 
-  const ComplexVector positions =
-    layOutInHalfPlane(t, flow.LogFactors, star.FirstBoundaryEdge, flow.Elimination);
+  const ComplexVector positions = layOutInHalfPlane(
+    t, flow.LogFactors, star.FirstBoundaryEdge, flow.Elimination, subrange(progress, 0.9, 0.95));
   report(progress, 0.95, "Layout");
   map.LayoutError = layoutError(t, flow.LogFactors, positions);
   requireLayout(map.LayoutError);

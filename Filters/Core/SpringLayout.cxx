@@ -2,12 +2,14 @@
 #include "SpringLayout.h"
 
 #include "Errors.h"
+#include "InterruptibleCall.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 
 namespace flattening
 {
@@ -17,6 +19,7 @@ namespace
 using Complex = std::complex<double>;
 constexpr int Refinements = 2;
 constexpr int FacesPerTask = 1024;
+constexpr const char* Stage = "Layout";
 
 // The order of the points' rows; points that it does not name come last.
 EliminationOrder orderOfRows(const EliminationOrder& order,
@@ -79,8 +82,10 @@ std::vector<Spring> springsOf(const IntrinsicTriangulation& t, const IntrinsicTr
 void relaxSprings(const std::vector<Spring>& springs,
   const std::vector<char>& fixed,
   ComplexVector& position,
-  const EliminationOrder& order)
+  const EliminationOrder& order,
+  const ProgressCallback& progress)
 {
+  report(progress, 0.0, Stage);
   std::vector<int> row(fixed.size(), -1);
   std::vector<int> vertex;
   for (std::size_t v = 0; v < fixed.size(); ++v)
@@ -113,11 +118,11 @@ void relaxSprings(const std::vector<Spring>& springs,
       entries.emplace_back(std::max(i, j), std::min(i, j), -s.Weight);
     }
   }
-  SparseMatrix laplacian(vertex.size(), vertex.size());
-  laplacian.setFromTriplets(entries.begin(), entries.end());
-  SparseCholesky cholesky(orderOfRows(order, row, vertex));
-  cholesky.compute(laplacian);
-  if (cholesky.info() != Eigen::Success)
+  const auto laplacian = std::make_shared<SparseMatrix>(vertex.size(), vertex.size());
+  laplacian->setFromTriplets(entries.begin(), entries.end());
+  const auto cholesky = std::make_shared<SparseCholesky>(orderOfRows(order, row, vertex));
+  callInterruptibly([laplacian, cholesky]() { cholesky->compute(*laplacian); }, progress, 0.2, Stage);
+  if (cholesky->info() != Eigen::Success)
   {
     throw ConvergenceError(
       "the flat metric could not be laid out: remesh the surface (Surface To Disk, Remesh)");
@@ -125,6 +130,7 @@ void relaxSprings(const std::vector<Spring>& springs,
   // Forces are sums of differences: refined by them, positions are as good as the springs' weights.
   for (int round = 0; round < 1 + Refinements; ++round)
   {
+    report(progress, 0.8 + 0.2 * round / (1 + Refinements), Stage);
     Eigen::MatrixX2d force = Eigen::MatrixX2d::Zero(vertex.size(), 2);
     for (const Spring& s : springs)
     {
@@ -139,7 +145,7 @@ void relaxSprings(const std::vector<Spring>& springs,
         force.row(row[s.To]) -= f;
       }
     }
-    const Eigen::MatrixX2d change = cholesky.solve(force);
+    const Eigen::MatrixX2d change = cholesky->solve(force);
     for (std::size_t i = 0; i < vertex.size(); ++i)
     {
       position[vertex[i]] += Complex(change(i, 0), change(i, 1));

@@ -4,6 +4,7 @@
 
 #include "IntrinsicTriangulation.h"
 #include "MoebiusNormalisation.h"
+#include "Progress.h"
 #include "SparseCholesky.h"
 
 #include <vector>
@@ -28,10 +29,11 @@ std::vector<Spring> springsOf(const IntrinsicTriangulation& triangulation,
 /// Floater 1997).
 /// @param order  of elimination, of points that need not be all; where it does not serve another one is
 ///               found, which takes time
-/// @throws ConvergenceError if the linear system cannot be factored.
+/// @throws ConvergenceError if the linear system cannot be factored; Cancelled.
 void relaxSprings(const std::vector<Spring>& springs,
   const std::vector<char>& fixed,
   ComplexVector& position,
-  const EliminationOrder& order = {});
+  const EliminationOrder& order = {},
+  const ProgressCallback& progress = {});
 
 } // namespace flattening

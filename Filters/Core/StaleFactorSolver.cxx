@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StaleFactorSolver.h"
 
+#include "InterruptibleCall.h"
+
 #include <cmath>
 
 namespace flattening
@@ -13,15 +15,20 @@ constexpr int MostIterations = 30;
 // More than these, judged by the last system, are not begun.
 constexpr int ManyIterations = 20;
 
+constexpr const char* FactorStage = "Factorization";
+constexpr const char* SolutionStage = "Solution";
+
 } // namespace
 
-bool StaleFactorSolver::factor(const SparseMatrix& lower)
+bool StaleFactorSolver::factor(const SparseMatrix& lower, const ProgressCallback& progress)
 {
   this->takeNewOrder();
-  this->Factor.compute(lower);
+  const auto owned = std::make_shared<const SparseMatrix>(lower);
+  callInterruptibly(
+    [factor = this->Factor, owned]() { factor->compute(*owned); }, progress, 0.0, FactorStage);
   ++this->Factorizations;
   this->LogReduction = -HUGE_VAL;
-  this->Size = this->Factor.info() == Eigen::Success ? lower.rows() : -1;
+  this->Size = this->Factor->info() == Eigen::Success ? lower.rows() : -1;
   return this->Size >= 0;
 }
 
@@ -35,20 +42,21 @@ void StaleFactorSolver::takeNewOrder()
 {
   if (this->NewOrder.valid())
   {
-    this->Factor.setOrder(this->NewOrder.get());
+    this->Factor->setOrder(this->NewOrder.get());
   }
 }
 
 const EliminationOrder& StaleFactorSolver::order()
 {
   this->takeNewOrder();
-  return this->Factor.order();
+  return this->Factor->order();
 }
 
 bool StaleFactorSolver::iterate(const SparseMatrix& lower,
   const Eigen::VectorXd& rightSide,
   double tolerance,
-  Eigen::VectorXd& solution)
+  Eigen::VectorXd& solution,
+  const ProgressCallback& progress)
 {
   solution.setZero(rightSide.size());
   Eigen::VectorXd residual = rightSide;
@@ -57,7 +65,8 @@ bool StaleFactorSolver::iterate(const SparseMatrix& lower,
   double previous = 0.0;
   for (int k = 0; k < MostIterations; ++k)
   {
-    const Eigen::VectorXd preconditioned = this->Factor.solve(residual);
+    report(progress, 0.0, SolutionStage);
+    const Eigen::VectorXd preconditioned = this->Factor->solve(residual);
     const double descent = residual.dot(preconditioned);
     direction = k == 0 ? preconditioned : (preconditioned + descent / previous * direction).eval();
     previous = descent;
@@ -87,18 +96,19 @@ double StaleFactorSolver::iterationsFor(double reduction) const
 bool StaleFactorSolver::solve(const SparseMatrix& lower,
   const Eigen::VectorXd& rightSide,
   double tolerance,
-  Eigen::VectorXd& solution)
+  Eigen::VectorXd& solution,
+  const ProgressCallback& progress)
 {
   if (this->Size == lower.rows() && this->iterationsFor(tolerance) <= ManyIterations &&
-      this->iterate(lower, rightSide, tolerance, solution))
+      this->iterate(lower, rightSide, tolerance, solution, progress))
   {
     return true;
   }
-  if (!this->factor(lower))
+  if (!this->factor(lower, progress))
   {
     return false;
   }
-  solution = this->Factor.solve(rightSide);
+  solution = this->Factor->solve(rightSide);
   return rightSide.dot(solution) >= 0.0; // small indefinite matrices are factored all the same
 }
 

@@ -2,9 +2,11 @@
 /// Solves a sequence of similar positive definite systems with few factorizations.
 #pragma once
 
+#include "Progress.h"
 #include "SparseCholesky.h"
 
 #include <future>
+#include <memory>
 
 namespace flattening
 {
@@ -17,10 +19,12 @@ class StaleFactorSolver
 public:
   /// Solves A x = b up to a residual of @p tolerance times b, in the Euclidean norm. @p lower is the
   /// lower half of A. False if a new factor was needed and A is not positive definite.
+  /// @throws Cancelled  not to be used again afterwards
   bool solve(const SparseMatrix& lower,
     const Eigen::VectorXd& rightSide,
     double tolerance,
-    Eigen::VectorXd& solution);
+    Eigen::VectorXd& solution,
+    const ProgressCallback& progress = {});
 
   /// How many iterations would reduce a residual so much, judged by the last system; 0 right after a
   /// factorization.
@@ -39,16 +43,19 @@ public:
   int iterations() const { return this->Iterations; }
 
 private:
-  bool factor(const SparseMatrix& lower);
+  bool factor(const SparseMatrix& lower, const ProgressCallback& progress);
   bool iterate(const SparseMatrix& lower,
     const Eigen::VectorXd& rightSide,
     double tolerance,
-    Eigen::VectorXd& solution);
+    Eigen::VectorXd& solution,
+    const ProgressCallback& progress);
 
   void takeNewOrder();
 
   std::future<EliminationOrder> NewOrder;
-  SparseCholesky Factor{ SparseCholesky::Ordering::Quick };
+  // Shared with the call that computes it, which an abort leaves behind.
+  std::shared_ptr<SparseCholesky> Factor =
+    std::make_shared<SparseCholesky>(SparseCholesky::Ordering::Quick);
   Eigen::Index Size = -1;    // of the factor; -1 without one
   double LogReduction = 0.0; // of the residual by one iteration for the last system
   int Factorizations = 0;

@@ -359,24 +359,33 @@ TEST(ConformalDisk, RefusesWhatIsNoDisk)
 TEST(ConformalDisk, ProgressGrowsAndCancels)
 {
   const TriangleMesh mesh = ringMesh(sphericalCap(1.5), 1000).Mesh;
-  std::vector<double> fractions;
+  std::vector<double> fractions; // without those repeated while a library is at work
   conformalDiskMap(mesh,
     {},
     [&fractions](double fraction, const char*)
     {
-      fractions.push_back(fraction);
+      if (fractions.empty() || fraction != fractions.back())
+      {
+        fractions.push_back(fraction);
+      }
       return true;
     });
   ASSERT_GT(fractions.size(), 3u);
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   EXPECT_GE(fractions.front(), 0.0);
   EXPECT_EQ(fractions.back(), 1.0);
-  for (std::size_t stop = 0; stop < fractions.size(); ++stop)
+  for (const double stop : fractions)
   {
-    std::size_t calls = 0;
-    EXPECT_THROW(
-      conformalDiskMap(mesh, {}, [&](double, const char*) { return calls++ < stop; }), Cancelled);
-    EXPECT_EQ(calls, stop + 1) << "went on after the stop";
+    bool isOver = false;
+    EXPECT_THROW(conformalDiskMap(mesh,
+                   {},
+                   [&](double fraction, const char*)
+                   {
+                     EXPECT_FALSE(isOver) << "went on after the stop";
+                     isOver = fraction >= stop;
+                     return !isOver;
+                   }),
+      Cancelled);
   }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Boundary First and Mean Value, and what all methods for the conformal disk have in common.
+#include "AbandonedCall.h"
 #include "AnalyticSurfaces.h"
 #include "BoundaryRefinement.h"
 #include "ConformalDisk.h"
@@ -18,8 +19,11 @@
 #include <complex>
 #include <iostream>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <random>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -298,20 +302,62 @@ TEST_P(ConformalMethods, ReportProgressAndCancel)
     optionsOf(GetParam()),
     [&fractions](double fraction, const char*)
     {
-      fractions.push_back(fraction);
+      if (fractions.empty() || fraction != fractions.back())
+      {
+        fractions.push_back(fraction);
+      }
       return true;
     });
   ASSERT_GE(fractions.size(), 3u);
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   EXPECT_GE(fractions.front(), 0.0);
   EXPECT_EQ(fractions.back(), 1.0);
-  for (std::size_t stop = 0; stop < fractions.size(); ++stop)
+  for (const double stop : fractions)
   {
-    std::size_t calls = 0;
-    EXPECT_THROW(
-      conformalDiskMap(mesh, optionsOf(GetParam()), [&](double, const char*) { return calls++ < stop; }),
+    bool isOver = false;
+    EXPECT_THROW(conformalDiskMap(mesh,
+                   optionsOf(GetParam()),
+                   [&](double fraction, const char*)
+                   {
+                     EXPECT_FALSE(isOver) << "went on after the stop";
+                     isOver = fraction >= stop;
+                     return !isOver;
+                   }),
       Cancelled);
-    EXPECT_EQ(calls, stop + 1) << "went on after the stop";
+  }
+}
+
+TEST(ConformalDiskMethods, ReportWhileALibraryIsBusy)
+{
+  const TriangleMesh mesh = spherePart(1000).Mesh;
+  for (const auto& [method, stage] : std::vector<std::pair<ConformalMethod, std::string>>{
+         { ConformalMethod::RicciFlow, "Ricci flow: factorization" },
+         { ConformalMethod::RicciFlow, "Layout" },
+         { ConformalMethod::BoundaryFirst, "Cotangent Laplacian" },
+         { ConformalMethod::BoundaryFirst, "Harmonic extension" },
+         { ConformalMethod::MeanValue, "Convex combination map" } })
+  {
+    SCOPED_TRACE(stage);
+    std::unique_ptr<samples::AbandonedCall> busy;
+    std::string busyAt;
+    int reports = 0;
+    const auto progress = [&, wanted = stage](double, const char* now)
+    {
+      if (!busy && now == wanted)
+      {
+        busy = std::make_unique<samples::AbandonedCall>();
+      }
+      if (busy && !busy->isOver() && ++reports == 10) // more than the stage has of its own
+      {
+        busyAt = now;
+        busy->end();
+      }
+      return true;
+    };
+    const Points2 positions = conformalDiskMap(mesh, optionsOf(method), progress).Positions;
+    EXPECT_EQ(busyAt, stage);
+    EXPECT_TRUE(
+      (positions.array() == conformalDiskMap(mesh, optionsOf(method)).Positions.array()).all());
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StaleFactorSolver.h"
 
+#include "AbandonedCall.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
@@ -59,6 +61,35 @@ TEST(StaleFactorSolver, OneFactorServesSimilarMatrices)
   }
   EXPECT_EQ(solver.factorizations(), 1);
   EXPECT_LT(solver.iterations(), 60);
+}
+
+TEST(StaleFactorSolver, ReportsWhileItFactorsAndAtEveryIteration)
+{
+  const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(2500, -1.0, 1.0);
+  Eigen::VectorXd quiet;
+  Eigen::VectorXd x;
+  StaleFactorSolver quietSolver;
+  StaleFactorSolver solver;
+  samples::AbandonedCall busy;
+  int reports = 0;
+  const ProgressCallback progress = [&](double, const char*)
+  {
+    if (++reports == 5)
+    {
+      busy.end();
+    }
+    return true;
+  };
+  quietSolver.solve(springs(50, 0.5, 0), right, 1e-4, quiet);
+  solver.solve(springs(50, 0.5, 0), right, 1e-4, x, progress);
+  EXPECT_TRUE(busy.isOver());
+  EXPECT_TRUE((x.array() == quiet.array()).all());
+  reports = 0;
+  quietSolver.solve(springs(50, 0.5, 1), right, 1e-4, quiet);
+  solver.solve(springs(50, 0.5, 1), right, 1e-4, x, progress);
+  EXPECT_EQ(solver.factorizations(), 1);
+  EXPECT_EQ(reports, solver.iterations());
+  EXPECT_TRUE((x.array() == quiet.array()).all());
 }
 
 TEST(StaleFactorSolver, AnotherMatrixIsFactored)
