@@ -57,6 +57,17 @@ void addBlockErrors(vtkFieldData* figures, const std::vector<std::string>& error
   }
 }
 
+// An output has the input's field data until then, in which a figure of the filter before may have the
+// same name.
+void shareFigures(vtkInformationVector* outputs)
+{
+  vtkFieldData* figures = vtkDataObject::GetData(outputs, 0)->GetFieldData();
+  for (int port = 1; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkDataObject::GetData(outputs, port)->GetFieldData()->ShallowCopy(figures);
+  }
+}
+
 } // namespace
 
 vtkTypeBool vtkBlockwisePolyDataAlgorithm::ProcessRequest(vtkInformation* request,
@@ -165,7 +176,13 @@ int vtkBlockwisePolyDataAlgorithm::RequestData(vtkInformation* vtkNotUsed(reques
   {
     return 1;
   }
-  return flattening::runFilter(this, outputVector, [&] { this->Execute(inputVector, outputVector); });
+  return flattening::runFilter(this,
+    outputVector,
+    [&]
+    {
+      this->Execute(inputVector, outputVector);
+      shareFigures(outputVector);
+    });
 }
 
 void vtkBlockwisePolyDataAlgorithm::CreateBlockOutputs(vtkInformationVector** blockInputs,
@@ -226,6 +243,7 @@ int vtkBlockwisePolyDataAlgorithm::RequestBlocks(vtkInformationVector** inputVec
             if (this->HasInputs(blockInputs))
             {
               this->Execute(blockInputs, results);
+              shareFigures(results);
             }
           });
         this->BlockPrefix.clear();

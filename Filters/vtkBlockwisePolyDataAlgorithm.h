@@ -76,7 +76,8 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) final;
 
   /**
-   * What the filter does. The inputs have data, those that are optional aside; the outputs are new. What
+   * What the filter does. The inputs have data, those that are optional aside; the outputs are new. The
+   * field data of the first output becomes that of all. What
    * it throws is reported as one error, with word for word the exception's message, and leaves all
    * outputs empty.
    */

@@ -288,6 +288,20 @@ TEST(OMTAreaPreservingFilter, FacesAreExactUnlessRefinementIsOff)
   EXPECT_EQ(figure(filter->GetOutput(), "Bijective"), 1.0);
 }
 
+// Not those of the filter before.
+TEST(OMTAreaPreservingFilter, FiguresAreInBothOutputs)
+{
+  vtkNew<vtkOMTAreaPreservingFilter> filter;
+  const auto input = conformalHemisphere(500);
+  filter->SetInputData(input);
+  filter->Update();
+  for (const char* name : { "NewtonIterations", "FlippedFaces", "MaxCellAreaError", "Sites" })
+  {
+    EXPECT_EQ(figure(filter->GetPowerDiagram(), name), figure(filter->GetOutput(), name)) << name;
+  }
+  EXPECT_NE(figure(filter->GetPowerDiagram(), "NewtonIterations"), figure(input, "NewtonIterations"));
+}
+
 // Port 1: one polygon per site, with the site's id and area. Arcs are polylines of steps of a degree at
 // most, which cuts a little from the cells on the circle.
 TEST(OMTAreaPreservingFilter, PowerDiagramIsTheCells)
