@@ -14,6 +14,7 @@ from pathlib import Path
 import markdown
 
 LEFT_OUT = ("gallery.md",)  # megabytes of pictures
+PAGE_WIDTH = 660  # pixels that the help window shows of a page as it opens
 PICTURES = {  # of filters whose own page of docs/ begins with no picture of them
     "ConformalDisk": "tutorial/conformal.png",
     "OMTAreaPreserving": "tutorial/area_preserving.png",
@@ -38,6 +39,7 @@ class HelpPages:
 
     def write(self, name, title, body):
         self.titles[name] = title
+        body = re.sub(r'<img (?=[^>]*src="([^"]+)")', self.fitted, body)
         (self.folder / name).write_text(
             '<html><head><meta charset="utf-8"/>'
             f"<title>{html.escape(title)}</title></head>\n<body>\n{body}\n</body></html>\n",
@@ -49,6 +51,12 @@ class HelpPages:
         name = path.replace("/", "-")
         shutil.copyfile(self.docs / "pictures" / path, self.folder / name)
         return name
+
+    def fitted(self, match):
+        """The beginning of a picture's tag, narrowed to the page: the help window does not do so by itself."""
+        header = (self.folder / match.group(1)).read_bytes()[:24]
+        width = int.from_bytes(header[16:20], "big")  # of a PNG file
+        return f'<img width="{PAGE_WIDTH}" ' if width > PAGE_WIDTH else match.group(0)
 
     def reference(self, match):
         """What a reference of a page of docs/ becomes: one within help, a picture, or plain text."""

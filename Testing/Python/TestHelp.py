@@ -38,6 +38,16 @@ for name, proxy in filters.items():
     assert text.count("<tr>") == len(documented) + 1, (name, text.count("<tr>"), len(documented))
     assert "<img" in text or proxy.get("name") in ("NIFTIImageReader", "ImageCast", "ImagePad"), name
 
+# No picture is cut off at the window's edge.
+shown = set()
+for name, text in pages.items():
+    for tag in re.findall(r"<img [^>]*>", text):
+        width = int.from_bytes(files[re.search(r'src="([^"]+)"', tag).group(1)][16:20], "big")
+        given = re.search(r'width="(\d+)"', tag)
+        shown.add(int(given.group(1)) if given else width)
+        assert max(shown) <= 660 and (given is None or int(given.group(1)) < width), f"{name}: {tag}"
+assert len(shown) > 1, shown
+
 references = 0
 for name, text in pages.items():
     assert "](" not in re.sub(r"<code.*?</code>", "", text, flags=re.S), f"{name}: a link was not converted"
