@@ -11,9 +11,8 @@ set -euo pipefail
 output=$(realpath -m "${1:-$(dirname "$0")/../demo-output}")
 cd "$(dirname "$0")/.."
 
-Utilities/build.sh
-build=$(realpath "${BUILD_DIRECTORY:-build}")
-plugin=$(find "$build/lib" -name SurfaceFlattening.so -print -quit)
+source Utilities/build_plugin.sh
+build_plugin
 
 # The screen is as large as the picture; rendering is in software, as on a server.
 LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 2100x1180x24 -noreset" \

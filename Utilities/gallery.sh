@@ -7,9 +7,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-Utilities/build.sh -DSURFACEFLATTENING_BENCHMARKS=ON
-build=$(realpath "${BUILD_DIRECTORY:-build}")
-plugin=$(find "$build/lib" -name SurfaceFlattening.so -print -quit)
+source Utilities/build_plugin.sh
+build_plugin -DSURFACEFLATTENING_BENCHMARKS=ON
 
 if [ $# -gt 0 ]; then
   where=(--pictures gallery-output --inputs gallery-output "$@")

@@ -7,9 +7,8 @@ set -euo pipefail
 output=$(realpath -m "${1:-$(dirname "$0")/../docs/pictures/tutorial}")
 cd "$(dirname "$0")/.."
 
-Utilities/build.sh
-build=$(realpath "${BUILD_DIRECTORY:-build}")
-plugin=$(find "$build/lib" -name SurfaceFlattening.so -print -quit)
+source Utilities/build_plugin.sh
+build_plugin
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
