@@ -1,6 +1,7 @@
 # Pages for ParaView's help: surfaceflattening_help(<variable> <server-manager XML>...) sets the variable to the
 # arguments of paraview_add_plugin that put them into the plugin. Without the tools that ParaView's help takes
-# (Debian: qttools5-dev, qtxmlpatterns5-dev-tools, python3-markdown) the plugin has no help, and says so here.
+# (Debian: qttools5-dev, qtxmlpatterns5-dev-tools, python3-markdown, python3-pil) the plugin has no help, and says so
+# here.
 function (surfaceflattening_help variable)
   set("${variable}" XML_DOCUMENTATION OFF PARENT_SCOPE)
   if (NOT PARAVIEW_USE_QT)
@@ -24,6 +25,11 @@ function (surfaceflattening_help variable)
     RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
   if (NOT status EQUAL 0)
     list(APPEND missing python3-markdown)
+  endif ()
+  execute_process(COMMAND "${Python3_EXECUTABLE}" -c "import PIL"
+    RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
+  if (NOT status EQUAL 0)
+    list(APPEND missing python3-pil)
   endif ()
   if (missing)
     list(JOIN missing ", " missing)

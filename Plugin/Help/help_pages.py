@@ -12,6 +12,7 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import markdown
+from PIL import Image
 
 LEFT_OUT = ("gallery.md",)  # megabytes of pictures
 PAGE_WIDTH = 660  # pixels that the help window shows of a page as it opens
@@ -39,7 +40,6 @@ class HelpPages:
 
     def write(self, name, title, body):
         self.titles[name] = title
-        body = re.sub(r'<img (?=[^>]*src="([^"]+)")', self.fitted, body)
         (self.folder / name).write_text(
             '<html><head><meta charset="utf-8"/>'
             f"<title>{html.escape(title)}</title></head>\n<body>\n{body}\n</body></html>\n",
@@ -47,16 +47,16 @@ class HelpPages:
         )
 
     def picture(self, path):
-        """Copies a picture to the one folder that help has; returns its name there."""
+        """Copies a picture to the one folder that help has, no wider than a page, as the help window would cut it
+        off; returns its name there."""
         name = path.replace("/", "-")
-        shutil.copyfile(self.docs / "pictures" / path, self.folder / name)
+        with Image.open(self.docs / "pictures" / path) as picture:
+            if picture.width <= PAGE_WIDTH:
+                shutil.copyfile(picture.filename, self.folder / name)
+            else:
+                height = round(picture.height * PAGE_WIDTH / picture.width)
+                picture.convert("RGB").resize((PAGE_WIDTH, height), Image.LANCZOS).save(self.folder / name)
         return name
-
-    def fitted(self, match):
-        """The beginning of a picture's tag, narrowed to the page: the help window does not do so by itself."""
-        header = (self.folder / match.group(1)).read_bytes()[:24]
-        width = int.from_bytes(header[16:20], "big")  # of a PNG file
-        return f'<img width="{PAGE_WIDTH}" ' if width > PAGE_WIDTH else match.group(0)
 
     def reference(self, match):
         """What a reference of a page of docs/ becomes: one within help, a picture, or plain text."""
