@@ -6,7 +6,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-Utilities/setup.sh
+Utilities/setup.sh --package
 build=${BUILD_DIRECTORY:-build-package}
 jobs=$(awk -v cores="$(nproc)" '/MemAvailable/ { n = int($2 / 1500000); print n < 1 ? 1 : n < cores ? n : cores }' /proc/meminfo)
 cmake --preset package -B "$build" >/dev/null

@@ -3,6 +3,7 @@
 # needs root or sudo only if something is missing.
 #   Utilities/setup.sh           for the ParaView plugin
 #   Utilities/setup.sh --vtk     for the VTK module alone, on a VTK without ParaView
+#   Utilities/setup.sh --package for the ParaView plugin and to make a Debian package of it
 set -euo pipefail
 
 packages=(
@@ -21,6 +22,10 @@ else
   packages+=(paraview paraview-dev python3-paraview mricron-data)
   packages+=(qttools5-dev qtxmlpatterns5-dev-tools python3-markdown python3-pil) # the plugin's pages in ParaView's help
   packages+=(qtbase5-dev) # puts the icons into the plugin, which goes without them otherwise; 47 MB
+fi
+
+if [ "${1:-}" = --package ]; then
+  packages+=(dpkg-dev file) # find out what the package's libraries need
 fi
 
 missing=()

@@ -24,9 +24,12 @@ constexpr double LeastTarget = 1e-6;
 constexpr double FirstEpsilon = 0.1;
 constexpr int FirstStageRounds = 16;
 constexpr int SecondStageRounds = 24;
-// More rounds of the first stage where faces remain flipped, and how often.
+// More rounds of the first stage where faces remain flipped: how many at a time, and how often, as long
+// as not more than a share of those faces is left. Far-off areas of horns come in over many rounds.
 constexpr int MoreRounds = 4;
-constexpr int MoreFirstStages = 2;
+constexpr int LeastFirstStages = 2;
+constexpr int MostFirstStages = 16;
+constexpr double GreatestLeft = 0.8;
 // In the end, for regions are what people measure (RefinementRounds::balance).
 constexpr double FinalRegionTolerance = 2e-4;
 // The shape weight without and with AngleWeight (times AngleWeight / (1 - AngleWeight)).
@@ -159,29 +162,30 @@ private:
     this->Rounds.balance(state, FinalRegionTolerance, subrange(progress, 0.8, 1.0));
   }
 
-  // Most of what is flipped after the first stage turns over in a few more of its rounds, and the rest
-  // in patches of a few vertices. Large patches lose much of the areas, which a few rounds more may get
+  // Most of what is flipped after the first stage turns over in more of its rounds, and the rest in
+  // patches of a few vertices. Large patches lose much of the areas, which a few rounds more may get
   // back: they come last.
   bool untangle(FlatState& state, const ProgressCallback& progress)
   {
-    constexpr double part = 1.0 / (MoreFirstStages + 2);
-    double fraction = 0.0;
-    for (int more = 0; more <= MoreFirstStages; ++more)
+    constexpr double rounds = 0.9; // of the progress
+    constexpr double part = rounds / MostFirstStages;
+    int flipped = countFlippedFaces(state.Positions, this->Surface.Faces);
+    for (int more = 0; more < MostFirstStages; ++more)
     {
-      if (this->turnOver(state, PatchSizes::Small, subrange(progress, fraction, fraction + 0.5 * part)))
+      const double begin = more * part;
+      if (this->turnOver(state, PatchSizes::Small, subrange(progress, begin, begin + 0.5 * part)))
       {
         return true;
       }
-      if (more < MoreFirstStages)
+      const int before = std::exchange(flipped, countFlippedFaces(state.Positions, this->Surface.Faces));
+      if (more >= LeastFirstStages && flipped > GreatestLeft * before)
       {
-        this->Rounds.run(state,
-          MoreRounds,
-          Until::AllRounds,
-          subrange(progress, fraction + 0.5 * part, fraction + part));
+        break;
       }
-      fraction += part;
+      this->Rounds.run(
+        state, MoreRounds, Until::AllRounds, subrange(progress, begin + 0.5 * part, begin + part));
     }
-    if (!this->turnOver(state, PatchSizes::Large, subrange(progress, fraction, 0.95)))
+    if (!this->turnOver(state, PatchSizes::Large, subrange(progress, rounds, 0.95)))
     {
       return false;
     }
