@@ -114,7 +114,7 @@ private:
   bool repair(const FreedPatch& patch, Start start)
   {
     FreedPatch::Local local = patch.local();
-    if (!(local.Unit > 0.0))
+    if (local.Frame.isZero(0.0))
     {
       return false;
     }
@@ -135,7 +135,7 @@ private:
   bool place(const FreedPatch& patch, const FreedPatch::Local& local)
   {
     Points2 places =
-      (local.Unit * local.Flat.Positions.topRows(local.Flat.FreeVertices)).rowwise() + local.Origin;
+      (local.Flat.Positions.topRows(local.Flat.FreeVertices) * local.Frame).rowwise() + local.Origin;
     this->swap(patch, places);
     const std::vector<int>& faces = patch.faces();
     const bool positive =

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FreedPatch.h"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 namespace flattening
@@ -13,6 +17,55 @@ void sortUnique(std::vector<int>& numbers)
 {
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+// Greatest over least stretch: what is less is not worth other coordinates.
+constexpr double LeastAnisotropy = 4.0;
+constexpr int ScatterSteps = 10;
+
+// What the maps from the targets to the faces stretch alike, of determinant 1 and symmetric: by the
+// scatter of these maps that counts every face by the direction alone (Tyler, "A distribution-free
+// M-estimator of multivariate scatter", 1987).
+Eigen::Matrix2d commonStretch(const FlatPatch& patch)
+{
+  std::vector<Eigen::Matrix2d> stretches;
+  for (Eigen::Index f = 0; f < patch.Faces.rows(); ++f)
+  {
+    const TargetTriangle& target = patch.Targets[f];
+    Eigen::Matrix2d edges;
+    Eigen::Matrix2d targetEdges;
+    for (int k = 0; k < 2; ++k)
+    {
+      edges.col(k) = patch.Positions.row(patch.Faces(f, k + 1)) - patch.Positions.row(patch.Faces(f, 0));
+    }
+    targetEdges << target.Second, target.Third;
+    const Eigen::Matrix2d jacobian = edges * targetEdges.inverse();
+    stretches.emplace_back(jacobian * jacobian.transpose());
+  }
+  Eigen::Matrix2d scatter = Eigen::Matrix2d::Identity();
+  for (int step = 0; step < ScatterSteps; ++step)
+  {
+    const Eigen::Matrix2d inverse = scatter.inverse();
+    Eigen::Matrix2d next = Eigen::Matrix2d::Zero();
+    for (const Eigen::Matrix2d& stretch : stretches)
+    {
+      const double size = (inverse * stretch).trace();
+      if (size > 0.0)
+      {
+        next += stretch / size;
+      }
+    }
+    const double determinant = next.determinant();
+    if (!(determinant > 0.0) || !std::isfinite(determinant))
+    {
+      return Eigen::Matrix2d::Identity();
+    }
+    scatter = next / std::sqrt(determinant);
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(scatter);
+  const Eigen::Vector2d squares = eigen.eigenvalues();
+  return squares[1] > LeastAnisotropy * LeastAnisotropy * squares[0] ? eigen.operatorSqrt()
+                                                                     : Eigen::Matrix2d::Identity();
 }
 
 } // namespace
@@ -108,15 +161,21 @@ FreedPatch::Local FreedPatch::local() const
   {
     flat.Positions.row(i) = this->Mesh.Positions.row(vertices[i]) - result.Origin;
   }
-  result.Unit = flat.Positions.cwiseAbs().maxCoeff();
-  if (result.Unit > 0.0)
+  for (const int f : this->Faces)
   {
-    flat.Positions /= result.Unit;
-    for (const int f : this->Faces)
+    flat.Targets.push_back(this->Mesh.Targets(f));
+  }
+  const Eigen::Matrix2d stretch = commonStretch(flat);
+  flat.Positions *= stretch.inverse();
+  const double unit = flat.Positions.cwiseAbs().maxCoeff();
+  if (unit > 0.0)
+  {
+    flat.Positions /= unit;
+    for (TargetTriangle& target : flat.Targets)
     {
-      const TargetTriangle target = this->Mesh.Targets(f);
-      flat.Targets.push_back({ target.Second / result.Unit, target.Third / result.Unit });
+      target = { target.Second / unit, target.Third / unit };
     }
+    result.Frame = unit * stretch;
   }
   return result;
 }

@@ -29,12 +29,16 @@ public:
   bool tooLarge() const { return static_cast<int>(this->Vertices.size()) > this->MostVertices; }
 
   /// A copy in coordinates around its own place, of its own size: doubles resolve them however small the
-  /// patch is in the map.
+  /// patch is in the map. Where all faces are stretched alike, as in the neck of a horn, they are so in
+  /// the coordinates no more: which faces are flipped does not change, and no shape is far from its
+  /// target's.
   struct Local
   {
     FlatPatch Flat; ///< numbered as vertices() and faces(), and after these the rim's vertices
     Eigen::RowVector2d Origin;
-    double Unit = 0.0; ///< 0 if there is nothing to free, or all of it lies in one place
+    /// Places in the map are Origin + coordinates * Frame; 0 if there is nothing to free, or all of it
+    /// lies in one place.
+    Eigen::Matrix2d Frame = Eigen::Matrix2d::Zero();
   };
   Local local() const;
 

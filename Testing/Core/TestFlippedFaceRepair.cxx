@@ -7,6 +7,8 @@
 #include "PatchRepair.h"
 #include "RandomNumbers.h"
 
+#include <Eigen/LU>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -117,10 +119,8 @@ INSTANTIATE_TEST_SUITE_P(FlippedFaceRepair, Twist, testing::Values(1.0, 1e-9));
 
 // Every inner vertex off its place by up to an edge each way: clusters of flipped faces everywhere,
 // which touch.
-TEST(FlippedFaceRepair, TurnsFacesOverInNoise)
+Points2 noisy(const TriangleMesh& mesh, const std::vector<int>& loop)
 {
-  const TriangleMesh mesh = ringMesh(flatDisk(), 5000).Mesh;
-  const std::vector<int> loop = requireDisk(mesh);
   const double edge = (mesh.Vertices.row(1) - mesh.Vertices.row(0)).norm();
   std::vector<char> onBoundary(mesh.vertexCount(), 0);
   for (const int v : loop)
@@ -137,11 +137,42 @@ TEST(FlippedFaceRepair, TurnsFacesOverInNoise)
       positions.row(v) += noise;
     }
   }
+  return positions;
+}
+
+TEST(FlippedFaceRepair, TurnsFacesOverInNoise)
+{
+  const TriangleMesh mesh = ringMesh(flatDisk(), 5000).Mesh;
+  const std::vector<int> loop = requireDisk(mesh);
+  Points2 positions = noisy(mesh, loop);
   ASSERT_GT(countFlippedFaces(positions, mesh.Faces), mesh.faceCount() / 10);
   const FlippedFaceReport report = repairFlippedFaces(mesh, loop, positions);
   EXPECT_EQ(report.FlippedFaces, 0);
   EXPECT_EQ(countFlippedFaces(positions, mesh.Faces), 0);
   EXPECT_LT(report.MovedVertices, mesh.vertexCount() / 2) << "most have no flipped face that needs them";
+}
+
+// The same among needles, as in the necks of horns. Stretching flips nothing, and so should not change
+// what can be repaired.
+TEST(FlippedFaceRepair, TurnsFacesOverAmongNeedles)
+{
+  const TriangleMesh mesh = ringMesh(flatDisk(), 5000).Mesh;
+  const std::vector<int> loop = requireDisk(mesh);
+  Eigen::Matrix2d stretch; // by 30 and 1 / 30, along no axis
+  stretch << 10.0, 14.0, 14.0, 19.7;
+  stretch /= std::sqrt(stretch.determinant());
+  Points2 positions = noisy(mesh, loop) * stretch;
+  ASSERT_GT(countFlippedFaces(positions, mesh.Faces), mesh.faceCount() / 10);
+  const TargetTriangles targets =
+    trianglesOfArea(mesh, Eigen::VectorXd::Constant(mesh.faceCount(), 3.14 / mesh.faceCount()));
+  std::vector<char> fixed(mesh.vertexCount(), 0);
+  for (const int v : loop)
+  {
+    fixed[v] = 1;
+  }
+  const FlippedFaceReport report = repairFlippedFaces(mesh.Faces, fixed, targets, positions);
+  EXPECT_EQ(report.FlippedFaces, 0);
+  EXPECT_EQ(countFlippedFaces(positions, mesh.Faces), 0);
 }
 
 // Fixed vertices that have changed places: what hangs on them stays flipped, is counted, and nothing
