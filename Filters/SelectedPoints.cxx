@@ -16,8 +16,6 @@
 #include <vtkSmartPointer.h>
 
 #include <cmath>
-#include <set>
-#include <sstream>
 #include <string>
 
 namespace flattening
@@ -176,40 +174,6 @@ std::vector<char> pointsInFunction(vtkImplicitFunction* function, const Points3&
     inside[v] = outside ? value >= 0.0 : value <= 0.0;
   }
   return inside;
-}
-
-std::vector<long long> labelsOf(vtkDataArray* array)
-{
-  std::vector<long long> labels(array->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-  {
-    const double value = array->GetComponent(i, 0);
-    if (!std::isfinite(value))
-    {
-      throw InvalidInput("the label array " + std::string(array->GetName()) + " has no number at " +
-                         std::to_string(i) + ": give every point or cell a label");
-    }
-    labels[i] = std::llround(value);
-  }
-  return labels;
-}
-
-std::string listed(const std::vector<long long>& labels)
-{
-  constexpr std::size_t shown = 20;
-  const std::set<long long> all(labels.begin(), labels.end());
-  std::ostringstream text;
-  std::size_t count = 0;
-  for (const long long label : all)
-  {
-    if (++count > shown)
-    {
-      text << ", ... (" << all.size() << " labels)";
-      break;
-    }
-    text << (count > 1 ? ", " : "") << label;
-  }
-  return text.str();
 }
 
 } // namespace flattening

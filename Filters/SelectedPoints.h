@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Which points of a surface a ParaView selection, an implicit function or labels choose.
+/// Which points of a surface a ParaView selection, an array or an implicit function choose.
 #pragma once
 
 #include "ChosenArray.h"
 #include "Core/TriangleMesh.h"
 
-#include <string>
 #include <vector>
 
-class vtkDataArray;
 class vtkImplicitFunction;
 class vtkPolyData;
 class vtkSelection;
@@ -35,11 +33,5 @@ std::vector<char> cellsInSelection(vtkPolyData* data, vtkSelection* selection);
 std::vector<char> pointsInFunction(vtkImplicitFunction* function,
   const Points3& positions,
   bool outside);
-
-/// The values of an array of labels (one component), rounded. @throws InvalidInput if one is no number.
-std::vector<long long> labelsOf(vtkDataArray* array);
-
-/// The different labels, ascending, as a text: at most twenty of them.
-std::string listed(const std::vector<long long>& labels);
 
 } // namespace flattening

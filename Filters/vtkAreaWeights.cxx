@@ -4,6 +4,7 @@
 #include "ChosenArray.h"
 #include "Core/RegionWeights.h"
 #include "FilterExecution.h"
+#include "Labels.h"
 #include "PolyDataConversion.h"
 #include "SelectedPoints.h"
 
@@ -176,7 +177,7 @@ flattening::ChosenArray vtkAreaWeights::RequireArray(vtkPolyData* input)
 std::vector<WeightedRegion> vtkAreaWeights::LabelRegions(vtkPolyData* input, const TriangleMesh& mesh)
 {
   const flattening::ChosenArray chosen = this->RequireArray(input);
-  std::vector<long long> labels = flattening::labelsOf(chosen.Array);
+  std::vector<long long> labels = flattening::labelsOf(chosen);
   if (chosen.OnCells)
   {
     labels = flattening::vertexLabels(mesh, labels, VTK_LONG_LONG_MIN);

@@ -27,10 +27,11 @@
  * SCALARS.
  *
  * An empty input gives an empty output. Errors, each with an empty output: cells other than triangles,
- * an array that is missing or has several components or values that are no numbers, a label that no
- * point has, an empty selection, a function that encloses no point, factors that are not positive
- * numbers, regions that cover the whole surface, magnifications that the map has no room for, soft edges
- * on a surface that is not a connected manifold, an earlier `AreaWeight` that is not positive.
+ * an array that is missing or has several components or values that are no numbers or, as labels, no
+ * whole ones, a label that no point has, an empty selection, a function that encloses no point, factors
+ * that are not positive numbers, regions that cover the whole surface, magnifications that the map has
+ * no room for, soft edges on a surface that is not a connected manifold, an earlier `AreaWeight` that is
+ * not positive.
  *
  * @sa vtkOMTAreaPreservingFilter vtkMeshSaliency
  */

@@ -5,6 +5,7 @@
 #include "Core/DistortionMeasures.h"
 #include "Core/DistortionSummary.h"
 #include "FilterExecution.h"
+#include "Labels.h"
 #include "PolyDataConversion.h"
 #include "TextureCoordinates.h"
 
@@ -77,28 +78,17 @@ Eigen::VectorXd weightsFromTargetArea(vtkPolyData* input, const TriangleMesh& su
 // Labels per face from an array of labels per face or per vertex.
 std::vector<Label> faceLabels(const flattening::ChosenArray& chosen, const TriangleMesh& surface)
 {
-  vtkDataArray* labels = chosen.Array;
-  const auto labelAt = [labels](vtkIdType i)
+  const std::vector<Label> labels = flattening::labelsOf(chosen, "the region array");
+  if (chosen.OnCells)
   {
-    const double value = labels->GetComponent(i, 0);
-    if (!std::isfinite(value))
-    {
-      throw InvalidInput("the region array " + std::string(labels->GetName()) + " has no number at " +
-                         std::to_string(i) + ": give every point or cell a label");
-    }
-    return static_cast<Label>(std::llround(value));
-  };
+    return labels;
+  }
   std::vector<Label> result(surface.faceCount());
   for (int f = 0; f < surface.faceCount(); ++f)
   {
-    if (chosen.OnCells)
-    {
-      result[f] = labelAt(f);
-      continue;
-    }
-    const Label a = labelAt(surface.Faces(f, 0));
-    const Label b = labelAt(surface.Faces(f, 1));
-    const Label c = labelAt(surface.Faces(f, 2));
+    const Label a = labels[surface.Faces(f, 0)];
+    const Label b = labels[surface.Faces(f, 1)];
+    const Label c = labels[surface.Faces(f, 2)];
     result[f] = b == c ? b : a;
   }
   return result;

@@ -41,7 +41,7 @@
  *
  * An empty input gives empty outputs. Errors, each with empty outputs: cells that are not triangles, no
  * array `SurfacePoints`, points that are not finite or not flat, zero total area, a `TargetArea` that is
- * not positive, a region array that is missing or not a label per point or cell.
+ * not positive, a region array that is missing or not a label, a whole number, per point or cell.
  *
  * Sources: Zhao et al., "Area-Preservation Mapping using Optimal Mass Transport", TVCG 2013, section 5
  * (area and angle distortion); Sander, Snyder, Gortler, Hoppe, "Texture Mapping Progressive Meshes",
@@ -101,7 +101,7 @@ public:
 
   /**
    * The table of output port 1. The input array to process 0, set by SetInputArrayToProcess(0, 0, 0,
-   * association, name), is an optional array of labels (one component, rounded to integers) per cell or
+   * association, name), is an optional array of labels (one component, whole numbers) per cell or
    * per point. Not set, an empty name or "None": the table has only the row `Total`. With labels per
    * point a face belongs to the label of most of its corners, or of its first corner if all three
    * differ.

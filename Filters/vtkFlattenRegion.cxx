@@ -8,6 +8,7 @@
 #include "Core/RegionDisk.h"
 #include "FilterExecution.h"
 #include "FlatPart.h"
+#include "Labels.h"
 #include "PolyDataConversion.h"
 #include "RegionMeasures.h"
 #include "SelectedPoints.h"
@@ -158,7 +159,7 @@ std::vector<char> vtkFlattenRegion::LabelledFaces(vtkPolyData* input, const Tria
   {
     throw InvalidInput("no array of labels is chosen: choose a point or cell array");
   }
-  const std::vector<long long> labels = flattening::labelsOf(chosen.Array);
+  const std::vector<long long> labels = flattening::labelsOf(chosen);
   std::vector<char> inside(mesh.faceCount());
   for (int f = 0; f < mesh.faceCount(); ++f)
   {

@@ -36,10 +36,10 @@
  * `FilledHoles` and `FilledArea`, of other labels within the region, which became a part of it;
  * `MaxCellAreaError`, `FlippedFaces` and `Bijective`, as from vtkOMTAreaPreservingFilter.
  *
- * An empty input gives empty outputs. Errors, each with empty outputs: a label that no triangle has, an
- * empty selection, a region or margin that is not a disk (with the remedy), a surface that is not an
- * oriented manifold of triangles, negative settings, what vtkConformalDiskFilter and
- * vtkOMTAreaPreservingFilter refuse.
+ * An empty input gives empty outputs. Errors, each with empty outputs: labels that are no whole numbers,
+ * a label that no triangle has, an empty selection, a region or margin that is not a disk (with the
+ * remedy), a surface that is not an oriented manifold of triangles, negative settings, what
+ * vtkConformalDiskFilter and vtkOMTAreaPreservingFilter refuse.
  *
  * @sa vtkMeshSaliency vtkAreaWeights vtkConformalDiskFilter vtkOMTAreaPreservingFilter
  */

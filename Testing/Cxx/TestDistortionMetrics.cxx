@@ -388,7 +388,23 @@ TEST(DistortionMetrics, BadInput)
   labels->Fill(std::nan(""));
   data->GetCellData()->AddArray(labels);
   metrics->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Labels");
-  expectError(metrics, data, "region array Labels has no number at 0");
+  expectError(metrics, data, "region array Labels has no number at cell 0");
+
+  for (const double wrong : { 2.5, 1e300, std::numeric_limits<double>::infinity() })
+  {
+    data = flattenedRectangle(2);
+    labels->Fill(-3);
+    labels->SetValue(5, wrong);
+    data->GetCellData()->AddArray(labels);
+    metrics->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Labels");
+    expectError(metrics, data, " at cell 5, but labels are whole numbers");
+  }
+  labels->SetNumberOfTuples(9);
+  labels->Fill(0);
+  labels->SetValue(4, 1e-9);
+  data->GetPointData()->AddArray(labels);
+  metrics->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Labels");
+  expectError(metrics, data, "the region array Labels has the value 1e-09 at point 4");
 }
 
 } // namespace
