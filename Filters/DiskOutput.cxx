@@ -2,10 +2,14 @@
 #include "DiskOutput.h"
 
 #include "AttributeTransfer.h"
+#include "Core/SurfaceWalk.h"
 #include "PolyDataConversion.h"
+
+#include <Eigen/Geometry>
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
@@ -38,6 +42,35 @@ void setGeometry(vtkPolyData* output, const TriangleMesh& mesh)
   }
   output->SetPoints(points);
   output->SetPolys(cells);
+}
+
+// A vector along the normal of each face.
+Points3 faceSides(const TriangleMesh& mesh)
+{
+  Points3 sides(mesh.faceCount(), 3);
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    const Eigen::RowVector3d corner = mesh.Vertices.row(mesh.Faces(f, 0));
+    sides.row(f) =
+      (mesh.Vertices.row(mesh.Faces(f, 1)) - corner).cross(mesh.Vertices.row(mesh.Faces(f, 2)) - corner);
+  }
+  return sides;
+}
+
+// Turns over the normals that point away from @p sides, as they do where faces were turned over: the
+// surface would be drawn black there.
+void turnNormals(vtkDataArray* normals, const Points3& sides)
+{
+  for (Eigen::Index i = 0; normals && i < sides.rows(); ++i)
+  {
+    Eigen::Vector3d normal;
+    normals->GetTuple(i, normal.data());
+    if (normal.dot(sides.row(i)) < 0.0)
+    {
+      normal = -normal;
+      normals->SetTuple(i, normal.data());
+    }
+  }
 }
 
 void addFlags(vtkDataSetAttributes* attributes, const char* name, const std::vector<char>& flags)
@@ -114,6 +147,8 @@ void setDisk(vtkPolyData* output,
   setGeometry(output, surface.Mesh);
   transferPointData(input->GetPointData(), surface.Vertices, output->GetPointData());
   transferCellData(input->GetCellData(), cells, output->GetCellData());
+  turnNormals(output->GetPointData()->GetNormals(), vertexNormals(surface.Mesh));
+  turnNormals(output->GetCellData()->GetNormals(), faceSides(surface.Mesh));
   addIds(output->GetPointData(), OriginalPointIdsName, points);
   addFlags(output->GetPointData(), "Seam", disk.Seam);
   addIds(output->GetCellData(), OriginalCellIdsName, cells);

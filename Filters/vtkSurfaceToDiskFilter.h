@@ -23,7 +23,8 @@
  * unused point. It keeps all point and cell arrays. Where new points are needed, arrays of floating
  * point numbers are interpolated linearly, all others (labels, strings) take the value of the nearest
  * point; cell arrays follow the input cell that a face is part of or, after remeshing, lies nearest to,
- * and hold 0 on filled holes and caps. Global ids are not kept. Added arrays:
+ * and hold 0 on filled holes and caps. Active normals are turned over where they point to the back of
+ * the oriented surface. Global ids are not kept. Added arrays:
  * - point `vtkOriginalPointIds` (vtkIdType): the input point that this one is, of merged points the one
  *   with the smallest id; -1 for new points, which after remeshing are nearly all. On a seam two points
  *   or more have the same id

@@ -11,6 +11,8 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkReverseSense.h>
 #include <vtkSphereSource.h>
 #include <vtkStringArray.h>
 #include <vtkStripper.h>
@@ -264,6 +266,61 @@ TEST(SurfaceToDiskFilter, CleansATriangleSoupWithFlippedAndDuplicateFaces)
   EXPECT_EQ(figure(output, "MergedPoints"), 3 * (faces + 3) - whole->GetNumberOfPoints());
   EXPECT_EQ(figure(output, "ReorientedFaces"), (faces + 2) / 4);
   EXPECT_EQ(figure(output, "Components"), 1);
+}
+
+// A sphere's normals are its points' directions; those of a surface that faces inwards, such as the wall
+// of a cavity, are turned over with its triangles.
+TEST(SurfaceToDiskFilter, NormalsAreTurnedOverWithTheFaces)
+{
+  vtkNew<vtkPolyDataNormals> outward;
+  outward->SetInputData(sphere(20));
+  outward->ComputeCellNormalsOn();
+  outward->SplittingOff();
+  vtkNew<vtkReverseSense> inward;
+  inward->SetInputConnection(outward->GetOutputPort());
+  inward->ReverseCellsOn();
+  inward->ReverseNormalsOn();
+  inward->Update();
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  for (vtkPolyData* input : { outward->GetOutput(0), inward->GetOutput(0) })
+  {
+    const bool turned = input == inward->GetOutput();
+    for (const bool remesh : { false, true })
+    {
+      filter->SetRemesh(remesh);
+      const auto output = run(filter, input);
+      EXPECT_EQ(figure(output, "ReorientedFaces"), turned ? input->GetNumberOfCells() : 0);
+      vtkDataArray* normals = output->GetPointData()->GetNormals();
+      vtkDataArray* origins = output->GetPointData()->GetArray("vtkOriginalPointIds");
+      vtkDataArray* cellNormals = output->GetCellData()->GetNormals();
+      ASSERT_TRUE(normals && cellNormals);
+      for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+      {
+        double x[3];
+        output->GetPoint(i, x);
+        const double* normal = normals->GetTuple3(i);
+        EXPECT_GT(x[0] * normal[0] + x[1] * normal[1] + x[2] * normal[2], 0.45) << "of radius 0.5";
+        const auto origin = static_cast<vtkIdType>(origins->GetTuple1(i));
+        for (int k = 0; k < 3 && origin >= 0; ++k)
+        {
+          const double before = input->GetPointData()->GetNormals()->GetComponent(origin, k);
+          EXPECT_EQ(normals->GetComponent(i, k), turned ? -before : before);
+        }
+      }
+      for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
+      {
+        double bounds[6];
+        output->GetCellBounds(c, bounds);
+        const double* normal = cellNormals->GetTuple3(c);
+        double along = 0;
+        for (int k = 0; k < 3; ++k)
+        {
+          along += 0.5 * (bounds[2 * k] + bounds[2 * k + 1]) * normal[k];
+        }
+        EXPECT_GT(along, 0.4);
+      }
+    }
+  }
 }
 
 TEST(SurfaceToDiskFilter, RemeshesAndCarriesAttributesOver)
