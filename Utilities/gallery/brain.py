@@ -111,5 +111,8 @@ def report(pipeline, names):
         "",
         *rows,
         "",
-        "In the GUI: the steps of the README, with *Region* as colour; *Distortion Metrics* with *Use Region Array* has the table.",
+        "In the GUI: `Utilities/demo.sh` first. *File > Open* `demo-output/flattened.vtp`, *Apply*: the area-preserving map, by `Region`. *Distortion Metrics* with *Use Region Array* and "
+        "*Region Array* `Region`, *Apply*; *Split Horizontal Axis* above the view, *SpreadSheet View*, the eye of *Summary*: the table. *Filters > Common > Calculator*, *Coordinate Results*, "
+        "`SurfacePoints`, *Apply*, on *flattened.vtp* is the half brain in space; *Conformal Disk* of it and *Distortion Metrics* of that have the figures of the conformal map. From the scan itself: "
+        "the steps of the [README](../README.md#in-paraview), or the [tutorial](tutorial.md).",
     ]

@@ -96,7 +96,7 @@ def make(path):
     panels.compose(path, [row], smooth=True)
 
     lines = ["| of the region | surface | conformal map | area-preserving map |", "|---|---|---|---|"]
-    area = [meshes.surface_and_flat_area(flat, "Region", 1, corners=2) for flat in (conformal, preserving)]
+    area = [meshes.region_areas(flat, "Region")[1] for flat in (conformal, preserving)]
     lines.append(f"| area (mm²) | {area[0][0]:,.0f} | {area[0][1]:,.0f} | {area[1][1]:,.0f} |")
     measured = simple.FlattenRegion(Input=surface, LabelArray=["POINTS", "Region"], Label=1)
     measured.UpdatePipeline()
@@ -116,5 +116,7 @@ def make(path):
         "",
         *lines,
         "",
-        "In the GUI: *File > Open* `gallery-output/chest.vtp`, *Apply*; *Flatten Region* with *Label Array* `Region` and *Label* 1, *Apply*, *Reset Camera*; its second output, in a *SpreadSheet View*, is the table ([more](flatten_region.md)).",
+        "In the GUI: *File > Open* `gallery-output/chest.vtp`, *Apply*; *Flatten Region* with *Label Array* `Region` and *Label* 1, *Apply*, *Reset Camera*; "
+        "*Split Horizontal Axis* above the view, *SpreadSheet View*, the eye of *Measures* ([more](flatten_region.md)). For the maps of the whole click *chest.vtp*; "
+        "*Conformal Disk*, *OMT Area Preserving*, *Distortion Metrics* with *Use Region Array* and *Region Array* `Region`, each with *Apply*: the row 1 of *Summary*.",
     ]

@@ -158,7 +158,7 @@ def make(path):
     part = (CENTRE[0] - 1.6, CENTRE[1] - 1.6, CENTRE[0] + 1.6, CENTRE[1] + 1.6)
     coarse = draw(whole, COARSE, False)
     fine = draw(part, COARSE * FINE, True)
-    mesh = plane_lens.rectangle(WIDTH, HEIGHT, 120, 80)
+    mesh = plane_lens.rectangle(WIDTH, HEIGHT, 120, 80, "city_mesh.vtp")
     plane = plane_lens.conformal_rectangle(mesh, WIDTH, HEIGHT)
     flat = plane_lens.transport(plane_lens.magnify(plane, CENTRE, RADIUS, FACTOR, edge_width=0.8))
 
@@ -189,8 +189,10 @@ def make(path):
         "",
         f"The sides of the map stay where they are to {max(moved, 1e-15):.0e} km.",
         "",
-        "In the GUI: the steps of [planar_warp.md](planar_warp.md) for `gallery-output/city.vti` and a *Plane* of 120 x 80 squares, *Point1* "
-        f"{WIDTH:g} 0 0, *Point2* 0 {HEIGHT:g} 0, *Origin* 0 0 0; the sphere at {CENTRE[0]:g} {CENTRE[1]:g} 0 with *Radius* {RADIUS:g}, "
-        f"*Factor* {FACTOR:g}, *Edge Width* 0.8; *Use Corners* with 0 0 0, {WIDTH:g} 0 0, {WIDTH:g} {HEIGHT:g} 0 and 0 {HEIGHT:g} 0. Then *Planar Warp* "
-        "once more, for `gallery-output/city_detail.vti`. Uncheck *Map Scalars* of both for their own colours.",
+        "In the GUI: *File > Open* `gallery-output/city.vti`, *Apply*; `city_detail.vti`, *Apply*; `city_mesh.vtp`, *Apply*. *Area Weights*: *Weights From* Implicit Function, "
+        f"*Center* {CENTRE[0]:g} {CENTRE[1]:g} 0, *Radius* {RADIUS:g}, *Factor* {FACTOR:g}, *Factor Meaning* Magnification, *Edge Width* 0.8, *Apply*. *Conformal Disk*: *Domain* Rectangle, *Use "
+        f"Corners*, *Lower Left* 0 0 0, *Lower Right* {WIDTH:g} 0 0, *Upper Right* {WIDTH:g} {HEIGHT:g} 0, *Upper Left* 0 {HEIGHT:g} 0, *Apply*. *OMT Area Preserving*: check *Use Area Weight*, "
+        "uncheck *Face Refinement*, *Apply*. *Planar Warp*: *Carried*, *city.vti*, *OK*, *Apply*. Click *Area-Preserving Disk* in the *Pipeline Browser*; *Planar Warp* "
+        f"again, *Carried*, *city_detail.vti*, *OK*, *Image Size* {4 * SIZE[0]} {4 * SIZE[1]}, *Apply*; *Threshold* of `InMap` with *Lower Threshold* 1, *Apply*; hide PlanarWarp2. "
+        "Type `map scalars` in the search box of the panel and uncheck *Map Scalars* of Threshold1 and of PlanarWarp1: their own colours.",
     ]

@@ -193,8 +193,8 @@ def report(regions, count, region, conformal):
             measures.GetValueByName(k, column) for column in ("Measure", "OnSurface", "Error", "OnMap", "Unit")
         )
         lines.append(
-            f"| {name.ToString()} ({unit.ToString().replace('^2', '²')}) | {value.ToDouble():.1f} "
-            f"| {error.ToDouble():.1f} | {on_map.ToDouble():.1f} |"
+            f"| {name.ToString()} ({unit.ToString().replace('^2', '²')}) | {value.ToDouble():.2f} "
+            f"| {error.ToDouble():.2f} | {on_map.ToDouble():.2f} |"
         )
     data = meshes.fetched(conformal)
     inside = np.asarray(data.CellData["InRegion"]) == 1
@@ -207,6 +207,8 @@ def report(regions, count, region, conformal):
         "",
         *lines,
         "",
-        "In the GUI: *File > Open* `gallery-output/colon.vti`, *Apply*; *Contour* at -480; *Surface To Disk* with *Cut* Seam, *Remesh* and *Target "
-        f"Edge Length* 0.9; *Mesh Saliency*; *Flatten Region* with *Label Array* `SaliencyRegion` and *Label* {regions[SHOWN]}.",
+        "In the GUI: *File > Open* `gallery-output/colon.vti`, *Apply*; *Filters > Common > Contour*, double-click the value in the table and type -480, "
+        "*Enter*, *Apply*; *Surface To Disk* with *Cut* Seam, *Remesh* and *Target Edge Length* (not *Relative*) 0.9, *Apply*; *Mesh Saliency*, *Apply*. Coloured "
+        "by `SaliencyRegion`, with *Hover Points On* above the view, the mouse tells the number of a polyp's region. *Flatten Region* with *Label Array* `SaliencyRegion` and "
+        f"*Label* {regions[SHOWN]}, *Apply*, *Zoom to Data*. *Split Horizontal Axis* above the view, *SpreadSheet View*, the eye of *Measures*: the table.",
     ]

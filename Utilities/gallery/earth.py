@@ -173,10 +173,11 @@ def make(path):
         "| | on the sphere (million km²) | on the conformal map | on the area-preserving map | error |",
         "|---|---|---|---|---|",
     ]
+    areas, areas_preserved = (meshes.region_areas(flat, "Land") for flat in (conformal, preserving))
     for name, place in LANDS.items():
         number = int(pieces[pixel_of(unit_vector(*place))])
-        on_sphere, on_conformal = meshes.surface_and_flat_area(conformal, "Land", number)
-        _, on_map = meshes.surface_and_flat_area(preserving, "Land", number)
+        on_sphere, on_conformal = areas[number]
+        on_map = areas_preserved[number][1]
         rows.append(
             f"| {name} | {on_sphere / 1e6:.3f} | {on_conformal / 1e6:.3f} | {on_map / 1e6:.3f} "
             f"| {100 * (on_map / on_sphere - 1):+.2f} % |"
@@ -185,11 +186,13 @@ def make(path):
     return [
         f"The coasts of VTK's earth source on a sphere of {POINTS:,} points, cut open at a hole of {HOLE:.0%} of its area in the "
         "Pacific. The maps are drawn from an image of longitude and latitude by the inverse map. Areas are those of the "
-        "triangles all of whose corners are on the piece of land:",
+        "triangles with two corners or more on the piece of land, by *Distortion Metrics*:",
         "",
         *rows,
         "",
         "In the GUI: *File > Open* `gallery-output/earth.vtp`, *Apply*; *Surface To Disk* with *Use Hole Point*, *Hole Point* "
-        f"{hole} and *Hole Area Fraction* {HOLE:g}, "
-        "*Conformal Disk*, *OMT Area Preserving*, *Flat Map Image*, each with *Apply*; colour by `Land`.",
+        f"{hole} (scroll to it) and *Hole Area Fraction* {HOLE:g} (the gear shows it), "
+        "*Conformal Disk*, *OMT Area Preserving*, *Flat Map Image*, each with *Apply*; *Reset Camera*; colour by `Land`. For the areas click "
+        "*Area-Preserving Disk*; *Distortion Metrics* with *Use Region Array* and *Region Array* `Land`, *Apply*; *Split Horizontal Axis* above the "
+        "view, *SpreadSheet View*, the eye of *Summary*.",
     ]

@@ -99,7 +99,7 @@ def make(path):
             np.column_stack([CORE * np.cos(circle), CORE * np.sin(circle), 0 * circle]), lines=ends
         )
     )
-    mesh = plane_lens.disk(RADIUS, 60)
+    mesh = plane_lens.disk(RADIUS, 60, "links_mesh.vtp")
     plane = plane_lens.conformal_disk(mesh, RADIUS)
     centre = plane_lens.transport(plane_lens.magnify(plane, [0, 0, 0], CORE + 1e-6, FACTOR, EDGE))
     outer = plane_lens.transport(plane_lens.magnify(plane, [0, 0, 0], CORE + 1e-6, SHRUNK, EDGE))
@@ -135,7 +135,9 @@ def make(path):
         "",
         "Factors are flat over original area of the faces in the region.",
         "",
-        "In the GUI: the steps of [planar_warp.md](planar_warp.md) for `gallery-output/links.vtp`, and *Planar Warp* once more for "
-        "`gallery-output/stations.vtp`, with a *Plane* of 100 x 100 squares, *Origin* -1 -1 0, *Point1* 1 -1 0, *Point2* -1 1 0; the "
-        f"sphere at 0 0 0 with *Radius* {CORE:g}, *Factor* {FACTOR:g}, *Edge Width* {EDGE:g}; *Use Corners* with -1 -1 0, 1 -1 0, 1 1 0 and -1 1 0. *Inside Out* in *Area Weights* makes the surroundings the region.",
+        "In the GUI: *File > Open* `gallery-output/links.vtp`, `stations.vtp` and `links_mesh.vtp`, each with *Apply*. *Area Weights*: *Weights From* Implicit Function, *Center* 0 0 0, "
+        f"*Radius* {CORE + 0.005:g} (between two rings of points), *Factor* {FACTOR:g}, *Factor Meaning* Magnification, *Edge Width* {EDGE:g}, *Apply*. *Conformal Disk*: *Use Boundary Point*, "
+        f"*Boundary Point* {RADIUS:g} 0 0, *Apply*. *OMT Area Preserving*: check *Use Area Weight*, uncheck *Face Refinement*, *Apply*. *Planar Warp*: *Carried*, *links.vtp*, *OK*, *Apply*. "
+        "Click *Area-Preserving Disk* in the *Pipeline Browser*; *Planar Warp* again, *Carried*, *stations.vtp*, *OK*, *Apply*; *Representation* Point Gaussian, coloured by `Core`; hide the data that were "
+        f"there before. For (c) *Factor* {SHRUNK:g} in *Area Weights*. [planar_warp.md](planar_warp.md) has more.",
     ]

@@ -77,7 +77,7 @@ def make(path):
     nodes, links = radial_graph()
     hues = matplotlib.colormaps["rainbow_r"]
     panels.categories("Overlaps", {k: hues(k / 6)[:3] for k in range(7)})
-    plane = plane_lens.conformal_disk(plane_lens.disk(1.0, 80), 1.0)
+    plane = plane_lens.conformal_disk(plane_lens.disk(1.0, 80, "branches_mesh.vtp"), 1.0)
     image, counts = panel(nodes, links)
     images = [(image, f"(a) the graph: {np.mean(counts > 0):.0%} of the nodes overlap")]
     rows = ["| | ring | asked | cells | faces |", "|---|---|---|---|---|"]
@@ -121,5 +121,10 @@ def make(path):
         "",
         *factor_table(),
         "",
-        "In the GUI: as the network above, for `gallery-output/branches.vtp` and `nodes.vtp`; [planar_warp.md](planar_warp.md#several-magnifications) says how several factors are set.",
+        "In the GUI: *File > Open* `gallery-output/branches.vtp`, `nodes.vtp` and `branches_mesh.vtp`, each with *Apply*. *Filters > Common > Calculator*: "
+        f"`{' + '.join(f'(mag(coords) < {radius})' for radius in RADII)}`, *Apply*: the labels 0 to 3. *Area Weights*: *Weights From* Label Table, *Weight "
+        "Array* `Result`, *Macros > Fill Region Factors*; click the row of label 0 and press *-*: the surroundings make room; double-click the other factors and type 2, 4 and 8; *Factor Meaning* "
+        "Magnification, *Apply*. *Conformal Disk*: *Use Boundary Point*, *Boundary Point* 1 0 0, *Apply*. *OMT Area Preserving*: check *Use Area Weight*, uncheck *Face Refinement*, "
+        "*Apply*. *Planar Warp*: *Carried*, *branches.vtp*, *OK*, *Apply*. Click *Area-Preserving Disk* in the *Pipeline Browser*; *Planar Warp* again for *nodes.vtp*. "
+        "[area_weights.md](area_weights.md#in-the-gui) says where the macro is, should it not be listed.",
     ]

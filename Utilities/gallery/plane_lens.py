@@ -7,7 +7,7 @@ from paraview import simple
 from scipy.spatial import Delaunay
 
 
-def rectangle(width, height, columns, rows):
+def rectangle(width, height, columns, rows, name=None):
     """Triangles on [0, width] x [0, height], alternating so that no direction is preferred."""
     x, y = np.meshgrid(np.linspace(0, width, columns + 1), np.linspace(0, height, rows + 1))
     points = np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)])
@@ -17,10 +17,10 @@ def rectangle(width, height, columns, rows):
             a = row * (columns + 1) + column
             b, c, d = a + 1, a + columns + 2, a + columns + 1
             faces += [[a, b, c], [a, c, d]] if (row + column) % 2 else [[a, b, d], [b, c, d]]
-    return source_of(poly_data(points, faces))
+    return source_of(poly_data(points, faces), name)
 
 
-def disk(radius, rings):
+def disk(radius, rings, name=None):
     """Triangles in rings of points around the origin."""
     points = [[0.0, 0.0]]
     for ring in range(1, rings + 1):
@@ -32,7 +32,7 @@ def disk(radius, rings):
     turned = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
     faces[turned < 0] = faces[turned < 0][:, ::-1]
     faces = faces[np.abs(turned) > 1e-9 * radius**2]  # slivers of the hull
-    return source_of(poly_data(np.column_stack([points, np.zeros(len(points))]), faces))
+    return source_of(poly_data(np.column_stack([points, np.zeros(len(points))]), faces), name)
 
 
 def conformal_rectangle(mesh, width, height):

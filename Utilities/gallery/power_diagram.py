@@ -42,8 +42,10 @@ def dots_at(points):
 
 
 def make(path):
+    surface = hill()
+    meshes.INPUTS["hill.vtp"] = surface
     conformal = simple.ConformalDisk(
-        Input=hill(), NormalizeTo="Unit Domain", UseBoundaryPoint=1, BoundaryPoint=[1, 0, 0]
+        Input=surface, NormalizeTo="Unit Domain", UseBoundaryPoint=1, BoundaryPoint=[1, 0, 0]
     )
     flat = simple.OMTAreaPreserving(Input=conformal, NormalizeTo="Unit Domain", FaceRefinement=0)
     sites = np.asarray(meshes.fetched(conformal).Points)
@@ -75,5 +77,7 @@ def make(path):
         f"{figures['NewtonIterations']:.0f} Newton steps; sum of the cells {areas.sum():.12f} (pi = {np.pi:.12f}); the "
         f"triangulation has {len(dual)} triangles.",
         "",
-        "In the GUI: *OMT Area Preserving* with *Face Refinement* off; the eye of its second output shows the cells.",
+        "In the GUI: *File > Open* `gallery-output/hill.vtp`, *Apply*. *Conformal Disk* with *Normalize To* Unit Domain, *Use Boundary Point*, *Boundary Point* 1 0 0, *Apply*. *OMT Area "
+        "Preserving* with *Normalize To* Unit Domain, uncheck *Face Refinement*, *Apply*, *Reset Camera*; the eye of *Power Diagram* shows the cells, with *Representation* Surface With Edges. The sites are those of "
+        "*ConformalDisk1*, with *Representation* Points. *Information* has `MaxCellAreaError` and `NewtonIterations`.",
     ]

@@ -151,9 +151,10 @@ def make(path):
 
 def report(metrics):
     lines = ["| | surface | conformal map | area-preserving map |", "|---|---|---|---|"]
+    areas = [meshes.region_areas(flat, "Part") for flat in metrics]
     for name, number in (("face", FACE), ("rest of the head", HEAD), ("vase", VASE)):
-        areas = [meshes.surface_and_flat_area(flat, "Part", number) for flat in metrics]
-        lines.append(f"| {name} | {areas[0][0]:.3f} | {areas[0][1]:.2g} | {areas[1][1]:.3f} |")
+        surface, conformal = areas[0][number]
+        lines.append(f"| {name} | {surface:.3f} | {conformal:.2g} | {areas[1][number][1]:.3f} |")
     for title, name, form in (
         ("mean area error", "AreaWeightedMeanAreaError", "{:.2f} %"),
         ("faces within 2 % of their area", "FacesWithin2Percent", "{:.1f} %"),
@@ -168,6 +169,11 @@ def report(metrics):
         "",
         *lines,
         "",
-        "In the GUI: *File > Open* `gallery-output/vase.vtp`; *Surface To Disk*, *Conformal Disk*, *OMT Area Preserving*, *Distortion Metrics*; *Histogram* of `AreaDistortion` and "
-        "`AngleDistortion`.",
+        "In the GUI: *File > Open* `gallery-output/vase.vtp`, *Apply*; colour by `Part` and turn it by dragging: at first one looks at "
+        "the crown. *Surface To Disk*, *Conformal Disk*, *OMT Area Preserving*, each with *Apply*; *Set view direction to -Z*. *Distortion "
+        f"Metrics* with *Use Region Array* and *Region Array* `Part`, *Apply*. *Split Horizontal Axis* above the view, *SpreadSheet View*, the eye "
+        f"of *Summary*: `SurfaceArea` and `FlatArea` of the parts ({VASE} vase, {HEAD} rest of the head, {FACE} face), and in the row *Total* "
+        "`AreaWeightedMeanAreaError`, `FacesWithin2Percent`, `AreaWeightedMeanAngleError` and `FlippedFaces`. Click *DistortionMetrics1*; *Filters > Data "
+        "Analysis > Histogram* of `AreaDistortion`, *Apply*; the same of `AngleDistortion`. For the conformal map click *ConformalDisk1* and go on "
+        "from *Distortion Metrics*.",
     ]
