@@ -173,7 +173,7 @@ def report(metrics):
         "the crown. *Surface To Disk*, *Conformal Disk*, *OMT Area Preserving*, each with *Apply*; *Set view direction to -Z*. *Distortion "
         f"Metrics* with *Use Region Array* and *Region Array* `Part`, *Apply*. *Split Horizontal Axis* above the view, *SpreadSheet View*, the eye "
         f"of *Summary*: `SurfaceArea` and `FlatArea` of the parts ({VASE} vase, {HEAD} rest of the head, {FACE} face), and in the row *Total* "
-        "`AreaWeightedMeanAreaError`, `FacesWithin2Percent`, `AreaWeightedMeanAngleError` and `FlippedFaces`. Click *DistortionMetrics1*; *Filters > Data "
+        "`AreaWeightedMeanAreaError`, `FacesWithin2Percent`, `AreaWeightedMeanAngleError` and `FlippedFaces`; ParaView sorts the columns by name. Click *DistortionMetrics1*; *Filters > Data "
         "Analysis > Histogram* of `AreaDistortion`, *Apply*; the same of `AngleDistortion`. For the conformal map click *ConformalDisk1* and go on "
         "from *Distortion Metrics*.",
     ]
