@@ -78,6 +78,6 @@ def make(path):
         f"triangulation has {len(dual)} triangles.",
         "",
         "In the GUI: *File > Open* `gallery-output/hill.vtp`, *Apply*. *Conformal Disk* with *Normalize To* Unit Domain, *Use Boundary Point*, *Boundary Point* 1 0 0, *Apply*. *OMT Area "
-        "Preserving* with *Normalize To* Unit Domain, uncheck *Face Refinement*, *Apply*, *Reset Camera*; the eye of *Power Diagram* shows the cells, with *Representation* Surface With Edges. The sites are those of "
-        "*ConformalDisk1*, with *Representation* Points. *Information* has `MaxCellAreaError` and `NewtonIterations`.",
+        "Preserving* with *Normalize To* Unit Domain, uncheck *Face Refinement*, *Apply*, *Reset Camera*; hide *Area-Preserving Disk*; the eye of *Power Diagram* shows the cells, with *Representation* Surface With Edges. The sites are those of "
+        "*ConformalDisk1*, by its eye, with *Representation* Points. *Information* has `MaxCellAreaError` and `NewtonIterations`.",
     ]
