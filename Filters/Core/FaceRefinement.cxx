@@ -182,6 +182,7 @@ private:
       {
         break;
       }
+      this->Rounds.countShapesMore();
       this->Rounds.run(
         state, MoreRounds, Until::AllRounds, subrange(progress, begin + 0.5 * part, begin + part));
     }

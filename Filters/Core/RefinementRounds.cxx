@@ -13,7 +13,7 @@ namespace
 {
 
 // Shapes count so many times as much in the first rounds: what they gain there, over a long way, is not
-// lost again.
+// lost again. In the horns of large surfaces, repeating that is the way out of what is tangled.
 constexpr int FirstShapeRounds = 2;
 constexpr double FirstShapeFactor = 10.0;
 // A stage ends when so few faces are off by more than the patches' tolerance, or when rounds in a row
@@ -50,6 +50,7 @@ RefinementRounds::RefinementRounds(const TriangleMesh& surface,
   , Energy(terms, facesOf, unknowns)
   , Patches(terms, facesOf, unknowns)
   , Begin(start)
+  , LastShapeRound(start == Start::Refined ? 0 : FirstShapeRounds)
 {
 }
 
@@ -58,6 +59,11 @@ void RefinementRounds::setStage(const Eigen::VectorXd& targets, double epsilon)
   this->Energy.setTargets(targets);
   this->Energy.setEpsilon(epsilon);
   this->Epsilon = epsilon;
+}
+
+void RefinementRounds::countShapesMore()
+{
+  this->LastShapeRound = this->Count + FirstShapeRounds;
 }
 
 RefinementRounds::WrongFaces RefinementRounds::wrongFaces(const FlatState& state)
@@ -131,7 +137,6 @@ void RefinementRounds::run(FlatState& state, int most, Until until, const Progre
   const bool isRefined = this->Begin == Start::Refined;
   const double progressShare = isRefined ? LeastContinuedProgress : LeastProgress;
   const int mostIdle = isRefined ? MostIdleContinuedRounds : MostIdleRounds;
-  const int shapeRounds = isRefined ? 0 : FirstShapeRounds;
   WrongFaces before = this->wrongFaces(state);
   int idle = 0;
   for (int round = 0; round < most && (before.Share > EnoughShare || until == Until::AllRounds); ++round)
@@ -148,7 +153,7 @@ void RefinementRounds::run(FlatState& state, int most, Until until, const Progre
     pass.Targets = this->presentTargets(state);
     pass.Epsilon = this->Epsilon;
     pass.KeepsOrientation = this->Epsilon == 0.0;
-    pass.ShapeFactor = this->Count <= shapeRounds ? FirstShapeFactor : 1.0;
+    pass.ShapeFactor = this->Count <= this->LastShapeRound ? FirstShapeFactor : 1.0;
     const int patches = this->Patches.run(pass, state, subrange(progress, middle, end));
     const WrongFaces next = this->wrongFaces(state);
     const bool isIdle = next.Share > (1.0 - progressShare) * before.Share &&

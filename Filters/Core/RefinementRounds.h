@@ -48,6 +48,9 @@ public:
   /// faces positive, which they must be then.
   void setStage(const Eigen::VectorXd& targets, double epsilon);
 
+  /// As in the first rounds, in the next ones: faces that lie across each other come apart.
+  void countShapesMore();
+
   /// @throws Cancelled, ConvergenceError.
   void run(FlatState& state, int most, Until until, const ProgressCallback& progress);
 
@@ -71,6 +74,7 @@ private:
   Start Begin;
   double Epsilon = 0.0;
   int Count = 0;
+  int LastShapeRound;
 };
 
 } // namespace flattening
