@@ -23,10 +23,11 @@ Layers sampleLayers(const VolumeSampling& volume,
   const ProgressCallback& progress)
 {
   Layers layers;
-  for (const double depth : depths)
+  const auto count = static_cast<double>(depths.size());
+  for (std::size_t d = 0; d < depths.size(); ++d)
   {
-    report(progress, static_cast<double>(layers.size()) / depths.size(), "Sampling the volume");
-    layers.push_back(volume.at(points + depth * inward));
+    layers.push_back(
+      volume.at(points + depths[d] * inward, subrange(progress, d / count, (d + 1) / count)));
   }
   return layers;
 }

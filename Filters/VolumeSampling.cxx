@@ -23,6 +23,7 @@ namespace
 
 // Between two reports of progress.
 constexpr vtkIdType Batch = 1 << 20;
+constexpr Eigen::Index SampleBatch = 1 << 18;
 
 vtkSmartPointer<vtkFloatArray> inFloatingPoint(vtkDataArray* array, const ProgressCallback& progress)
 {
@@ -109,7 +110,32 @@ VolumeSampling::VolumeSampling(vtkImageData* volume, bool nearest, const Progres
 
 VolumeSampling::~VolumeSampling() = default;
 
-std::vector<VolumeSamples> VolumeSampling::at(const Points3& points) const
+std::vector<VolumeSamples> VolumeSampling::at(const Points3& points,
+  const ProgressCallback& progress) const
+{
+  std::vector<VolumeSamples> samples(this->Names.size());
+  for (std::size_t a = 0; a < this->Names.size(); ++a)
+  {
+    samples[a].Values = vtkSmartPointer<vtkFloatArray>::New();
+    samples[a].Values->SetName(this->Names[a].c_str());
+    samples[a].Values->SetNumberOfComponents(
+      this->Volume->GetPointData()->GetArray(static_cast<int>(a))->GetNumberOfComponents());
+    samples[a].Values->SetNumberOfTuples(points.rows());
+    samples[a].Inside.resize(points.rows());
+  }
+  for (Eigen::Index begin = 0; begin < points.rows(); begin += SampleBatch)
+  {
+    report(
+      progress, static_cast<double>(begin) / static_cast<double>(points.rows()), "Sampling the volume");
+    this->sample(points.middleRows(begin, std::min(SampleBatch, points.rows() - begin)), begin, samples);
+  }
+  return samples;
+}
+
+// Of the @p points, into the rows from @p first on.
+void VolumeSampling::sample(const Points3& points,
+  vtkIdType first,
+  std::vector<VolumeSamples>& samples) const
 {
   vtkNew<vtkProbeFilter> probe;
   // vtkProbeFilter's own CategoricalData is for one array, the active scalars.
@@ -118,24 +144,19 @@ std::vector<VolumeSamples> VolumeSampling::at(const Points3& points) const
   probe->Update();
   vtkPointData* found = probe->GetOutput()->GetPointData();
   vtkDataArray* valid = found->GetArray(probe->GetValidPointMaskArrayName());
-  std::vector<VolumeSamples> result;
-  for (std::size_t a = 0; a < this->Names.size(); ++a)
+  for (std::size_t a = 0; a < samples.size(); ++a)
   {
-    VolumeSamples samples;
-    samples.Values = vtkFloatArray::SafeDownCast(found->GetArray(std::to_string(a).c_str()));
-    samples.Values->SetName(this->Names[a].c_str());
-    samples.Inside.resize(points.rows());
+    vtkFloatArray* values = samples[a].Values;
+    values->InsertTuples(first, points.rows(), 0, found->GetArray(std::to_string(a).c_str()));
     for (Eigen::Index i = 0; i < points.rows(); ++i)
     {
-      samples.Inside[i] = valid->GetTuple1(i) != 0.0;
-      for (int k = 0; !samples.Inside[i] && k < samples.Values->GetNumberOfComponents(); ++k)
+      samples[a].Inside[first + i] = valid->GetTuple1(i) != 0.0;
+      for (int k = 0; !samples[a].Inside[first + i] && k < values->GetNumberOfComponents(); ++k)
       {
-        samples.Values->SetComponent(i, k, std::numeric_limits<double>::quiet_NaN());
+        values->SetComponent(first + i, k, std::numeric_limits<double>::quiet_NaN());
       }
     }
-    result.push_back(std::move(samples));
   }
-  return result;
 }
 
 } // namespace flattening

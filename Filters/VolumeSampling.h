@@ -34,9 +34,11 @@ public:
   ~VolumeSampling();
 
   /// One per array, in the volume's order. Points that are not finite are outside.
-  std::vector<VolumeSamples> at(const Points3& points) const;
+  std::vector<VolumeSamples> at(const Points3& points, const ProgressCallback& progress = {}) const;
 
 private:
+  void sample(const Points3& points, vtkIdType first, std::vector<VolumeSamples>& samples) const;
+
   vtkSmartPointer<vtkImageData>
     Volume;                       ///< arrays by number: the probe's own has a name that may be theirs
   std::vector<std::string> Names; ///< of the arrays

@@ -4,12 +4,15 @@
 #include "ConvexPotential.h"
 #include "DenseClusters.h"
 #include "Errors.h"
+#include "InterruptibleCall.h"
 #include "SparseCholesky.h"
+#include "StandingProgress.h"
 #include "StarvedCells.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <sstream>
 #include <vector>
 
@@ -31,6 +34,8 @@ constexpr double NearlyThere = 1e-2;
 // refined to get there.
 constexpr double StepError = 1e-3;
 constexpr int LargestRefinements = 10;
+constexpr const char* StartStage = "First power diagram";
+constexpr const char* Stage = "Optimal mass transport";
 
 double relativeError(const Eigen::VectorXd& areas, const Eigen::VectorXd& targets)
 {
@@ -102,8 +107,11 @@ private:
 // of convex functions; where sites lie too densely, also from the sums of each with the potential that
 // opens the clusters, scaled back into the largest disk of the domain. None leaves a cell empty in the
 // plane.
-std::vector<PowerDiagram::Weights> starts(PowerDiagram& diagram, const Eigen::VectorXd& targets)
+std::vector<PowerDiagram::Weights> starts(PowerDiagram& diagram,
+  const Eigen::VectorXd& targets,
+  const ProgressCallback& progress)
 {
+  report(progress, 0.0, StartStage);
   const PowerDiagram::Weights zero = PowerDiagram::Weights::Zero(diagram.siteCount());
   const PowerDiagram::Weights squares = squaredRadii(diagram.sites());
   const double reach = diagram.domain().innerRadius();
@@ -115,6 +123,7 @@ std::vector<PowerDiagram::Weights> starts(PowerDiagram& diagram, const Eigen::Ve
   {
     return all;
   }
+  report(progress, 0.0, StartStage);
   Eigen::VectorXd rest = targets;
   double slope = 0.0;
   for (const DenseCluster& cluster : clusters)
@@ -143,8 +152,10 @@ std::vector<PowerDiagram::Weights> starts(PowerDiagram& diagram, const Eigen::Ve
 // Of all starts the one whose cells are nearest to their targets; the diagram is its afterwards.
 PowerDiagram::Weights startWeights(PowerDiagram& diagram,
   const Eigen::VectorXd& targets,
-  const Eigen::VectorXd& given)
+  const Eigen::VectorXd& given,
+  const ProgressCallback& progress)
 {
+  report(progress, 0.0, StartStage);
   double least = std::numeric_limits<double>::infinity();
   PowerDiagram::Weights best;
   std::vector<PowerDiagram::Weights> all;
@@ -156,10 +167,11 @@ PowerDiagram::Weights startWeights(PowerDiagram& diagram,
       return all.front(); // one step away
     }
   }
-  const std::vector<PowerDiagram::Weights> own = starts(diagram, targets);
+  const std::vector<PowerDiagram::Weights> own = starts(diagram, targets, progress);
   all.insert(all.end(), own.begin(), own.end());
   for (const PowerDiagram::Weights& weights : all)
   {
+    report(progress, 0.0, StartStage);
     const double ratio = diagram.update(weights) ? largestLogRatio(diagram.areas(), targets)
                                                  : std::numeric_limits<double>::infinity();
     if (ratio < least)
@@ -174,6 +186,7 @@ PowerDiagram::Weights startWeights(PowerDiagram& diagram,
       "the transport has no start without empty power cells: sites of the conformal map lie "
       "too close together for double precision; remesh the surface (Surface To Disk, Remesh)");
   }
+  report(progress, 0.0, StartStage);
   diagram.update(best);
   return best;
 }
@@ -197,13 +210,16 @@ Eigen::VectorXd remainder(const PowerDiagram& diagram,
 // The Newton step that brings the areas of @p diagram nearer to @p aims. Empty if there is none. Where
 // sites nearly coincide, areas depend on differences of the step far below the last digit of a double:
 // the solution is refined with the factor at hand.
-PowerDiagram::Weights newtonStep(SparseCholesky& cholesky,
+// @param cholesky  shared with the call that computes it, which an abort leaves behind
+PowerDiagram::Weights newtonStep(const std::shared_ptr<SparseCholesky>& cholesky,
   const PowerDiagram& diagram,
-  const Eigen::VectorXd& aims)
+  const Eigen::VectorXd& aims,
+  const ProgressCallback& progress)
 {
   const ReducedSystem system(aims);
-  cholesky.compute(system.jacobian(diagram));
-  if (cholesky.info() != Eigen::Success)
+  const auto jacobian = std::make_shared<const SparseMatrix>(system.jacobian(diagram));
+  callInterruptibly([cholesky, jacobian]() { cholesky->compute(*jacobian); }, progress, 0.0, Stage);
+  if (cholesky->info() != Eigen::Success)
   {
     return {};
   }
@@ -215,7 +231,7 @@ PowerDiagram::Weights newtonStep(SparseCholesky& cholesky,
   double error = std::numeric_limits<double>::infinity();
   for (int round = 0; round <= LargestRefinements; ++round)
   {
-    const Eigen::VectorXd correction = cholesky.solve(system.reduced(rest));
+    const Eigen::VectorXd correction = cholesky->solve(system.reduced(rest));
     const PowerDiagram::Weights refined = step + system.expanded(correction).cast<DoubleDouble>();
     const Eigen::VectorXd nextRest = remainder(diagram, gap, refined);
     const double nextError = (nextRest.array() / scale.array()).abs().maxCoeff();
@@ -236,17 +252,18 @@ PowerDiagram::Weights newtonStep(SparseCholesky& cholesky,
 
 // Close to the end the rounding of large cells' areas may hide the progress of small ones from the rule
 // of acceptance: full steps as long as they help. Returns how many; the diagram is that of @p weights.
-int finish(SparseCholesky& cholesky,
+int finish(const std::shared_ptr<SparseCholesky>& cholesky,
   PowerDiagram& diagram,
   PowerDiagram::Weights& weights,
   const Eigen::VectorXd& targets,
   double tolerance,
-  double& error)
+  double& error,
+  const ProgressCallback& progress)
 {
   for (int steps = 0;; ++steps)
   {
     const PowerDiagram::Weights step =
-      error > tolerance ? newtonStep(cholesky, diagram, targets) : PowerDiagram::Weights();
+      error > tolerance ? newtonStep(cholesky, diagram, targets, progress) : PowerDiagram::Weights();
     if (step.size() == 0)
     {
       return steps;
@@ -270,9 +287,8 @@ TransportResult transportNewton(PowerDiagram& diagram,
   const TransportOptions& options,
   const ProgressCallback& progress)
 {
-  report(progress, 0.0, "First power diagram");
   TransportResult result;
-  result.Weights = startWeights(diagram, targets, options.StartWeights);
+  result.Weights = startWeights(diagram, targets, options.StartWeights, progress);
 
   Eigen::VectorXd areas = diagram.areas();
   // Convergence rests on it: a bound that followed the areas down would let them vanish.
@@ -282,13 +298,13 @@ TransportResult transportNewton(PowerDiagram& diagram,
   const double start = largestLogRatio(areas, targets) - std::log(options.Tolerance);
   double fraction = 0.0;
   double way = LongestWay;
-  SparseCholesky cholesky;
+  const auto cholesky = std::make_shared<SparseCholesky>();
   while (error > options.Tolerance)
   {
     const double ratio = largestLogRatio(areas, targets);
     const double decadesLeft = ratio + std::log(std::min(error, 1.0) / options.Tolerance);
     fraction = std::max(fraction, std::clamp(1.0 - decadesLeft / start, 0.0, 1.0));
-    report(progress, fraction, "Optimal mass transport");
+    report(progress, fraction, Stage);
     if (result.NewtonIterations >= options.MaximumIterations)
     {
       break;
@@ -303,7 +319,8 @@ TransportResult transportNewton(PowerDiagram& diagram,
     }
 
     const Eigen::VectorXd gap = aims - areas;
-    const PowerDiagram::Weights step = newtonStep(cholesky, diagram, aims);
+    const ProgressCallback atStep = standing(progress, fraction, Stage);
+    const PowerDiagram::Weights step = newtonStep(cholesky, diagram, aims, atStep);
     if (step.size() == 0)
     {
       break;
@@ -315,7 +332,7 @@ TransportResult transportNewton(PowerDiagram& diagram,
     double length = 1.0;
     for (int trial = 0; trial < 30 && !accepted; ++trial, length *= 0.5)
     {
-      report(progress, fraction, "Optimal mass transport");
+      report(progress, fraction, Stage);
       PowerDiagram::Weights weights = result.Weights + DoubleDouble(length) * step;
       const auto approaches = [&]
       { return (diagram.areas() - aims).norm() <= (1.0 - 0.5 * length) * gap.norm(); };
@@ -335,7 +352,7 @@ TransportResult transportNewton(PowerDiagram& diagram,
       if (error < NearlyThere)
       {
         result.NewtonIterations +=
-          finish(cholesky, diagram, result.Weights, targets, options.Tolerance, error);
+          finish(cholesky, diagram, result.Weights, targets, options.Tolerance, error, atStep);
       }
       break; // at the rounding floor, or stuck: the error decides below
     }
@@ -353,7 +370,7 @@ TransportResult transportNewton(PowerDiagram& diagram,
          "surface (Surface To Disk, Remesh) or raise Tolerance";
     throw ConvergenceError(message.str());
   }
-  report(progress, 1.0, "Optimal mass transport");
+  report(progress, 1.0, Stage);
   return result;
 }
 

@@ -310,16 +310,19 @@ TEST(AreaPreservingDisk, CancelsAnywhere)
     {},
     [&](double fraction, const char*)
     {
-      fractions.push_back(fraction);
+      if (fractions.empty() || fraction != fractions.back()) // not repeated while a library is at work
+      {
+        fractions.push_back(fraction);
+      }
       return true;
     });
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   EXPECT_EQ(fractions.back(), 1.0);
-  for (std::size_t stop = 0; stop < fractions.size(); ++stop)
+  for (const double stop : fractions)
   {
-    std::size_t calls = 0;
-    EXPECT_THROW(areaPreservingDiskMap(
-                   mesh.Mesh, flat, {}, {}, [&](double, const char*) { return calls++ < stop; }),
+    EXPECT_THROW(
+      areaPreservingDiskMap(
+        mesh.Mesh, flat, {}, {}, [stop](double fraction, const char*) { return fraction < stop; }),
       Cancelled);
   }
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "AbandonedCall.h"
 #include "BoundaryPlacement.h"
 #include "ConvexPotential.h"
 #include "SampleSurfaces.h"
@@ -11,8 +12,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace
@@ -277,19 +280,62 @@ TEST(Transport, ProgressGrowsAndCancels)
     {},
     [&](double fraction, const char*)
     {
-      fractions.push_back(fraction);
+      if (fractions.empty() || fraction != fractions.back()) // not repeated while a library is at work
+      {
+        fractions.push_back(fraction);
+      }
       return true;
     });
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   EXPECT_EQ(fractions.back(), 1.0);
-  for (std::size_t stop = 0; stop < fractions.size(); ++stop)
+  for (const double stop : fractions)
   {
-    std::size_t calls = 0;
-    EXPECT_THROW(
-      transportNewton(diagram, targets, {}, [&](double, const char*) { return calls++ < stop; }),
+    bool isOver = false;
+    EXPECT_THROW(transportNewton(diagram,
+                   targets,
+                   {},
+                   [&](double fraction, const char*)
+                   {
+                     EXPECT_FALSE(isOver) << "went on after the stop";
+                     isOver = fraction >= stop;
+                     return !isOver;
+                   }),
       Cancelled);
-    EXPECT_EQ(calls, stop + 1);
   }
+}
+
+TEST(Transport, ReportsWhileALibraryIsBusy)
+{
+  const Eigen::VectorXd targets = randomTargets(500, 1.5, 14);
+  PowerDiagram quiet(sunflower(500));
+  PowerDiagram diagram(sunflower(500));
+  transportNewton(quiet, targets);
+  std::unique_ptr<samples::AbandonedCall> busy;
+  double busySince = 0.0;
+  int ofStart = 0;
+  int reports = 0;
+  transportNewton(diagram,
+    targets,
+    {},
+    [&](double fraction, const char* stage)
+    {
+      const bool isStart = stage == std::string("First power diagram");
+      ofStart += isStart ? 1 : 0;
+      if (!busy && !isStart)
+      {
+        busySince = fraction;
+        busy = std::make_unique<samples::AbandonedCall>();
+      }
+      if (busy && !busy->isOver() && ++reports == 10) // more than a step has of its own
+      {
+        EXPECT_EQ(fraction, busySince);
+        busy->end();
+      }
+      return true;
+    });
+  EXPECT_TRUE(busy && busy->isOver());
+  EXPECT_GE(ofStart, 5) << "one per diagram";
+  EXPECT_TRUE((diagram.areas().array() == quiet.areas().array()).all());
 }
 
 TEST(Transport, SameBitsWhateverTheThreads)

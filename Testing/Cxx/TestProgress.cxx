@@ -30,6 +30,7 @@
 #include <algorithm>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -124,15 +125,25 @@ vtkIdType sizeOf(vtkDataObject* data)
   return table ? table->GetNumberOfRows() : 0;
 }
 
+// Reports that are repeated while a library is at work, as often as that takes, count as one.
 struct Abort : vtkCommand
 {
   int At = 0;
   int Reports = 0;
-  void Execute(vtkObject* caller, unsigned long, void*) override
+  std::pair<double, std::string> Last;
+  void Execute(vtkObject* caller, unsigned long, void* fraction) override
   {
+    auto* filter = vtkAlgorithm::SafeDownCast(caller);
+    const char* stage = filter->GetProgressText();
+    const std::pair<double, std::string> report(*static_cast<double*>(fraction), stage ? stage : "");
+    if (this->Reports > 0 && report == this->Last)
+    {
+      return;
+    }
+    this->Last = report;
     if (this->Reports++ == this->At)
     {
-      vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+      filter->SetAbortExecute(1);
     }
   }
 };
