@@ -130,15 +130,10 @@ TEST_F(FlatMapSlab, AtEachDepthBelowASphereIsTheRadiusLessTheDepth)
   EXPECT_NEAR(output->GetPointData()->GetArray("DistanceSlab")->GetComponent(7, 3), 25.0, 0.017);
 }
 
-TEST_F(FlatMapSlab, TheStackHasALayerPerDepth)
+// In every layer of the stack, depth below the sphere.
+void expectDistances(vtkImageData* stack, int size, int layers)
 {
-  vtkNew<vtkFlatMapSlab> slab;
-  connect(slab);
-  setDepths(slab, { 0.5, 1.0, 1.5, 2.0 });
-  slab->SetStackSize(120);
-  slab->Update();
-  vtkImageData* stack = slab->GetStack();
-  ASSERT_EQ(stack->GetNumberOfPoints(), 120 * 120 * 4);
+  ASSERT_EQ(stack->GetNumberOfPoints(), size * size * layers);
   vtkDataArray* values = stack->GetPointData()->GetArray("Distance");
   vtkDataArray* inside = stack->GetPointData()->GetArray("InVolume");
   double greatest = 0.0;
@@ -157,7 +152,18 @@ TEST_F(FlatMapSlab, TheStackHasALayerPerDepth)
   // Triangles of edges up to 1.5 lie up to 1.5^2 / (6 R) below the sphere.
   std::cout << "greatest difference from radius - depth in the stack: " << greatest << " voxels\n";
   EXPECT_LT(greatest, InterpolationError + 0.02);
-  EXPECT_NEAR(seen, 4 * 0.25 * Pi * 120 * 120, 400);
+  EXPECT_NEAR(seen, layers * 0.25 * Pi * size * size, layers * size * 5 / 6);
+}
+
+TEST_F(FlatMapSlab, TheStackHasALayerPerDepth)
+{
+  vtkNew<vtkFlatMapSlab> slab;
+  connect(slab);
+  setDepths(slab, { 0.5, 1.0, 1.5, 2.0 });
+  slab->SetStackSize(120);
+  slab->Update();
+  vtkImageData* stack = slab->GetStack();
+  expectDistances(stack, 120, 4);
 
   // Steps that are not equal: one pixel apart.
   setDepths(slab, { 0.0, 1.0, 3.0 });
@@ -169,6 +175,17 @@ TEST_F(FlatMapSlab, TheStackHasALayerPerDepth)
   slab->SetStackSize(0);
   slab->Update();
   EXPECT_EQ(stack->GetNumberOfPoints(), 0);
+}
+
+// With more pixels than are sampled at once.
+TEST_F(FlatMapSlab, ALargeStackIsSampledInParts)
+{
+  vtkNew<vtkFlatMapSlab> slab;
+  connect(slab);
+  setDepths(slab, { 0.5, 2.0 });
+  slab->SetStackSize(700);
+  slab->Update();
+  expectDistances(slab->GetStack(), 700, 2);
 }
 
 TEST_F(FlatMapSlab, OutsideOfTheVolumeIsMaskedAndCounted)
