@@ -23,7 +23,8 @@ int largestStarved(int sites)
 bool feedStarvedCells(PowerDiagram& diagram,
   PowerDiagram::Weights& weights,
   const Eigen::VectorXd& least,
-  const Eigen::VectorXd& slopes)
+  const Eigen::VectorXd& slopes,
+  const ProgressCallback& progress)
 {
   const int largest = largestStarved(diagram.siteCount());
   int before = diagram.siteCount();
@@ -51,8 +52,12 @@ bool feedStarvedCells(PowerDiagram& diagram,
     }
     setbacks += starved >= before;
     before = starved;
-    if (starved > largest || setbacks > LargestSetbacks || round == LargestRounds ||
-        !diagram.update(weights, largest))
+    if (starved > largest || setbacks > LargestSetbacks || round == LargestRounds)
+    {
+      return false;
+    }
+    report(progress, 0.0, "Feeding starved cells");
+    if (!diagram.update(weights, largest))
     {
       return false;
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "PowerDiagram.h"
+#include "Progress.h"
 
 namespace flattening
 {
@@ -19,12 +20,15 @@ int largestStarved(int sites);
 /// @param diagram  just updated with @p weights, up to largestStarved sites hidden; with the new ones
 /// afterwards
 /// @param weights  n, raised in place
+/// @param progress  told nothing new before every further diagram
 /// @returns whether no cell is below; false if that took too many cells or rounds, or did not get
 /// better.
+/// @throws Cancelled.
 bool feedStarvedCells(PowerDiagram& diagram,
   PowerDiagram::Weights& weights,
   const Eigen::VectorXd& least,
-  const Eigen::VectorXd& slopes);
+  const Eigen::VectorXd& slopes,
+  const ProgressCallback& progress);
 
 /// How fast the area of every cell grows with its own weight (n): half the sum of its sides' lengths
 /// over their sites' distances.

@@ -337,7 +337,7 @@ TransportResult transportNewton(PowerDiagram& diagram,
       const auto approaches = [&]
       { return (diagram.areas() - aims).norm() <= (1.0 - 0.5 * length) * gap.norm(); };
       accepted = diagram.update(weights, largestStarved(diagram.siteCount())) && approaches() &&
-                 feedStarvedCells(diagram, weights, least, slopes) && approaches();
+                 feedStarvedCells(diagram, weights, least, slopes, atStep) && approaches();
       if (accepted)
       {
         result.Weights = weights;
