@@ -182,7 +182,7 @@ private:
       {
         break;
       }
-      this->Rounds.countShapesMore();
+      this->Rounds.startAgain();
       this->Rounds.run(
         state, MoreRounds, Until::AllRounds, subrange(progress, begin + 0.5 * part, begin + part));
     }

@@ -124,6 +124,11 @@ RefinementDescent::RefinementDescent(RefinementEnergy& energy,
 {
 }
 
+void RefinementDescent::resetDamping()
+{
+  this->Damping = FirstDamping;
+}
+
 // With more damping where slivers leave the last digits of the matrix indefinite.
 void RefinementDescent::factorise(const FlatState& state, const ProgressCallback& progress)
 {

@@ -28,6 +28,10 @@ public:
   /// Whether steps end before the first face is flipped. All faces must be positive then.
   void keepOrientation(bool keep) { this->KeepsOrientation = keep; }
 
+  /// Damping follows how far steps can be made, which far from the minimum is not far; this makes it as
+  /// little as in the beginning.
+  void resetDamping();
+
   /// Makes the steps. Returns the share of the energy that it fell by; 0 if no step could be made.
   /// @throws Cancelled, ConvergenceError if the system cannot be factored.
   double round(FlatState& state, const ProgressCallback& progress = {});

@@ -61,9 +61,13 @@ void RefinementRounds::setStage(const Eigen::VectorXd& targets, double epsilon)
   this->Epsilon = epsilon;
 }
 
-void RefinementRounds::countShapesMore()
+void RefinementRounds::startAgain()
 {
   this->LastShapeRound = this->Count + FirstShapeRounds;
+  if (this->Descent)
+  {
+    this->Descent->resetDamping();
+  }
 }
 
 RefinementRounds::WrongFaces RefinementRounds::wrongFaces(const FlatState& state)

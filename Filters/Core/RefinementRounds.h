@@ -48,8 +48,9 @@ public:
   /// faces positive, which they must be then.
   void setStage(const Eigen::VectorXd& targets, double epsilon);
 
-  /// As in the first rounds, in the next ones: faces that lie across each other come apart.
-  void countShapesMore();
+  /// In the next rounds shapes count more, as in the first ones, and steps of the whole mesh begin with
+  /// as little damping: faces that lie across each other come apart.
+  void startAgain();
 
   /// @throws Cancelled, ConvergenceError.
   void run(FlatState& state, int most, Until until, const ProgressCallback& progress);
