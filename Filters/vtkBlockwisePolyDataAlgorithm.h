@@ -77,8 +77,8 @@ protected:
 
   /**
    * What the filter does. The inputs have data, those that are optional aside; the outputs are new. The
-   * field data of the first output becomes that of all. What it throws is reported as one error, with word
-   * for word the exception's message, and leaves all outputs empty.
+   * field data of the first output becomes that of all. What it throws is reported as one error, with
+   * word for word the exception's message, and leaves all outputs empty.
    */
   virtual void Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector) = 0;
 

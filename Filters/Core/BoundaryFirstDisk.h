@@ -25,9 +25,9 @@ namespace flattening
 /// on isosurfaces); moving it onto the circle would flip faces along it. Here the inside is the harmonic
 /// extension of the circle instead, one more factorization. The cotangents are those of the intrinsic
 /// Delaunay triangulation, not negative, so its faces are not flipped (see ConvexCombinationDisk.h);
-/// faces of the surface that it does not have may be. Narrow parts whose images doubles do not tell apart
-/// are spread as those of the Ricci flow are (see HornSpreading.h), by the scale that the Poisson equation
-/// tells.
+/// faces of the surface that it does not have may be. Narrow parts whose images doubles do not tell
+/// apart are spread as those of the Ricci flow are (see HornSpreading.h), by the scale that the Poisson
+/// equation tells.
 ///
 /// MaxCurvatureError and LayoutError are NaN, LogFactors not computed.
 /// @p mesh is a disk with the boundary @p loop (see requireDisk). The map is centred, not rotated, and
