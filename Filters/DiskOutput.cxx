@@ -61,7 +61,7 @@ Points3 faceSides(const TriangleMesh& mesh)
 // surface would be drawn black there.
 void turnNormals(vtkDataArray* normals, const Points3& sides)
 {
-  for (Eigen::Index i = 0; normals && i < sides.rows(); ++i)
+  for (Eigen::Index i = 0; i < sides.rows(); ++i)
   {
     Eigen::Vector3d normal;
     normals->GetTuple(i, normal.data());
@@ -147,8 +147,14 @@ void setDisk(vtkPolyData* output,
   setGeometry(output, surface.Mesh);
   transferPointData(input->GetPointData(), surface.Vertices, output->GetPointData());
   transferCellData(input->GetCellData(), cells, output->GetCellData());
-  turnNormals(output->GetPointData()->GetNormals(), vertexNormals(surface.Mesh));
-  turnNormals(output->GetCellData()->GetNormals(), faceSides(surface.Mesh));
+  if (vtkDataArray* normals = output->GetPointData()->GetNormals())
+  {
+    turnNormals(normals, vertexNormals(surface.Mesh));
+  }
+  if (vtkDataArray* normals = output->GetCellData()->GetNormals())
+  {
+    turnNormals(normals, faceSides(surface.Mesh));
+  }
   addIds(output->GetPointData(), OriginalPointIdsName, points);
   addFlags(output->GetPointData(), "Seam", disk.Seam);
   addIds(output->GetCellData(), OriginalCellIdsName, cells);

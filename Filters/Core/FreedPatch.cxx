@@ -13,15 +13,15 @@ namespace flattening
 namespace
 {
 
+// Greatest over least stretch: what is less is not worth other coordinates.
+constexpr double LeastAnisotropy = 4.0;
+constexpr int ScatterSteps = 10;
+
 void sortUnique(std::vector<int>& numbers)
 {
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
-
-// Greatest over least stretch: what is less is not worth other coordinates.
-constexpr double LeastAnisotropy = 4.0;
-constexpr int ScatterSteps = 10;
 
 // What the maps from the targets to the faces stretch alike, of determinant 1 and symmetric: by the
 // scatter of these maps that counts every face by the direction alone (Tyler, "A distribution-free
