@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkAreaWeights.h"
 
-#include "ChosenArray.h"
-#include "Core/RegionWeights.h"
-#include "FilterExecution.h"
-#include "Labels.h"
-#include "PolyDataConversion.h"
-#include "SelectedPoints.h"
+#include "Core/Regions/RegionWeights.h"
+#include "Internal/ChosenArray.h"
+#include "Internal/FilterExecution.h"
+#include "Internal/Labels.h"
+#include "Internal/PolyDataConversion.h"
+#include "Internal/SelectedPoints.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkBlockwisePolyDataAlgorithm.h"
 
-#include "BlockInputs.h"
-#include "FilterExecution.h"
-#include "PolyDataConversion.h"
+#include "Internal/BlockInputs.h"
+#include "Internal/FilterExecution.h"
+#include "Internal/PolyDataConversion.h"
 
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkConformalDiskFilter.h"
 
-#include "Core/ConformalDisk.h"
-#include "Core/ConformalRectangle.h"
-#include "Core/Errors.h"
-#include "Core/MeshTopology.h"
-#include "FilterExecution.h"
-#include "PolyDataConversion.h"
-#include "TextureCoordinates.h"
+#include "Core/Base/Errors.h"
+#include "Core/Conformal/ConformalDisk.h"
+#include "Core/Conformal/ConformalRectangle.h"
+#include "Core/Mesh/MeshTopology.h"
+#include "Internal/FilterExecution.h"
+#include "Internal/PolyDataConversion.h"
+#include "Internal/TextureCoordinates.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>

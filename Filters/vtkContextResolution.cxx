@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkContextResolution.h"
 
-#include "ChosenArray.h"
-#include "Core/ContextCoarsening.h"
-#include "FilterExecution.h"
-#include "FlatPart.h"
-#include "PolyDataConversion.h"
-#include "SelectedPoints.h"
+#include "Core/Remeshing/RegionPreservingDecimation.h"
+#include "Internal/ChosenArray.h"
+#include "Internal/FilterExecution.h"
+#include "Internal/PolyDataConversion.h"
+#include "Internal/RegionOutput.h"
+#include "Internal/SelectedPoints.h"
 
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkDistortionMetrics.h"
 
-#include "ChosenArray.h"
-#include "Core/DistortionMeasures.h"
-#include "Core/DistortionSummary.h"
-#include "FilterExecution.h"
-#include "Labels.h"
-#include "PolyDataConversion.h"
-#include "TextureCoordinates.h"
+#include "Core/FlatMap/DistortionMeasures.h"
+#include "Core/FlatMap/DistortionSummary.h"
+#include "Internal/ChosenArray.h"
+#include "Internal/FilterExecution.h"
+#include "Internal/Labels.h"
+#include "Internal/PolyDataConversion.h"
+#include "Internal/TextureCoordinates.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

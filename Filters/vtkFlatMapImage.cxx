@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkFlatMapImage.h"
 
-#include "AttributeTransfer.h"
-#include "Core/FlatMapPixels.h"
-#include "FilterExecution.h"
-#include "PolyDataConversion.h"
-#include "TextureCoordinates.h"
+#include "Core/FlatMap/FlatMapPixels.h"
+#include "Internal/AttributeTransfer.h"
+#include "Internal/FilterExecution.h"
+#include "Internal/PolyDataConversion.h"
+#include "Internal/TextureCoordinates.h"
 
 #include <vtkAbstractArray.h>
 #include <vtkCellData.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkFlatMapSlab.h"
 
-#include "Core/SurfaceWalk.h"
-#include "FilterExecution.h"
-#include "PolyDataConversion.h"
-#include "SlabLayers.h"
-#include "VolumeSampling.h"
+#include "Core/Mesh/ClosestPointWalk.h"
+#include "Internal/FilterExecution.h"
+#include "Internal/PolyDataConversion.h"
+#include "Internal/SlabLayers.h"
+#include "Internal/VolumeSampling.h"
 #include "vtkFlatMapImage.h"
 
 #include <vtkCommand.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkFlatMapTransfer.h"
 
-#include "Core/DerivedMesh.h"
-#include "Core/Errors.h"
-#include "Core/FlatMapTransfer.h"
-#include "FilterExecution.h"
-#include "FlatPart.h"
-#include "PolyDataConversion.h"
+#include "Core/Base/Errors.h"
+#include "Core/FlatMap/FlatMapTransfer.h"
+#include "Core/Mesh/DerivedMesh.h"
+#include "Internal/FilterExecution.h"
+#include "Internal/PolyDataConversion.h"
+#include "Internal/RegionOutput.h"
 
 #include <vtkFieldData.h>
 #include <vtkInformation.h>

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkFlattenRegion.h"
 
-#include "ChosenArray.h"
-#include "Core/AreaPreservingDisk.h"
-#include "Core/BoundaryRefinement.h"
-#include "Core/ConformalDisk.h"
-#include "Core/RegionDisk.h"
-#include "FilterExecution.h"
-#include "FlatPart.h"
-#include "Labels.h"
-#include "PolyDataConversion.h"
-#include "RegionMeasures.h"
-#include "SelectedPoints.h"
+#include "Core/Areas/AreaPreservingDisk.h"
+#include "Core/Conformal/ConformalDisk.h"
+#include "Core/Regions/RegionDisk.h"
+#include "Core/Remeshing/BoundaryRefinement.h"
+#include "Internal/ChosenArray.h"
+#include "Internal/FilterExecution.h"
+#include "Internal/Labels.h"
+#include "Internal/PolyDataConversion.h"
+#include "Internal/RegionOutput.h"
+#include "Internal/RegionReport.h"
+#include "Internal/SelectedPoints.h"
 
 #include <vtkCellData.h>
 #include <vtkFieldData.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkMeshSaliency.h"
 
-#include "Core/MeshSaliency.h"
-#include "FilterExecution.h"
-#include "PolyDataConversion.h"
+#include "Core/Regions/MeshSaliency.h"
+#include "Internal/FilterExecution.h"
+#include "Internal/PolyDataConversion.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>

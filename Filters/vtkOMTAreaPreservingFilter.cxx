@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkOMTAreaPreservingFilter.h"
 
-#include "Core/AreaPreservingDisk.h"
-#include "Core/DomainPolygon.h"
-#include "Core/MeshTopology.h"
-#include "FilterExecution.h"
-#include "FlatDomain.h"
-#include "PolyDataConversion.h"
-#include "TextureCoordinates.h"
+#include "Core/Areas/AreaPreservingDisk.h"
+#include "Core/Mesh/MeshTopology.h"
+#include "Core/Transport/DomainPolygon.h"
+#include "Internal/FilterExecution.h"
+#include "Internal/FlatDomain.h"
+#include "Internal/PolyDataConversion.h"
+#include "Internal/TextureCoordinates.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

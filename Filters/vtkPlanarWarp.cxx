@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkPlanarWarp.h"
 
-#include "CarriedGraph.h"
-#include "CarriedImage.h"
-#include "CarriedPolyData.h"
-#include "FilterExecution.h"
-#include "PolyDataConversion.h"
+#include "Internal/FilterExecution.h"
+#include "Internal/PolyDataConversion.h"
+#include "Internal/WarpGraph.h"
+#include "Internal/WarpImage.h"
+#include "Internal/WarpPolyData.h"
 
 #include <vtkDirectedGraph.h>
 #include <vtkFieldData.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkSurfaceToDiskFilter.h"
 
-#include "ChosenArray.h"
-#include "DiskOutput.h"
-#include "FilterExecution.h"
-#include "PolyDataConversion.h"
-#include "SelectedPoints.h"
+#include "Internal/ChosenArray.h"
+#include "Internal/DiskOutput.h"
+#include "Internal/FilterExecution.h"
+#include "Internal/PolyDataConversion.h"
+#include "Internal/SelectedPoints.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>

@@ -7,7 +7,7 @@
 /// rho = sqrt(area within t / whole area).
 #pragma once
 
-#include "TriangleMesh.h"
+#include "Mesh/TriangleMesh.h"
 
 #include <functional>
 

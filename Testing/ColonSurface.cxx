@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ColonSurface.h"
 
-#include "Core/MarchingTetrahedra.h"
-#include "Core/RandomNumbers.h"
+#include "Support/MarchingTetrahedra.h"
+#include "Support/RandomNumbers.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 /// A stretch of colon as virtual colonoscopy sees it, with polyps of known places and sizes.
 #pragma once
 
-#include "TriangleMesh.h"
+#include "Mesh/TriangleMesh.h"
 
 #include <Eigen/Core>
 

@@ -3,10 +3,10 @@
 // minimisation, CGAL's iterative authalic map, and our conformal maps. Times are processor time of all
 // threads, from the surface to the map.
 //   BenchmarkAreaMaps [scan] [Google Benchmark's options]
-#include "AreaPreservingDisk.h"
+#include "Areas/AreaPreservingDisk.h"
 #include "BenchmarkSurfaces.h"
-#include "ConformalDisk.h"
-#include "DistortionSummary.h"
+#include "Conformal/ConformalDisk.h"
+#include "FlatMap/DistortionSummary.h"
 #include "IterativeAuthalic.h"
 #include "StretchEnergy.h"
 #include "Yardstick.h"

@@ -4,8 +4,8 @@
 // and wall clock. Of the surfaces of a million vertices, the default method alone.
 //   BenchmarkConformal [scan [finer scan]] [Google Benchmark's options]
 #include "BenchmarkSurfaces.h"
-#include "ConformalDisk.h"
-#include "DistortionSummary.h"
+#include "Conformal/ConformalDisk.h"
+#include "FlatMap/DistortionSummary.h"
 #include "PeakMemory.h"
 #include "Yardstick.h"
 

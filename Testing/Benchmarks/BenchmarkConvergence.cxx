@@ -3,7 +3,7 @@
 // finer meshes: root mean square of the radius over the vertices. Times are wall clock.
 //   BenchmarkConvergence [Google Benchmark's options]
 #include "AnalyticSurfaces.h"
-#include "ConformalDisk.h"
+#include "Conformal/ConformalDisk.h"
 
 #include <benchmark/benchmark.h>
 

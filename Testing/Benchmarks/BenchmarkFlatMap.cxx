@@ -3,14 +3,14 @@
 // off they are, as a share of the diagonal, and how many are lost; then the pixels of an image of the
 // map.
 //   BenchmarkFlatMap [scan] [Google Benchmark's options]
-#include "AreaPreservingDisk.h"
+#include "Areas/AreaPreservingDisk.h"
 #include "BenchmarkSurfaces.h"
-#include "ConformalDisk.h"
-#include "FlatMapPixels.h"
+#include "Conformal/ConformalDisk.h"
+#include "FlatMap/FlatMapPixels.h"
 #include "Yardstick.h"
 
 #include "../AnalyticSurfaces.h"
-#include "../Core/RandomNumbers.h"
+#include "../Core/Support/RandomNumbers.h"
 
 #include <benchmark/benchmark.h>
 

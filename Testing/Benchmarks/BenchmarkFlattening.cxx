@@ -3,16 +3,16 @@
 // triangulation of its sites and one Cholesky factorization of its Laplacian. Times are by the clock
 // and, with _cpu_ in their names, processor time of all threads.
 //   BenchmarkFlattening [scan] [Google Benchmark's options]
-#include "AreaPreservingDisk.h"
+#include "Areas/AreaPreservingDisk.h"
 #include "BenchmarkSurfaces.h"
-#include "ConformalDisk.h"
-#include "DistortionSummary.h"
+#include "Conformal/ConformalDisk.h"
+#include "FlatMap/DistortionSummary.h"
 #include "LieAdvection.h"
 #include "MinimalFlow.h"
 #include "PaperSurfaces.h"
 #include "PeakMemory.h"
 #include "PlainNewton.h"
-#include "TransportSites.h"
+#include "Transport/TransportSites.h"
 #include "Yardstick.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

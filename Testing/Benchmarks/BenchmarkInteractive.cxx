@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Times the map after a change of one region's weight: from the beginning, and from the map before.
 //   BenchmarkInteractive [scan] [Google Benchmark's options]
-#include "AreaPreservingDisk.h"
+#include "Areas/AreaPreservingDisk.h"
 #include "BenchmarkSurfaces.h"
-#include "ConformalDisk.h"
-#include "DistortionSummary.h"
+#include "Conformal/ConformalDisk.h"
+#include "FlatMap/DistortionSummary.h"
 #include "Yardstick.h"
 
 #include <benchmark/benchmark.h>

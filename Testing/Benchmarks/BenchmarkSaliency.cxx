@@ -3,7 +3,7 @@
 // cells change it.
 //   BenchmarkSaliency [scan] [Google Benchmark's options]
 #include "BenchmarkSurfaces.h"
-#include "MeshSaliency.h"
+#include "Regions/MeshSaliency.h"
 #include "Yardstick.h"
 
 #include <benchmark/benchmark.h>

@@ -2,11 +2,11 @@
 // Times Surface To Disk on isosurfaces of real scans with many handles: the removal of handles alone,
 // and the whole filter with and without remeshing.
 //   BenchmarkSurfaceToDisk [folder of scans] [Google Benchmark's options]
-#include "HandleRemoval.h"
+#include "Disk/SurfaceToDisk.h"
+#include "Handles/HandleRemoval.h"
+#include "Mesh/SurfaceComponents.h"
+#include "Repair/SurfaceRepair.h"
 #include "ScanSurface.h"
-#include "SurfaceComponents.h"
-#include "SurfaceRepair.h"
-#include "SurfaceToDisk.h"
 
 #include <benchmark/benchmark.h>
 

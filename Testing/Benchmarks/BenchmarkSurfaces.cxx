@@ -2,12 +2,12 @@
 #include "BenchmarkSurfaces.h"
 
 #include "AnalyticSurfaces.h"
-#include "DerivedMesh.h"
-#include "EdgeDistance.h"
-#include "Errors.h"
-#include "HolePlacement.h"
-#include "IsotropicRemeshing.h"
-#include "MeshTopology.h"
+#include "Base/Errors.h"
+#include "Disk/HolePlacement.h"
+#include "Geodesics/DijkstraDistance.h"
+#include "Mesh/DerivedMesh.h"
+#include "Mesh/MeshTopology.h"
+#include "Remeshing/IsotropicRemeshing.h"
 #include "ScanSurface.h"
 
 #include <vtkCellArray.h>

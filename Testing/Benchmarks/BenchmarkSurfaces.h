@@ -2,7 +2,7 @@
 /// The surfaces that are benchmarked: disks, ready for the conformal map.
 #pragma once
 
-#include "TriangleMesh.h"
+#include "Mesh/TriangleMesh.h"
 
 #include <string>
 

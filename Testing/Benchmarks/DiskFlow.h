@@ -2,8 +2,8 @@
 /// What flows of a flat disk that restore areas have in common.
 #pragma once
 
-#include "SparseCholesky.h"
-#include "TriangleMesh.h"
+#include "Base/SparseFactorization.h"
+#include "Mesh/TriangleMesh.h"
 
 #include <vector>
 

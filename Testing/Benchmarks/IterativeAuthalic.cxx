@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "IterativeAuthalic.h"
 
-#include "Errors.h"
-#include "MeshTopology.h"
+#include "Base/Errors.h"
+#include "Mesh/MeshTopology.h"
 
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Simple_cartesian.h>

@@ -2,7 +2,7 @@
 /// CGAL's iterative authalic parameterization, a baseline for area-preserving maps.
 #pragma once
 
-#include "TriangleMesh.h"
+#include "Mesh/TriangleMesh.h"
 
 namespace flattening::benchmarks
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "LieAdvection.h"
 
-#include "MeshTopology.h"
+#include "Mesh/MeshTopology.h"
 #include "Yardstick.h"
 
 #include <algorithm>

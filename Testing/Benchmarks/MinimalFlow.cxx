@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MinimalFlow.h"
 
-#include "MeshTopology.h"
-#include "VertexFaces.h"
+#include "Mesh/MeshTopology.h"
+#include "Mesh/VertexFaces.h"
 #include "Yardstick.h"
 
 #include <Eigen/Dense>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PlainNewton.h"
 
-#include "SparseCholesky.h"
+#include "Base/SparseFactorization.h"
 #include "Yardstick.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 /// makes it faster.
 #pragma once
 
-#include "PowerDiagram.h"
+#include "Transport/PowerDiagram.h"
 
 namespace flattening::benchmarks
 {

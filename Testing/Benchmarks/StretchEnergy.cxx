@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StretchEnergy.h"
 
-#include "BoundaryAngles.h"
-#include "Errors.h"
-#include "MeshTopology.h"
-#include "SparseCholesky.h"
+#include "Base/Errors.h"
+#include "Base/SparseFactorization.h"
+#include "Conformal/BoundaryAngles.h"
+#include "Mesh/MeshTopology.h"
 
 #include <algorithm>
 #include <cmath>

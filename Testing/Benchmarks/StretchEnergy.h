@@ -2,7 +2,7 @@
 /// Stretch-energy minimisation, a baseline for area-preserving maps.
 #pragma once
 
-#include "TriangleMesh.h"
+#include "Mesh/TriangleMesh.h"
 
 namespace flattening::benchmarks
 {

@@ -2,8 +2,8 @@
 /// What times are compared with.
 #pragma once
 
-#include "SparseCholesky.h"
-#include "TriangleMesh.h"
+#include "Base/SparseFactorization.h"
+#include "Mesh/TriangleMesh.h"
 
 #include <chrono>
 #include <ctime>

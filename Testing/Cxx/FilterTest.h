@@ -2,7 +2,7 @@
 /// What the tests of the filters ask of VTK: surfaces as polydata, figures, errors, an abort.
 #pragma once
 
-#include "TriangleMesh.h"
+#include "Mesh/TriangleMesh.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCellArray.h>

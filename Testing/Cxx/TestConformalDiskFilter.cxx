@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../Core/SampleSurfaces.h"
-#include "../Core/SliverRefinement.h"
+#include "../Core/Support/SampleSurfaces.h"
+#include "../Core/Support/SliverRefinement.h"
 #include "AnalyticSurfaces.h"
-#include "FaceOrientation.h"
 #include "FilterTest.h"
+#include "Mesh/FaceOrientation.h"
 
 #include <vtkConformalDiskFilter.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../Core/SampleSurfaces.h"
+#include "../Core/Support/SampleSurfaces.h"
 #include "FilterTest.h"
 
 #include <vtkFlatMapTransfer.h>

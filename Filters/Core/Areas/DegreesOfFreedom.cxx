@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Areas/DegreesOfFreedom.h"
+
+#include <tbb/parallel_for.h>
+
+#include <utility>
+
+namespace flattening
+{
+namespace
+{
+
+constexpr int VerticesPerTask = 4096;
+
+} // namespace
+
+FlatUnknowns::FlatUnknowns(int vertexCount,
+  std::shared_ptr<const ConvexDomain> domain,
+  std::vector<int> loop,
+  const std::vector<int>& corners)
+  : Domain(std::move(domain))
+  , Loop(std::move(loop))
+{
+  std::vector<char> stays(vertexCount, 0);
+  for (const int member : corners)
+  {
+    stays[this->Loop[member]] = 1;
+  }
+  this->number(stays);
+}
+
+FlatUnknowns::FlatUnknowns(std::shared_ptr<const ConvexDomain> domain,
+  std::vector<int> members,
+  const std::vector<char>& stays)
+  : Domain(std::move(domain))
+  , Loop(std::move(members))
+{
+  this->number(stays);
+}
+
+void FlatUnknowns::number(const std::vector<char>& stays)
+{
+  const std::size_t vertices = stays.size();
+  this->Member.assign(vertices, -1);
+  for (std::size_t k = 0; k < this->Loop.size(); ++k)
+  {
+    this->Member[this->Loop[k]] = static_cast<int>(k);
+  }
+  this->First.assign(vertices + 1, 0);
+  for (std::size_t v = 0; v < vertices; ++v)
+  {
+    const int own = stays[v] ? 0 : this->Member[v] >= 0 ? 1 : 2;
+    this->First[v + 1] = this->First[v] + own;
+  }
+}
+
+int FlatUnknowns::unknownOfMember(int member) const
+{
+  const int v = this->Loop[member];
+  return this->countOf(v) > 0 ? this->first(v) : -1;
+}
+
+Eigen::Matrix2d FlatUnknowns::directions(const FlatState& state, int vertex) const
+{
+  if (this->countOf(vertex) == 2)
+  {
+    return Eigen::Matrix2d::Identity();
+  }
+  Eigen::Matrix2d result = Eigen::Matrix2d::Zero();
+  if (this->countOf(vertex) == 1)
+  {
+    result.col(0) = this->Domain->tangentAt(state.Places[this->Member[vertex]]);
+  }
+  return result;
+}
+
+FlatState FlatUnknowns::moved(const FlatState& state, const Eigen::VectorXd& step, double length) const
+{
+  FlatState result = state;
+  const int n = static_cast<int>(state.Positions.rows());
+  tbb::parallel_for(tbb::blocked_range<int>(0, n, VerticesPerTask),
+    [&](const tbb::blocked_range<int>& range)
+    {
+      for (int v = range.begin(); v < range.end(); ++v)
+      {
+        const int unknown = this->first(v);
+        if (this->countOf(v) == 2)
+        {
+          result.Positions(v, 0) += length * step[unknown];
+          result.Positions(v, 1) += length * step[unknown + 1];
+        }
+        else if (this->countOf(v) == 1)
+        {
+          double& place = result.Places[this->Member[v]];
+          place += length * step[unknown];
+          result.Positions.row(v) = this->Domain->at(place);
+        }
+      }
+    });
+  return result;
+}
+
+} // namespace flattening

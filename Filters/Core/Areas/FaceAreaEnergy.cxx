@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Areas/FaceAreaEnergy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flattening
+{
+namespace
+{
+
+// Of the target area.
+constexpr double LeastDirichlet = 1e-12;
+
+} // namespace
+
+FaceAreaEnergy::Value FaceAreaEnergy::value(double area,
+  double target,
+  double dirichlet,
+  double shapeWeight) const
+{
+  Value result;
+  const double r = area / target;
+  const double root = std::sqrt(this->Epsilon * this->Epsilon + r * r);
+  // Without cancellation where r < 0.
+  const double chi = r > 0.0               ? 0.5 * (r + root)
+                     : this->Epsilon > 0.0 ? 0.5 * this->Epsilon * this->Epsilon / (root - r)
+                                           : 0.0;
+  if (!(chi > 0.0))
+  {
+    result.Energy = std::numeric_limits<double>::infinity();
+    return result;
+  }
+  const double logChi = std::log(chi);
+  const double byLog = 1.0 / root; // derivative of log chi by r
+  const double chiByR = chi * byLog;
+  const double chiByRR = 0.5 * this->Epsilon * this->Epsilon * byLog * byLog * byLog;
+  const double s = shapeWeight;
+  // Smoothed as r is, for a face that shrinks to a point must not gain.
+  const double q = std::max(dirichlet / target, LeastDirichlet);
+  const double rootOfQ = std::sqrt(this->Epsilon * this->Epsilon + q * q);
+
+  const double shape = s > 0.0 ? s * (std::log(0.5 * (q + rootOfQ)) - logChi) : 0.0;
+  result.Energy = target * ((r - 1.0) * (r - 1.0) + this->FlipWeight * (chi - 1.0 - logChi) + shape);
+  result.ByArea = 2.0 * (r - 1.0) + this->FlipWeight * (chiByR - byLog) - s * byLog;
+  result.ByDirichlet = s / rootOfQ;
+  // Minus the logarithm is concave where the face is flipped: its curvature counts where positive.
+  const double logCurvature = r * byLog * byLog * byLog;
+  const double flipCurvature = std::max(0.0, chiByRR + logCurvature);
+  result.Curvature = (2.0 + this->FlipWeight * flipCurvature + s * std::max(0.0, logCurvature)) / target;
+  return result;
+}
+
+} // namespace flattening

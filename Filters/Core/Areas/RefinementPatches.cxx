@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Areas/RefinementPatches.h"
+
+#include "Areas/RefinementDescent.h"
+#include "Mesh/RecursiveBisection.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+namespace flattening
+{
+namespace
+{
+
+constexpr int LargestRounds = 2;
+// Between the lines of one pass and the next, in radians.
+constexpr double Turn = 1.0;
+// A patch with fewer faces that are not right is left as it is.
+constexpr double EnoughPatchShare = 0.001;
+// Of the energy, in a round.
+constexpr double LeastGain = 0.1;
+
+} // namespace
+
+class RefinementPatches::Patch
+{
+public:
+  /// @p partOf says of each vertex which part it is in.
+  Patch(const RefinementPatches& whole,
+    const Pass& pass,
+    const std::vector<int>& part,
+    const std::vector<int>& partOf)
+    : Whole(whole)
+    , ThePass(pass)
+  {
+    for (const int v : part)
+    {
+      if (this->moves(v, partOf))
+      {
+        this->Vertices.push_back(v);
+        const VertexFaces::Range around = whole.FacesOf[v];
+        this->Rows.insert(this->Rows.end(), around.begin(), around.end());
+      }
+    }
+    this->Free = this->Vertices.size();
+    std::sort(this->Rows.begin(), this->Rows.end());
+    this->Rows.erase(std::unique(this->Rows.begin(), this->Rows.end()), this->Rows.end());
+  }
+
+  // Whether the patch was worked on.
+  bool refine(const FlatState& before, FlatState& after)
+  {
+    if (this->Free == 0 || this->offShare(before) <= EnoughPatchShare)
+    {
+      return false;
+    }
+    this->addBorder();
+    const std::vector<int> members = this->boundaryMembers();
+    std::vector<int> localMembers;
+    FlatState state{ Points2(this->Vertices.size(), 2), Eigen::VectorXd(members.size()) };
+    for (std::size_t k = 0; k < members.size(); ++k)
+    {
+      localMembers.push_back(this->local(this->Whole.Unknowns.loop()[members[k]]));
+      state.Places[k] = before.Places[members[k]];
+    }
+    for (std::size_t i = 0; i < this->Vertices.size(); ++i)
+    {
+      state.Positions.row(i) = before.Positions.row(this->Vertices[i]);
+    }
+    std::vector<char> stays(this->Vertices.size(), 0);
+    for (std::size_t i = 0; i < this->Vertices.size(); ++i)
+    {
+      stays[i] = i >= this->Free || this->Whole.Unknowns.countOf(this->Vertices[i]) == 0;
+    }
+    const FlatUnknowns unknowns(this->Whole.Unknowns.sharedDomain(), localMembers, stays);
+    const RefinementTerms terms = this->terms(members);
+    const VertexFaces facesOf(terms.Faces, static_cast<int>(this->Vertices.size()));
+    RefinementEnergy energy(terms, facesOf, unknowns);
+    Eigen::VectorXd targets(this->Rows.size());
+    for (std::size_t i = 0; i < this->Rows.size(); ++i)
+    {
+      targets[i] = this->ThePass.Targets[this->Rows[i]];
+    }
+    energy.setTargets(targets);
+    energy.setEpsilon(this->ThePass.Epsilon);
+    RefinementDescent descent(energy, unknowns, terms.Faces, SparseCholesky::Kernel::Entries);
+    descent.keepOrientation(this->ThePass.KeepsOrientation);
+    for (int round = 0; round < LargestRounds; ++round)
+    {
+      const double gain = descent.round(state);
+      const Eigen::Index off = ((energy.areaRatios(state).array() - 1.0).abs() > AreaTolerance).count();
+      if (off == 0 || gain < LeastGain)
+      {
+        break;
+      }
+    }
+    for (std::size_t i = 0; i < this->Free; ++i)
+    {
+      after.Positions.row(this->Vertices[i]) = state.Positions.row(i);
+    }
+    for (std::size_t k = 0; k < members.size(); ++k)
+    {
+      if (localMembers[k] < static_cast<int>(this->Free))
+      {
+        after.Places[members[k]] = state.Places[k];
+      }
+    }
+    return true;
+  }
+
+private:
+  // Of two neighbours in different parts the one in the later part stays.
+  bool moves(int vertex, const std::vector<int>& partOf) const
+  {
+    for (const int f : this->Whole.FacesOf[vertex])
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        if (partOf[this->Whole.Terms.Faces(f, k)] < partOf[vertex])
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  double offShare(const FlatState& state) const
+  {
+    int off = 0;
+    for (const int f : this->Rows)
+    {
+      const Eigen::RowVector2d a = state.Positions.row(this->Whole.Terms.Faces(f, 0));
+      const Eigen::RowVector2d b = state.Positions.row(this->Whole.Terms.Faces(f, 1)) - a;
+      const Eigen::RowVector2d c = state.Positions.row(this->Whole.Terms.Faces(f, 2)) - a;
+      const double area = 0.5 * (b.x() * c.y() - b.y() * c.x());
+      off += std::abs(area / this->ThePass.Targets[f] - 1.0) > AreaTolerance ? 1 : 0;
+    }
+    return static_cast<double>(off) / static_cast<double>(this->Rows.size());
+  }
+
+  // The vertices that stay come after those that move, each in ascending order.
+  void addBorder()
+  {
+    std::vector<int> border;
+    for (const int f : this->Rows)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const int v = this->Whole.Terms.Faces(f, k);
+        if (!std::binary_search(this->Vertices.begin(), this->Vertices.end(), v))
+        {
+          border.push_back(v);
+        }
+      }
+    }
+    std::sort(border.begin(), border.end());
+    border.erase(std::unique(border.begin(), border.end()), border.end());
+    this->Vertices.insert(this->Vertices.end(), border.begin(), border.end());
+  }
+
+  int local(int vertex) const
+  {
+    const auto begin = this->Vertices.begin();
+    const auto middle = begin + static_cast<std::ptrdiff_t>(this->Free);
+    const auto own = std::lower_bound(begin, middle, vertex);
+    const auto found =
+      own != middle && *own == vertex ? own : std::lower_bound(middle, this->Vertices.end(), vertex);
+    return static_cast<int>(found - begin);
+  }
+
+  std::vector<int> boundaryMembers() const
+  {
+    std::vector<int> members;
+    for (const int v : this->Vertices)
+    {
+      if (this->Whole.Unknowns.memberOf(v) >= 0)
+      {
+        members.push_back(this->Whole.Unknowns.memberOf(v));
+      }
+    }
+    std::sort(members.begin(), members.end());
+    return members;
+  }
+
+  RefinementTerms terms(const std::vector<int>& members) const
+  {
+    const RefinementTerms& all = this->Whole.Terms;
+    const auto count = static_cast<Eigen::Index>(this->Rows.size());
+    RefinementTerms part;
+    part.Faces.resize(count, 3);
+    part.Cotangents.resize(count, 3);
+    part.ShapeWeights.resize(count);
+    for (Eigen::Index i = 0; i < count; ++i)
+    {
+      const int f = this->Rows[i];
+      for (int k = 0; k < 3; ++k)
+      {
+        part.Faces(i, k) = this->local(all.Faces(f, k));
+      }
+      part.Cotangents.row(i) = all.Cotangents.row(f);
+      part.ShapeWeights[i] = this->ThePass.ShapeFactor * all.ShapeWeights[f];
+    }
+    const auto place = [&](int member)
+    {
+      const auto found = std::lower_bound(members.begin(), members.end(), member);
+      return found != members.end() && *found == member ? static_cast<int>(found - members.begin()) : -1;
+    };
+    for (const int member : members)
+    {
+      BoundaryGap gap = all.Gaps[member];
+      gap.First = place(gap.First);
+      gap.Second = place(gap.Second);
+      if (gap.Second >= 0)
+      {
+        part.Gaps.push_back(gap);
+      }
+    }
+    return part;
+  }
+
+  const RefinementPatches& Whole;
+  const Pass& ThePass;
+  std::vector<int> Vertices;
+  std::size_t Free = 0;
+  std::vector<int> Rows;
+};
+
+RefinementPatches::RefinementPatches(const RefinementTerms& terms,
+  const VertexFaces& facesOf,
+  const FlatUnknowns& unknowns)
+  : Terms(terms)
+  , FacesOf(facesOf)
+  , Unknowns(unknowns)
+{
+}
+
+int RefinementPatches::run(const Pass& pass, FlatState& state, const ProgressCallback& progress)
+{
+  const std::vector<std::vector<int>> parts =
+    planarParts(state.Positions, LargestPatch, Turn * this->Passes++);
+  std::vector<int> partOf(state.Positions.rows());
+  for (std::size_t p = 0; p < parts.size(); ++p)
+  {
+    for (const int v : parts[p])
+    {
+      partOf[v] = static_cast<int>(p);
+    }
+  }
+  // What moves in one patch is not looked at by another.
+  std::atomic<int> worked = 0;
+  std::atomic<int> done = 0;
+  const std::thread::id caller = std::this_thread::get_id();
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, parts.size(), 1),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t p = range.begin(); p < range.end(); ++p)
+      {
+        if (std::this_thread::get_id() == caller)
+        {
+          report(progress, static_cast<double>(done) / parts.size(), "Face refinement");
+        }
+        worked += Patch(*this, pass, parts[p], partOf).refine(state, state) ? 1 : 0;
+        ++done;
+      }
+    });
+  return worked;
+}
+
+} // namespace flattening

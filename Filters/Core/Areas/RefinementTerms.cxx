@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Areas/RefinementTerms.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace flattening
+{
+namespace
+{
+
+// Altitude over the longest side below which a face's angles count less, and where they are opened to.
+constexpr double SliverAltitude = 0.1;
+constexpr double LeastAltitude = 1e-4;
+// Of the mean gap: one of no length on the surface gets a little all the same.
+constexpr double LeastGap = 1e-3;
+
+} // namespace
+
+RefinementTerms::RefinementTerms(const TriangleMesh& surface,
+  const std::vector<int>& loop,
+  double perimeter,
+  double shapeWeight)
+  : Faces(surface.Faces)
+  , Cotangents(surface.faceCount(), 3)
+  , ShapeWeights(surface.faceCount())
+{
+  for (int f = 0; f < surface.faceCount(); ++f)
+  {
+    Eigen::Vector3d corners[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[k] = surface.Vertices.row(surface.Faces(f, k));
+    }
+    double longest2 = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      longest2 = std::max(longest2, (corners[(k + 1) % 3] - corners[k]).squaredNorm());
+    }
+    const double twiceArea = (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
+    const double altitude = longest2 > 0.0 ? twiceArea / longest2 : 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const double cosine = (corners[(k + 1) % 3] - corners[k]).dot(corners[(k + 2) % 3] - corners[k]);
+      this->Cotangents(f, k) =
+        longest2 > 0.0 ? cosine / std::max(twiceArea, LeastAltitude * longest2) : 0.0;
+    }
+    const double share = std::min(1.0, altitude / SliverAltitude);
+    this->ShapeWeights[f] = shapeWeight * share * share;
+  }
+  const int members = static_cast<int>(loop.size());
+  double length = 0.0;
+  for (int k = 0; k < members; ++k)
+  {
+    const int next = (k + 1) % members;
+    const double gap = (surface.Vertices.row(loop[next]) - surface.Vertices.row(loop[k])).norm();
+    this->Gaps.push_back({ k, next, gap });
+    length += gap;
+  }
+  double sum = 0.0;
+  for (BoundaryGap& gap : this->Gaps)
+  {
+    gap.Share = std::max(gap.Share, LeastGap * length / members);
+    sum += gap.Share;
+  }
+  for (BoundaryGap& gap : this->Gaps)
+  {
+    gap.Share *= perimeter / sum;
+  }
+}
+
+} // namespace flattening

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Base/LaggedCholeskySolver.h"
+
+#include "Base/InterruptibleCall.h"
+
+#include <cmath>
+
+namespace flattening
+{
+namespace
+{
+
+// A factorization takes as long as about twenty solutions with the factor.
+constexpr int MostIterations = 30;
+// More than these, judged by the last system, are not begun.
+constexpr int ManyIterations = 20;
+
+constexpr const char* FactorStage = "Factorization";
+constexpr const char* SolutionStage = "Solution";
+
+} // namespace
+
+bool StaleFactorSolver::factor(const SparseMatrix& lower, const ProgressCallback& progress)
+{
+  this->takeNewOrder();
+  const auto owned = std::make_shared<const SparseMatrix>(lower);
+  callInterruptibly(
+    [factor = this->Factor, owned]() { factor->compute(*owned); }, progress, 0.0, FactorStage);
+  ++this->Factorizations;
+  this->LogReduction = -HUGE_VAL;
+  this->Size = this->Factor->info() == Eigen::Success ? lower.rows() : -1;
+  return this->Size >= 0;
+}
+
+void StaleFactorSolver::renewOrder(const SparseMatrix& lower)
+{
+  this->NewOrder = std::async(std::launch::async,
+    [lower]() { return SparseCholesky::orderOf(lower, SparseCholesky::Ordering::Quick); });
+}
+
+void StaleFactorSolver::takeNewOrder()
+{
+  if (this->NewOrder.valid())
+  {
+    this->Factor->setOrder(this->NewOrder.get());
+  }
+}
+
+const EliminationOrder& StaleFactorSolver::order()
+{
+  this->takeNewOrder();
+  return this->Factor->order();
+}
+
+bool StaleFactorSolver::iterate(const SparseMatrix& lower,
+  const Eigen::VectorXd& rightSide,
+  double tolerance,
+  Eigen::VectorXd& solution,
+  const ProgressCallback& progress)
+{
+  solution.setZero(rightSide.size());
+  Eigen::VectorXd residual = rightSide;
+  Eigen::VectorXd direction;
+  const double enough = tolerance * rightSide.norm();
+  double previous = 0.0;
+  for (int k = 0; k < MostIterations; ++k)
+  {
+    report(progress, 0.0, SolutionStage);
+    const Eigen::VectorXd preconditioned = this->Factor->solve(residual);
+    const double descent = residual.dot(preconditioned);
+    direction = k == 0 ? preconditioned : (preconditioned + descent / previous * direction).eval();
+    previous = descent;
+    const Eigen::VectorXd product = lower.selfadjointView<Eigen::Lower>() * direction;
+    const double length = descent / direction.dot(product);
+    if (!(length > 0.0))
+    {
+      break;
+    }
+    solution += length * direction;
+    residual -= length * product;
+    ++this->Iterations;
+    if (residual.norm() <= enough)
+    {
+      this->LogReduction = std::log(residual.norm() / rightSide.norm()) / (k + 1);
+      return true;
+    }
+  }
+  return false;
+}
+
+double StaleFactorSolver::iterationsFor(double reduction) const
+{
+  return std::log(reduction) / this->LogReduction;
+}
+
+bool StaleFactorSolver::solve(const SparseMatrix& lower,
+  const Eigen::VectorXd& rightSide,
+  double tolerance,
+  Eigen::VectorXd& solution,
+  const ProgressCallback& progress)
+{
+  if (this->Size == lower.rows() && this->iterationsFor(tolerance) <= ManyIterations &&
+      this->iterate(lower, rightSide, tolerance, solution, progress))
+  {
+    return true;
+  }
+  if (!this->factor(lower, progress))
+  {
+    return false;
+  }
+  solution = this->Factor->solve(rightSide);
+  return rightSide.dot(solution) >= 0.0; // small indefinite matrices are factored all the same
+}
+
+} // namespace flattening

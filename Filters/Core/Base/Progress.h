@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// How long work reports where it is and learns that it should stop.
+#pragma once
+
+#include "Base/Errors.h"
+
+#include <functional>
+
+namespace flattening
+{
+
+/// Called from the calling thread only, with a fraction in [0,1] that never decreases and the name of
+/// the stage. Returns false to cancel.
+using ProgressCallback = std::function<bool(double fraction, const char* stage)>;
+
+/// Reports progress; throws Cancelled when the callback says so. An empty callback is fine.
+inline void report(const ProgressCallback& progress, double fraction, const char* stage)
+{
+  if (progress && !progress(fraction, stage))
+  {
+    throw Cancelled();
+  }
+}
+
+/// The part [begin, end] of a longer job's progress.
+inline ProgressCallback subrange(const ProgressCallback& progress, double begin, double end)
+{
+  if (!progress)
+  {
+    return {};
+  }
+  return [progress, begin, end](double fraction, const char* stage)
+  { return progress(begin + (end - begin) * fraction, stage); };
+}
+
+} // namespace flattening

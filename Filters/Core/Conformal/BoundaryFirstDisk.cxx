@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Conformal/BoundaryFirstDisk.h"
+
+#include "Base/Errors.h"
+#include "Base/InterruptibleCall.h"
+#include "Base/SparseFactorization.h"
+#include "Base/StandingProgress.h"
+#include "Conformal/BoundaryAngles.h"
+#include "Conformal/ConvexCombinationDisk.h"
+#include "Conformal/CotangentWeights.h"
+#include "Conformal/ProtrusionSpreading.h"
+#include "Intrinsic/IntrinsicTriangulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+
+namespace flattening
+{
+namespace
+{
+
+using Complex = std::complex<double>;
+// Radians. The error that is left is no greater than the last change.
+constexpr double GreatestChange = 1e-9;
+constexpr int LargestIterations = 200;
+constexpr const char* LaplacianStage = "Cotangent Laplacian";
+
+// The Poisson equation on the surface, with the angle defects as its curvature.
+class CherrierEquation
+{
+public:
+  CherrierEquation(const IntrinsicTriangulation& t,
+    const std::vector<int>& loop,
+    const ProgressCallback& progress)
+    : Loop(loop)
+    , Defects(Eigen::VectorXd::Constant(t.vertexCount(), 2.0 * EIGEN_PI))
+  {
+    for (const int v : loop)
+    {
+      this->Defects[v] = EIGEN_PI;
+    }
+    const IntrinsicTriangulation::Factors none = IntrinsicTriangulation::Factors::Zero(t.vertexCount());
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(9 * t.faceCount());
+    for (int f = 0; f < t.faceCount(); ++f)
+    {
+      const TriangleAngles angles = t.scaledAngles(f, none);
+      for (int k = 0; k < 3; ++k)
+      {
+        const int i = t.origin(3 * f + k);
+        const int j = t.tip(3 * f + k);
+        this->Defects[t.origin(t.previous(3 * f + k))] -= angles.Angle[k];
+        const double weight = 0.5 * angles.Cotangent[k];
+        if (i != j)
+        {
+          entries.emplace_back(i, i, weight);
+          entries.emplace_back(j, j, weight);
+          entries.emplace_back(std::max(i, j), std::min(i, j), -weight);
+        }
+      }
+    }
+    // The factors are known up to a constant: one of them is held.
+    entries.emplace_back(loop.front(), loop.front(), 1.0);
+    const auto laplacian = std::make_shared<SparseMatrix>(t.vertexCount(), t.vertexCount());
+    laplacian->setFromTriplets(entries.begin(), entries.end());
+    callInterruptibly([cholesky = this->Cholesky, laplacian]() { cholesky->compute(*laplacian); },
+      progress,
+      0.5,
+      LaplacianStage);
+    if (this->Cholesky->info() != Eigen::Success)
+    {
+      throw ConvergenceError(
+        "the cotangent Laplacian could not be factored: remesh the surface (Surface To Disk, Remesh)");
+    }
+  }
+
+  // Logarithmic factors, up to a constant, from the exterior angles that the loop's vertices are to
+  // have.
+  Eigen::VectorXd factors(const Eigen::VectorXd& exteriorAngles) const
+  {
+    Eigen::VectorXd right = -this->Defects;
+    for (std::size_t k = 0; k < this->Loop.size(); ++k)
+    {
+      right[this->Loop[k]] += exteriorAngles[k];
+    }
+    return this->Cholesky->solve(right);
+  }
+  Eigen::VectorXd boundaryFactors(const Eigen::VectorXd& exteriorAngles) const
+  {
+    return this->factors(exteriorAngles)(this->Loop);
+  }
+
+private:
+  const std::vector<int>& Loop;
+  Eigen::VectorXd Defects; // 2 pi, or pi on the boundary, minus the angle sum
+  // Shared with the call that computes it, which an abort leaves behind.
+  std::shared_ptr<SparseCholesky> Cholesky =
+    std::make_shared<SparseCholesky>(SparseCholesky::Ordering::Quick);
+};
+
+// Mean of each entry, which belongs to the edge after a vertex, and the one before.
+Eigen::VectorXd atVertices(const Eigen::VectorXd& ofEdges)
+{
+  Eigen::VectorXd mean = ofEdges;
+  mean[0] += ofEdges[ofEdges.size() - 1];
+  mean.tail(ofEdges.size() - 1) += ofEdges.head(ofEdges.size() - 1);
+  return 0.5 * mean;
+}
+
+Eigen::VectorXd scaledLengths(const Eigen::VectorXd& lengths, const Eigen::VectorXd& u)
+{
+  Eigen::VectorXd scaled(lengths.size());
+  const double unit = u.maxCoeff(); // no factor is too large for a double
+  for (Eigen::Index k = 0; k < lengths.size(); ++k)
+  {
+    scaled[k] = lengths[k] * std::exp(0.5 * (u[k] + u[(k + 1) % u.size()]) - unit);
+  }
+  return scaled;
+}
+
+// Adds to the factors those of the Moebius map that centres @p masses on the circle. False if half of
+// them lie in one place, as far as doubles tell.
+bool centre(const Eigen::VectorXd& lengths, const Eigen::VectorXd& masses, Eigen::VectorXd& u)
+{
+  const Complex up(0.0, 1.0);
+  const Eigen::VectorXd angles = anglesInProportion(scaledLengths(lengths, u));
+  try
+  {
+    const Complex inHalfPlane = centreOfMass(halfPlaneBoundary(angles), masses);
+    const Complex inDisk = (inHalfPlane - up) / (inHalfPlane + up);
+    for (Eigen::Index k = 0; k < u.size(); ++k)
+    {
+      u[k] -= 2.0 * std::log(std::abs(1.0 - std::conj(inDisk) * std::polar(1.0, angles[k])));
+    }
+    return true;
+  }
+  catch (const ConvergenceError&)
+  {
+    return false;
+  }
+}
+
+// The angles of the loop's vertices on the circle.
+Eigen::VectorXd boundaryAngles(const CherrierEquation& equation,
+  const Eigen::VectorXd& lengths,
+  int& iterations,
+  const ProgressCallback& progress)
+{
+  const Eigen::VectorXd masses = atVertices(lengths) / lengths.sum();
+  Eigen::VectorXd scaled = lengths;
+  Eigen::VectorXd angles = anglesInProportion(lengths);
+  for (iterations = 1; iterations <= LargestIterations; ++iterations)
+  {
+    Eigen::VectorXd u = equation.boundaryFactors(2.0 * EIGEN_PI / scaled.sum() * atVertices(scaled));
+    if (!u.allFinite() || !centre(lengths, masses, u))
+    {
+      break;
+    }
+    scaled = scaledLengths(lengths, u);
+    const Eigen::VectorXd next = anglesInProportion(scaled);
+    const double change = (next - angles).lpNorm<Eigen::Infinity>();
+    angles = next;
+    if (change < GreatestChange)
+    {
+      return angles;
+    }
+    report(progress, static_cast<double>(iterations) / LargestIterations, "Boundary factors");
+  }
+  throw ConvergenceError(
+    "Boundary First stopped at iteration " + std::to_string(std::min(iterations, LargestIterations)) +
+    " without the lengths of the boundary in the disk: set Method to Ricci Flow, or "
+    "remesh the surface (Surface To Disk, Remesh)");
+}
+
+// Logarithmic factors of all vertices for the boundary's place in the disk.
+IntrinsicTriangulation::Factors logFactorsOf(const CherrierEquation& equation,
+  const Eigen::VectorXd& lengths,
+  const std::vector<int>& loop,
+  const ComplexVector& disk)
+{
+  Eigen::VectorXd arcs(lengths.size());
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    const double arc = std::arg(disk[loop[(k + 1) % loop.size()]] * std::conj(disk[loop[k]]));
+    arcs[k] = arc < 0.0 ? arc + 2.0 * EIGEN_PI : arc;
+  }
+  Eigen::VectorXd u = equation.factors(atVertices(arcs));
+  u.array() += std::log(arcs.sum() / scaledLengths(lengths, u(loop)).sum()) - u(loop).maxCoeff();
+  return u.cast<long double>();
+}
+
+std::vector<NeighbourWeight> cotangentWeights(const IntrinsicTriangulation& t)
+{
+  std::vector<NeighbourWeight> weights;
+  for (const Spring& s : springsOf(t, IntrinsicTriangulation::Factors::Zero(t.vertexCount())))
+  {
+    weights.push_back({ s.From, s.To, s.Weight });
+    weights.push_back({ s.To, s.From, s.Weight });
+  }
+  return weights;
+}
+
+} // namespace
+
+ConformalDiskMap boundaryFirstDisk(const TriangleMesh& mesh,
+  const std::vector<int>& loop,
+  const DiskCentring& centring,
+  const ProgressCallback& progress)
+{
+  ConformalDiskMap map;
+  map.MaxCurvatureError = map.LayoutError = std::numeric_limits<double>::quiet_NaN();
+  report(progress, 0.0, "Intrinsic Delaunay triangulation");
+  IntrinsicTriangulation triangulation(mesh);
+  map.Flips = triangulation.flipToDelaunay();
+  map.AddedLength = triangulation.addedLength();
+  report(progress, 0.2, LaplacianStage);
+  const CherrierEquation equation(triangulation, loop, subrange(progress, 0.2, 0.4));
+  const Eigen::VectorXd lengths = loopLengths(mesh, loop, map.AddedLength);
+  const Eigen::VectorXd angles =
+    boundaryAngles(equation, lengths, map.BoundaryIterations, subrange(progress, 0.4, 0.7));
+  const ProgressCallback extension = standing(progress, 0.7, "Harmonic extension");
+  report(extension, 0.0, "");
+  ComplexVector disk = convexCombinationDisk(
+    cotangentWeights(triangulation), WeightSymmetry::Symmetric, loop, angles, centring, extension);
+  report(extension, 1.0, "");
+  const double area = faceAreas(mesh.Vertices, mesh.Faces).sum();
+  map.SpreadVertices = spreadHornsInOwnMetric(
+    triangulation, logFactorsOf(equation, lengths, loop, disk), 0.5 * std::log(EIGEN_PI / area), disk);
+  map.Positions = pointsOf(disk);
+  return map;
+}
+
+} // namespace flattening

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Conformal/ConvexCombinationDisk.h"
+
+#include "Base/Errors.h"
+#include "Base/InterruptibleCall.h"
+#include "Base/SparseLu.h"
+#include "Conformal/BoundaryAngles.h"
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+namespace flattening
+{
+namespace
+{
+
+using Complex = std::complex<double>;
+// Of what a boundary vertex may weigh in the centre: with half of it no Moebius map of the circle
+// centres the masses, and close to that all other vertices crowd at the far side.
+constexpr double GreatestShare = 0.49;
+constexpr int Refinements = 1;
+constexpr const char* Stage = "Convex combination map";
+
+// One of the two, of the matrix.
+struct WeightFactors
+{
+  SparseMatrix Matrix;
+  std::unique_ptr<SparseCholesky> Cholesky;
+  std::unique_ptr<SparseLu> Lu;
+
+  void factor(WeightSymmetry symmetry)
+  {
+    if (symmetry == WeightSymmetry::Symmetric)
+    {
+      this->Cholesky = std::make_unique<SparseCholesky>(this->Matrix);
+    }
+    else
+    {
+      this->Lu = std::make_unique<SparseLu>(this->Matrix);
+    }
+  }
+  bool isFactored() const
+  {
+    return (this->Cholesky ? this->Cholesky->info() : this->Lu->info()) == Eigen::Success;
+  }
+};
+
+class ConvexCombinations
+{
+public:
+  ConvexCombinations(const std::vector<NeighbourWeight>& weights,
+    WeightSymmetry symmetry,
+    const std::vector<int>& loop,
+    Eigen::Index vertexCount,
+    const ProgressCallback& progress)
+    : Loop(loop)
+    , Row(vertexCount, 0)
+  {
+    for (const int v : loop)
+    {
+      this->Row[v] = -1;
+    }
+    for (Eigen::Index v = 0; v < vertexCount; ++v)
+    {
+      if (this->Row[v] == 0)
+      {
+        this->Row[v] = static_cast<int>(this->Inner.size());
+        this->Inner.push_back(static_cast<int>(v));
+      }
+    }
+    for (const NeighbourWeight& w : weights)
+    {
+      if (this->Row[w.From] >= 0 && w.Weight > 0.0)
+      {
+        this->Weights.push_back(w);
+      }
+    }
+    if (!this->Inner.empty())
+    {
+      this->factor(symmetry, progress);
+    }
+  }
+
+  // What every boundary vertex, in the order of the loop, weighs in the mean of all vertices.
+  Eigen::VectorXd boundaryShares(const Eigen::VectorXd& vertexShares) const
+  {
+    Eigen::VectorXd all = vertexShares;
+    if (!this->Inner.empty())
+    {
+      const Eigen::VectorXd inner = vertexShares(this->Inner);
+      const Eigen::VectorXd passed = this->Factors->Cholesky ? this->Factors->Cholesky->solve(inner)
+                                                             : this->Factors->Lu->solveTransposed(inner);
+      for (const NeighbourWeight& w : this->Weights)
+      {
+        all[w.To] += this->Row[w.To] < 0 ? w.Weight * passed[this->Row[w.From]] : 0.0;
+      }
+    }
+    const Eigen::VectorXd shares = all(this->Loop);
+    return shares / shares.sum();
+  }
+
+  // All positions, from those of the boundary.
+  ComplexVector extended(const ComplexVector& boundary) const
+  {
+    ComplexVector position(this->Row.size(), Complex(0.0, 0.0));
+    for (std::size_t k = 0; k < this->Loop.size(); ++k)
+    {
+      position[this->Loop[k]] = boundary[k];
+    }
+    // As sums of differences the residuals keep their digits where neighbours are close.
+    for (int round = 0; !this->Inner.empty() && round < 1 + Refinements; ++round)
+    {
+      Eigen::MatrixXd residual = Eigen::MatrixXd::Zero(this->Inner.size(), 2);
+      for (const NeighbourWeight& w : this->Weights)
+      {
+        const Complex pull = w.Weight * (position[w.To] - position[w.From]);
+        residual.row(this->Row[w.From]) += Eigen::RowVector2d(pull.real(), pull.imag());
+      }
+      const Eigen::MatrixXd change = this->Factors->Cholesky ? this->Factors->Cholesky->solve(residual)
+                                                             : this->Factors->Lu->solve(residual);
+      for (std::size_t i = 0; i < this->Inner.size(); ++i)
+      {
+        position[this->Inner[i]] += Complex(change(i, 0), change(i, 1));
+      }
+    }
+    return position;
+  }
+
+private:
+  void factor(WeightSymmetry symmetry, const ProgressCallback& progress)
+  {
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(2 * this->Weights.size());
+    for (const NeighbourWeight& w : this->Weights)
+    {
+      const int i = this->Row[w.From];
+      entries.emplace_back(i, i, w.Weight);
+      if (this->Row[w.To] >= 0)
+      {
+        entries.emplace_back(i, this->Row[w.To], -w.Weight);
+      }
+    }
+    SparseMatrix& matrix = this->Factors->Matrix;
+    matrix.resize(this->Inner.size(), this->Inner.size());
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    callInterruptibly(
+      [factors = this->Factors, symmetry]() { factors->factor(symmetry); }, progress, 0.2, Stage);
+    report(progress, 0.6, Stage);
+    if (!this->Factors->isFactored())
+    {
+      throw ConvergenceError("the weights of neighbours could not be factored: remesh the surface "
+                             "(Surface To Disk, Remesh)");
+    }
+  }
+
+  const std::vector<int>& Loop;
+  std::vector<int> Row; // of every vertex; -1 on the boundary
+  std::vector<int> Inner;
+  std::vector<NeighbourWeight> Weights; // of inner vertices
+  // Shared with the call that computes them, which an abort leaves behind.
+  std::shared_ptr<WeightFactors> Factors = std::make_shared<WeightFactors>();
+};
+
+ComplexVector onCircle(ComplexVector points)
+{
+  for (Complex& z : points)
+  {
+    z /= std::abs(z);
+  }
+  return points;
+}
+
+// The map whose boundary is moved by the Moebius map that centres the boundary's shares.
+ComplexVector centredByBoundary(const ConvexCombinations& combinations,
+  const Eigen::VectorXd& angles,
+  const Eigen::VectorXd& shares)
+{
+  const ComplexVector halfPlane = halfPlaneBoundary(angles);
+  return combinations.extended(onCircle(cayley(halfPlane, centreOfMass(halfPlane, shares))));
+}
+
+// The map of which all vertices are moved by a Moebius map. What is centred lies close to one boundary
+// vertex: distances from it keep their digits where it is the origin, and infinity in the half-plane.
+ComplexVector centredByAll(const ConvexCombinations& combinations,
+  const std::vector<int>& loop,
+  const Eigen::VectorXd& angles,
+  Eigen::Index nearest,
+  const DiskCentring& centring)
+{
+  Eigen::VectorXd turned = angles.array() - angles[nearest];
+  turned = (turned.array() < 0.0).select(turned.array() + 2.0 * EIGEN_PI, turned);
+  ComplexVector boundary(loop.size());
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    boundary[k] = Complex(0.0, 2.0 * std::sin(0.5 * turned[k])) * std::polar(1.0, 0.5 * turned[k]);
+  }
+  ComplexVector halfPlane = combinations.extended(boundary);
+  for (std::size_t v = 0; v < halfPlane.size(); ++v)
+  {
+    Complex& fromNearest = halfPlane[v];
+    if (fromNearest == 0.0 && static_cast<int>(v) != loop[nearest])
+    {
+      throw ConvergenceError("vertex " + std::to_string(v) + " falls onto boundary vertex " +
+                             std::to_string(loop[nearest]) +
+                             ": the surface is too coarse there; set Method to Ricci Flow, or remesh "
+                             "the surface (Surface To Disk, Remesh)");
+    }
+    fromNearest = Complex(0.0, -1.0) * (2.0 + fromNearest) / fromNearest;
+  }
+  const ComplexVector line = halfPlaneBoundary(turned);
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    halfPlane[loop[k]] = line[k];
+  }
+  ComplexVector disk = cayley(halfPlane, centring.centre(halfPlane));
+  for (const int v : loop)
+  {
+    disk[v] /= std::abs(disk[v]);
+  }
+  return disk;
+}
+
+ComplexVector centred(const ConvexCombinations& combinations,
+  const std::vector<int>& loop,
+  const Eigen::VectorXd& angles,
+  const DiskCentring& centring)
+{
+  const Eigen::VectorXd shares = combinations.boundaryShares(centring.weights());
+  Eigen::Index nearest = 0;
+  return shares.maxCoeff(&nearest) < GreatestShare
+           ? centredByBoundary(combinations, angles, shares)
+           : centredByAll(combinations, loop, angles, nearest, centring);
+}
+
+} // namespace
+
+ComplexVector convexCombinationDisk(const std::vector<NeighbourWeight>& weights,
+  WeightSymmetry symmetry,
+  const std::vector<int>& loop,
+  const Eigen::VectorXd& angles,
+  const DiskCentring& centring,
+  const ProgressCallback& progress)
+{
+  const ConvexCombinations combinations(weights, symmetry, loop, centring.weights().size(), progress);
+  ComplexVector disk = centred(combinations, loop, angles, centring);
+  if (centring.vertex() >= 0)
+  {
+    disk[centring.vertex()] = 0.0; // but for rounding it is there
+  }
+  for (const Complex& z : disk)
+  {
+    if (!std::isfinite(z.real()) || !std::isfinite(z.imag()))
+    {
+      throw ConvergenceError(
+        "a vertex has no position in the disk: remesh the surface (Surface To Disk, "
+        "Remesh)");
+    }
+  }
+  return disk;
+}
+
+} // namespace flattening

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Conformal/DiskNormalisation.h"
+
+#include "Base/Errors.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace flattening
+{
+namespace
+{
+
+using Complex = std::complex<double>;
+constexpr std::size_t PointsPerTask = 4096;
+
+double weightedMedian(const std::vector<double>& values, const Eigen::VectorXd& masses)
+{
+  std::vector<int> order(values.size());
+  std::iota(order.begin(), order.end(), 0);
+  tbb::parallel_sort(order.begin(),
+    order.end(),
+    [&values](int a, int b) { return values[a] != values[b] ? values[a] < values[b] : a < b; });
+  const double half = 0.5 * masses.sum();
+  double sum = 0.0;
+  for (const int i : order)
+  {
+    sum += masses[i];
+    if (sum >= half)
+    {
+      return values[i];
+    }
+  }
+  return values[order.back()];
+}
+
+struct Moments
+{
+  Complex First{ 0.0, 0.0 };  // sum nu z
+  Complex Second{ 0.0, 0.0 }; // sum nu z^2
+};
+
+Moments moments(const ComplexVector& disk, const Eigen::VectorXd& masses)
+{
+  Moments m;
+  for (std::size_t i = 0; i < disk.size(); ++i)
+  {
+    m.First += masses[i] * disk[i];
+    m.Second += masses[i] * disk[i] * disk[i];
+  }
+  return m;
+}
+
+} // namespace
+
+Points2 pointsOf(const ComplexVector& positions)
+{
+  Points2 points(positions.size(), 2);
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    points.row(i) << positions[i].real(), positions[i].imag();
+  }
+  return points;
+}
+
+ComplexVector complexOf(const Points2& positions)
+{
+  ComplexVector numbers(positions.rows());
+  for (Eigen::Index i = 0; i < positions.rows(); ++i)
+  {
+    numbers[i] = Complex(positions(i, 0), positions(i, 1));
+  }
+  return numbers;
+}
+
+ComplexVector cayley(const ComplexVector& halfPlane, Complex centre)
+{
+  ComplexVector disk(halfPlane.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, halfPlane.size(), PointsPerTask),
+    [&](const tbb::blocked_range<std::size_t>& points)
+    {
+      for (std::size_t i = points.begin(); i < points.end(); ++i)
+      {
+        const Complex z = halfPlane[i];
+        disk[i] = std::isfinite(z.real()) ? (z - centre) / (z - std::conj(centre)) : Complex(1.0, 0.0);
+      }
+    });
+  return disk;
+}
+
+Complex centreOfMass(const ComplexVector& halfPlane, const Eigen::VectorXd& masses)
+{
+  std::vector<double> x;
+  std::vector<double> y;
+  for (const Complex& z : halfPlane)
+  {
+    x.push_back(std::isfinite(z.real()) ? z.real() : 0.0);
+    y.push_back(std::isfinite(z.real()) ? z.imag() : 0.0);
+  }
+  // A first centre amid the mass, so that no image loses its digits by lying close to the circle.
+  Complex centre(weightedMedian(x, masses), weightedMedian(y, masses));
+  if (!(centre.imag() > 0.0))
+  {
+    const auto [left, right] = std::minmax_element(x.begin(), x.end());
+    const double highest = *std::max_element(y.begin(), y.end());
+    centre.imag(highest > 0.0 ? highest : *right - *left); // 0 if all vertices are on the boundary
+  }
+  const double total = masses.sum();
+  Moments m = moments(cayley(halfPlane, centre), masses);
+  for (int iteration = 0; iteration < 200; ++iteration)
+  {
+    const double error = std::abs(m.First) / total;
+    if (error < 1e-14)
+    {
+      return centre;
+    }
+    // Newton at a = 0: F(a) = First - total a + Second conj(a), solved for a.
+    const Complex s = m.Second / total;
+    const Complex f = m.First / total;
+    Complex step = (f + s * std::conj(f)) / std::max(1.0 - std::norm(s), 1e-12);
+    step *= std::min(1.0, 0.5 / std::abs(step));
+    bool improved = false;
+    for (int trial = 0; trial < 50 && !improved; ++trial, step *= 0.5)
+    {
+      const Complex next = (centre - step * std::conj(centre)) / (1.0 - step);
+      if (!(next.imag() > 0.0))
+      {
+        continue;
+      }
+      const Moments moved = moments(cayley(halfPlane, next), masses);
+      if (std::abs(moved.First) < std::abs(m.First))
+      {
+        centre = next;
+        m = moved;
+        improved = true;
+      }
+    }
+    if (!improved)
+    {
+      if (error < 1e-9)
+      {
+        return centre; // at the rounding floor
+      }
+      break;
+    }
+  }
+  throw ConvergenceError(
+    "the conformal disk could not be centred: give an interior point for the centre");
+}
+
+bool intrinsicRotation(const ComplexVector& disk,
+  const Points3& surface,
+  const Eigen::VectorXd& masses,
+  double& angle)
+{
+  const Eigen::RowVector3d centroid = (masses.transpose() * surface) / masses.sum();
+  Complex direction(0.0, 0.0);
+  double scale = 0.0;
+  for (std::size_t i = 0; i < disk.size(); ++i)
+  {
+    const double far = masses[i] * (surface.row(i) - centroid).norm();
+    direction += far * disk[i];
+    scale += far;
+  }
+  if (!(std::abs(direction) > 1e-6 * scale))
+  {
+    return false;
+  }
+  angle = -std::arg(direction);
+  return true;
+}
+
+} // namespace flattening

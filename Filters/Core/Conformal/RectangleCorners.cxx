@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Conformal/ConformalRectangle.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace flattening
+{
+namespace
+{
+
+constexpr double WindowsPerLoop = 40.0;
+constexpr double LeastTurn = 0.25 * EIGEN_PI;
+
+// The boundary as a closed curve, known by length.
+class BoundaryCurve
+{
+public:
+  BoundaryCurve(const TriangleMesh& mesh, const std::vector<int>& loop)
+    : Mesh(mesh)
+    , Loop(loop)
+    , Along(loop.size() + 1, 0.0)
+  {
+    for (std::size_t k = 0; k < loop.size(); ++k)
+    {
+      const int next = loop[(k + 1) % loop.size()];
+      this->Along[k + 1] =
+        this->Along[k] + (mesh.Vertices.row(next) - mesh.Vertices.row(loop[k])).norm();
+    }
+  }
+
+  double length() const { return this->Along.back(); }
+  double at(int k) const { return this->Along[k]; }
+
+  Eigen::RowVector3d point(double along) const
+  {
+    along -= this->length() * std::floor(along / this->length());
+    const auto after = std::upper_bound(this->Along.begin() + 1, this->Along.end() - 1, along);
+    const auto k = static_cast<int>(after - this->Along.begin()) - 1;
+    const double edge = this->Along[k + 1] - this->Along[k];
+    const double t = edge > 0.0 ? (along - this->Along[k]) / edge : 0.0;
+    return (1.0 - t) * this->Mesh.Vertices.row(this->Loop[k]) +
+           t * this->Mesh.Vertices.row(this->Loop[(k + 1) % this->Loop.size()]);
+  }
+
+  // Radians, between the chords before and after a vertex.
+  double turn(int k) const
+  {
+    const double window = this->length() / WindowsPerLoop;
+    const Eigen::RowVector3d here = this->Mesh.Vertices.row(this->Loop[k]);
+    const Eigen::RowVector3d before = here - this->point(this->Along[k] - window);
+    const Eigen::RowVector3d after = this->point(this->Along[k] + window) - here;
+    return std::atan2(before.cross(after).norm(), before.dot(after));
+  }
+
+  double distance(int k, int l) const
+  {
+    const double d = std::abs(this->Along[k] - this->Along[l]);
+    return std::min(d, this->length() - d);
+  }
+
+  // The vertex nearest to a place.
+  int nearest(double along) const
+  {
+    along -= this->length() * std::floor(along / this->length());
+    int best = 0;
+    for (int k = 1; k < static_cast<int>(this->Loop.size()); ++k)
+    {
+      const auto off = [&](int i)
+      {
+        const double d = std::abs(this->Along[i] - along);
+        return std::min(d, this->length() - d);
+      };
+      best = off(k) < off(best) ? k : best;
+    }
+    return best;
+  }
+
+private:
+  const TriangleMesh& Mesh;
+  const std::vector<int>& Loop;
+  std::vector<double> Along;
+};
+
+// Places in the loop, in its order; fewer than four if it does not turn so often.
+std::vector<int> sharpCorners(const BoundaryCurve& curve, int count)
+{
+  std::vector<double> turns(count);
+  for (int k = 0; k < count; ++k)
+  {
+    turns[k] = curve.turn(k);
+  }
+  std::vector<int> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&turns](int a, int b) { return turns[a] > turns[b]; });
+  std::vector<int> corners;
+  for (const int k : order)
+  {
+    const bool isFree = std::all_of(corners.begin(),
+      corners.end(),
+      [&](int other) { return curve.distance(k, other) > 2.0 * curve.length() / WindowsPerLoop; });
+    if (turns[k] >= LeastTurn && isFree && corners.size() < 4)
+    {
+      corners.push_back(k);
+    }
+  }
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+std::vector<int> evenCorners(const BoundaryCurve& curve, int first)
+{
+  std::vector<int> corners;
+  for (int side = 0; side < 4; ++side)
+  {
+    corners.push_back(curve.nearest(curve.at(first) + 0.25 * side * curve.length()));
+  }
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
+
+} // namespace
+
+std::vector<int> seamCorners(const TriangleMesh& mesh,
+  const std::vector<int>& loop,
+  const std::vector<char>& onSeam)
+{
+  const int count = static_cast<int>(loop.size());
+  const auto marked = [&](int k) { return onSeam[loop[k % count]] != 0; };
+  std::vector<std::pair<int, int>>
+    stretches; // first and last place, the last may lie beyond the loop's end
+  for (int k = 0; k < count; ++k)
+  {
+    if (marked(k + 1) && !marked(k))
+    {
+      int last = k + 1;
+      while (marked(last + 1))
+      {
+        ++last;
+      }
+      stretches.emplace_back(k + 1, last);
+    }
+  }
+  if (stretches.size() != 2 || stretches[0].first == stretches[0].second ||
+      stretches[1].first == stretches[1].second)
+  {
+    return {};
+  }
+  const BoundaryCurve curve(mesh, loop);
+  const auto lengthBefore = [&](int stretch)
+  {
+    const double length =
+      curve.at(stretches[stretch].first % count) - curve.at(stretches[1 - stretch].second % count);
+    return length < 0.0 ? length + curve.length() : length;
+  };
+  const int lower = lengthBefore(0) >= lengthBefore(1) ? 0 : 1;
+  std::vector<int> corners;
+  for (const int stretch : { lower, 1 - lower })
+  {
+    corners.push_back(loop[stretches[stretch].first % count]);
+    corners.push_back(loop[stretches[stretch].second % count]);
+  }
+  return corners;
+}
+
+std::vector<int> rectangleCorners(const TriangleMesh& mesh, const std::vector<int>& loop)
+{
+  const int count = static_cast<int>(loop.size());
+  const Eigen::VectorXd areas =
+    vertexAreas(mesh.Faces, faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount());
+  const Eigen::RowVector3d centroid = areas.transpose() * mesh.Vertices / areas.sum();
+  const auto distance = [&](int k) { return (mesh.Vertices.row(loop[k]) - centroid).norm(); };
+
+  const BoundaryCurve curve(mesh, loop);
+  std::vector<int> places = sharpCorners(curve, count);
+  if (places.size() < 4)
+  {
+    int farthest = 0;
+    for (int k = 1; k < count; ++k)
+    {
+      farthest = distance(k) > distance(farthest) ? k : farthest;
+    }
+    places = evenCorners(curve, farthest);
+  }
+  if (places.size() < 4)
+  {
+    places.resize(4);
+    for (int k = 0; k < 4; ++k)
+    {
+      places[k] = k * count / 4;
+    }
+  }
+  const auto side = [&](int k)
+  {
+    const double length = curve.at(places[(k + 1) % 4]) - curve.at(places[k % 4]);
+    return length < 0.0 ? length + curve.length() : length;
+  };
+  int first = side(0) + side(2) >= side(1) + side(3) ? 0 : 1;
+  first += distance(places[(first + 2) % 4]) > distance(places[first]) ? 2 : 0;
+  std::vector<int> corners;
+  for (int k = 0; k < 4; ++k)
+  {
+    corners.push_back(loop[places[(first + k) % 4]]);
+  }
+  return corners;
+}
+
+} // namespace flattening

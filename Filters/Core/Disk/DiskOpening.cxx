@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Disk/DiskOpening.h"
+
+#include "Disk/CutGraph.h"
+#include "Disk/EdgeCut.h"
+#include "Disk/GeodesicHole.h"
+#include "Disk/GeodesicSeam.h"
+#include "Disk/SeamPlacement.h"
+#include "Disk/TubeSeam.h"
+#include "Handles/HandleLoops.h"
+#include "Mesh/MeshTopology.h"
+#include "Remeshing/BoundaryRefinement.h"
+#include "Repair/HoleFilling.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace flattening
+{
+namespace
+{
+
+// A polygon of so many covers nine tenths of the disk.
+constexpr int LeastBoundaryVertices = 8;
+
+double boundaryLength(const TriangleMesh& mesh)
+{
+  double length = 0.0;
+  for (const std::vector<int>& loop : analyseTopology(mesh.Faces, mesh.vertexCount()).BoundaryLoops)
+  {
+    length += loopLength(mesh.Vertices, loop);
+  }
+  return length;
+}
+
+// Flags of vertices made of others: whether all of those are flagged, or any.
+std::vector<char> flagsOf(const VertexOrigins& origins, const std::vector<char>& flags, bool all)
+{
+  std::vector<char> result(origins.rows(), all);
+  for (int v = 0; v < origins.rows(); ++v)
+  {
+    for (VertexOrigins::InnerIterator origin(origins, v); origin; ++origin)
+    {
+      result[v] = all ? result[v] && flags[origin.col()] : result[v] || flags[origin.col()];
+    }
+  }
+  return result;
+}
+
+class Opening
+{
+public:
+  Opening(DiskSurface& disk, const OpenEnds& ends, const SurfaceToDiskOptions& options)
+    : Disk(disk)
+    , Figures(disk.Report)
+    , Options(options)
+    , Hole(options.Hole)
+    , Ends(ends.Ends)
+  {
+    if (!this->Hole.Centre)
+    {
+      this->Hole.Centre = ends.Puncture;
+    }
+  }
+
+  // Cutting handles opens a closed surface; but what was asked for by name is done as well.
+  void open(const ProgressCallback& progress)
+  {
+    if (this->Figures.Genus == 0 || this->Options.Handles != HandleMode::Cut)
+    {
+      this->openOnce(progress);
+      return;
+    }
+    const bool opensTwice = this->Options.Cut == CutMode::Seam
+                              ? !this->Options.SeamPoints.empty()
+                              : this->Options.Cut == CutMode::Hole && this->Options.Hole.Centre;
+    if (opensTwice)
+    {
+      this->openOnce(subrange(progress, 0.0, 0.4));
+    }
+    this->cutHandles(subrange(progress, opensTwice ? 0.4 : 0.0, 1.0));
+  }
+
+private:
+  const TriangleMesh& mesh() const { return this->Disk.Surface.Mesh; }
+  bool isClosed() const { return this->Ends == OpenEnds::Kind::None; }
+  bool isTube() const { return this->Ends == OpenEnds::Kind::Two; }
+
+  void cutHandles(const ProgressCallback& progress)
+  {
+    HandleLoops handles = handleLoops(this->mesh(), subrange(progress, 0.0, 0.7));
+    this->followFlags(handles.Surface);
+    follow(this->Disk.Surface, std::move(handles.Surface));
+    CutSurface cut = cutToDisk(this->mesh(), handles.Loops, subrange(progress, 0.7, 1.0));
+    const std::vector<char> region = this->avoided();
+    for (std::size_t v = 0; v < region.size(); ++v)
+    {
+      this->Figures.SeamRegionPoints += region[v] && cut.OnSeam[v] ? 1 : 0;
+    }
+    this->followSeam(std::move(cut));
+    this->resolveBoundary(this->Hole.BoundaryVertices);
+  }
+
+  void openOnce(const ProgressCallback& progress)
+  {
+    if (this->Options.Cut == CutMode::Seam &&
+        (this->isClosed() || this->isTube() || !this->Options.SeamPoints.empty()))
+    {
+      this->cutSeam(progress);
+    }
+    else if (this->isClosed())
+    {
+      this->cutHole(progress);
+    }
+    else
+    {
+      this->resolveBoundary(std::min(LeastBoundaryVertices, this->Hole.BoundaryVertices));
+    }
+  }
+
+  void cutSeam(const ProgressCallback& progress)
+  {
+    GeodesicSeamOptions seam;
+    seam.Points = this->Options.SeamPoints;
+    seam.BoundaryVertices = this->Hole.BoundaryVertices;
+    if (this->isTube())
+    {
+      const MeshTopology topology = analyseTopology(this->mesh().Faces, this->mesh().vertexCount());
+      seam.Points = placeTubeSeam(this->mesh(),
+        topology.BoundaryLoops[0],
+        topology.BoundaryLoops[1],
+        subrange(progress, 0.0, 0.4));
+    }
+    else if (seam.Points.empty())
+    {
+      seam.Points = placeSeam(this->mesh(), this->avoided(), subrange(progress, 0.0, 0.4));
+    }
+    CutSurface cut = cutGeodesicSeam(this->mesh(), seam, subrange(progress, 0.4, 1.0)).Cut;
+    if (this->isTube() && !this->Options.RegionOfInterest.empty())
+    {
+      const std::vector<char> region = flagsOf(cut.Surface.Vertices, this->avoided(), false);
+      int points = 0; // on both sides of the seam
+      for (std::size_t v = 0; v < region.size(); ++v)
+      {
+        points += region[v] && cut.OnSeam[v] ? 1 : 0;
+      }
+      this->Figures.SeamRegionPoints = points / 2;
+    }
+    this->followSeam(std::move(cut));
+  }
+
+  // The region of interest on the surface as it is now.
+  std::vector<char> avoided() const
+  {
+    return this->Options.RegionOfInterest.empty()
+             ? std::vector<char>()
+             : flagsOf(this->Disk.Surface.Vertices, this->Options.RegionOfInterest, false);
+  }
+
+  void followSeam(CutSurface&& cut)
+  {
+    const double before = boundaryLength(this->mesh());
+    this->followFlags(cut.Surface);
+    this->Disk.Seam.resize(cut.OnSeam.size(), 0);
+    std::transform(cut.OnSeam.begin(),
+      cut.OnSeam.end(),
+      this->Disk.Seam.begin(),
+      this->Disk.Seam.begin(),
+      [](char now, char earlier) { return now || earlier; });
+    follow(this->Disk.Surface, std::move(cut.Surface));
+    this->Figures.SeamLength += 0.5 * (boundaryLength(this->mesh()) - before);
+  }
+
+  // The vertices of an earlier seam, if there is one, on the surface that comes next.
+  void followFlags(const DerivedMesh& next)
+  {
+    if (!this->Disk.Seam.empty())
+    {
+      this->Disk.Seam = flagsOf(next.Vertices, this->Disk.Seam, true);
+    }
+  }
+
+  void cutHole(const ProgressCallback& progress)
+  {
+    this->Hole.Avoided = this->avoided();
+    OpenedSurface opened = cutGeodesicHole(this->mesh(), this->Hole, progress);
+    this->Figures.HoleCentre = opened.Centre;
+    this->Figures.HoleRadius = opened.Radius;
+    this->Figures.RemovedArea += opened.RemovedArea;
+    this->Figures.RemovedRegionPoints = opened.RemovedAvoided;
+    follow(this->Disk.Surface, std::move(opened.Surface));
+  }
+
+  // Cutting along a graph of edges leaves as many boundary vertices as they have, and a boundary of the
+  // input may have but three.
+  void resolveBoundary(int vertices)
+  {
+    DerivedMesh refined = refineBoundary(this->mesh(), vertices);
+    if (refined.Mesh.vertexCount() > this->mesh().vertexCount())
+    {
+      this->followFlags(refined);
+      follow(this->Disk.Surface, std::move(refined));
+    }
+  }
+
+  DiskSurface& Disk;
+  SurfaceToDiskReport& Figures;
+  const SurfaceToDiskOptions& Options;
+  GeodesicHoleOptions Hole;
+  OpenEnds::Kind Ends;
+};
+
+} // namespace
+
+void openSurface(DiskSurface& disk,
+  const OpenEnds& ends,
+  const SurfaceToDiskOptions& options,
+  const ProgressCallback& progress)
+{
+  Opening(disk, ends, options).open(progress);
+}
+
+} // namespace flattening

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Disk/GeodesicHole.h"
+
+#include "Disk/HolePlacement.h"
+#include "Disk/IsolineCut.h"
+#include "Geodesics/FaceNeighbourhoods.h"
+#include "Geodesics/GeodesicDistance.h"
+#include "Mesh/EditableSurface.h"
+#include "Mesh/MeshTopology.h"
+#include "Mesh/SurfacePick.h"
+#include "Remeshing/BoundaryConditioning.h"
+#include "Remeshing/LongestEdgeBisection.h"
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace flattening
+{
+namespace
+{
+
+using Vertex = EditableSurface::Vertex;
+using Halfedge = EditableSurface::Halfedge;
+using Face = EditableSurface::Face;
+
+constexpr double Pi = 3.14159265358979323846;
+// Longest edge that the curve may cross, in units of the spacing asked for. A curve crosses more than
+// two edges per edge length, so that enough points are left after the short edges are collapsed.
+constexpr double EdgePerSpacing = 1.25;
+// If it crosses too few all the same.
+constexpr double Refinement = 0.7;
+// Edges up to this much longer do not start another round.
+constexpr double Slack = 1.1;
+// The mesh is refined this many spacings to either side of the curve, as its place still changes a
+// little.
+constexpr double RingSpacings = 4.0;
+// A first refinement, to find the curve at all: a ball of this many radii, this many edges a radius.
+constexpr double BallRadii = 1.25;
+constexpr double BallEdges = 16.0;
+// The distance is computed on a neighbourhood of this many times the hole's area: its edge is then more
+// than twice the radius away, where it has no influence on the curve.
+constexpr double NeighbourhoodAreas = 6.0;
+constexpr int MostRefinements = 30;
+// Distance of the centre from the region to avoid, in radii of a flat hole: paths along edges are up to
+// 1.4 times as long as straight ones, the curve is not quite a circle, and a strip stays between.
+constexpr double Clearance = 2.0;
+
+class HoleCutter
+{
+public:
+  HoleCutter(const TriangleMesh& closed, const GeodesicHoleOptions& options)
+    : Closed(closed)
+    , Options(options)
+    , Surface(closed)
+    , Mesh(this->Surface.mesh())
+    , TotalArea(faceAreas(closed.Vertices, closed.Faces).sum())
+    , HoleArea(options.AreaFraction * this->TotalArea)
+  {
+  }
+
+  OpenedSurface cut(const ProgressCallback& progress)
+  {
+    this->placeCentre(subrange(progress, 0.0, 0.4));
+    report(progress, 0.4, "refining around the hole");
+    this->refineBall();
+    this->refineAlongCurve(subrange(progress, 0.5, 0.9));
+    report(progress, 0.9, "cutting the hole");
+    splitAtLevel(this->Surface, this->Distance, this->Radius);
+    this->removeInside();
+
+    OpenedSurface opened;
+    opened.RemovedAvoided = this->removedAvoided();
+    opened.Centre = this->Centre;
+    opened.Radius = this->Radius;
+    opened.RemovedArea = this->TotalArea;
+    const TriangleMesh rest = toTriangleMesh(this->Mesh);
+    opened.RemovedArea -= faceAreas(rest.Vertices, rest.Faces).sum();
+    conditionBoundary(this->Surface, this->Options.BoundaryVertices);
+    opened.Surface = this->Surface.derived();
+    return opened;
+  }
+
+private:
+  void placeCentre(const ProgressCallback& progress)
+  {
+    if (this->Options.Centre)
+    {
+      const SurfacePoint nearest = pickOnSurface(
+        this->Closed, SurfaceProjection(this->Closed), *this->Options.Centre, "the hole's point");
+      this->Centre = nearest.Position;
+      this->CentreFace = nearest.Face;
+    }
+    else
+    {
+      const double clearance = Clearance * std::sqrt(this->HoleArea / Pi);
+      const int centre = geodesicCentre(this->Closed, this->Options.Avoided, clearance, progress);
+      this->Centre = this->Closed.Vertices.row(centre);
+      this->CentreFace = static_cast<int>(this->Mesh.face(this->Mesh.halfedge(Vertex(centre))).idx());
+    }
+  }
+
+  Kernel::Point_3 centrePoint() const
+  {
+    return { this->Centre.x(), this->Centre.y(), this->Centre.z() };
+  }
+
+  Face faceAtCentre() const { return partAt(this->Surface, this->CentreFace, this->centrePoint()); }
+
+  // As if the surface were flat here; halved edge by edge so that big faces are refined near the hole
+  // only.
+  void refineBall()
+  {
+    const double radius = std::sqrt(this->HoleArea / Pi);
+    const double wanted = radius / BallEdges;
+    const auto faces = [this, radius]
+    { return facesInBall(this->Mesh, this->faceAtCentre(), this->centrePoint(), BallRadii * radius); };
+    double longest = 0.0;
+    for (const Face face : faces())
+    {
+      longest = std::max(longest, this->Surface.longestEdge(face));
+    }
+    while (longest > wanted)
+    {
+      longest = std::max(wanted, 0.5 * longest);
+      bisectLongEdges(this->Surface, faces(), longest);
+    }
+  }
+
+  // Until the level curve of the distance crosses enough edges, all of them short.
+  void refineAlongCurve(const ProgressCallback& progress)
+  {
+    double edgePerSpacing = EdgePerSpacing;
+    for (int round = 0; round < MostRefinements; ++round)
+    {
+      report(progress, std::min(1.0, 0.25 * round), "measuring distances around the hole");
+      this->measure();
+      if (this->facesAtCurve(0.0, Slack * edgePerSpacing * this->Spacing).empty())
+      {
+        if (static_cast<int>(edgesAcrossLevel(this->Mesh, this->Distance, this->Radius).size()) >=
+            this->Options.BoundaryVertices)
+        {
+          return;
+        }
+        edgePerSpacing *= Refinement;
+      }
+      const double longest = edgePerSpacing * this->Spacing;
+      bisectLongEdges(this->Surface, this->facesAtCurve(RingSpacings * this->Spacing, longest), longest);
+    }
+    this->refuse();
+  }
+
+  [[noreturn]] void refuse() const
+  {
+    throw TopologyError("no round hole of share " + std::to_string(this->Options.AreaFraction) +
+                        " of the area can be cut there: choose another hole point or area");
+  }
+
+  Vertex centreVertex() const
+  {
+    const Face face = this->faceAtCentre();
+    Vertex nearest;
+    double distance = HUGE_VAL;
+    for (const Vertex v : this->Mesh.vertices_around_face(this->Mesh.halfedge(face)))
+    {
+      const double d = CGAL::squared_distance(this->centrePoint(), this->Mesh.point(v));
+      if (d < distance)
+      {
+        distance = d;
+        nearest = v;
+      }
+    }
+    return nearest;
+  }
+
+  // Sets Distance, Radius and Spacing from the heat method on the neighbourhood of the centre.
+  void measure()
+  {
+    const Vertex centre = this->centreVertex();
+    const TriangleMesh whole = toTriangleMesh(this->Mesh);
+    std::vector<int> faces;
+    for (const Face face : facesNearestTo(this->Surface, centre, NeighbourhoodAreas * this->HoleArea))
+    {
+      faces.push_back(static_cast<int>(face.idx()));
+    }
+    std::sort(faces.begin(), faces.end());
+    const DerivedMesh part = extractFaces(whole, faces);
+
+    std::vector<int> original(part.Mesh.vertexCount());
+    int source = -1;
+    for (int v = 0; v < part.Mesh.vertexCount(); ++v)
+    {
+      original[v] = VertexOrigins::InnerIterator(part.Vertices, v).col();
+      source = original[v] == static_cast<int>(centre.idx()) ? v : source;
+    }
+    const Eigen::VectorXd distances = geodesicDistances(part.Mesh, source);
+    this->Radius = levelEnclosingArea(part.Mesh, distances, this->HoleArea);
+    this->Spacing =
+      levelCurveLength(part.Mesh, distances, this->Radius) / this->Options.BoundaryVertices;
+    if (!(this->Spacing > 0.0))
+    {
+      this->refuse();
+    }
+    this->Distance.assign(this->Mesh.num_vertices(), HUGE_VAL);
+    for (int v = 0; v < part.Mesh.vertexCount(); ++v)
+    {
+      this->Distance[original[v]] = distances[v];
+    }
+    offLevel(this->Distance, this->Radius);
+  }
+
+  // Faces that come within this distance of the curve and have an edge longer than allowed.
+  std::vector<Face> facesAtCurve(double distance, double longest) const
+  {
+    std::vector<Face> faces;
+    for (const Face face : this->Mesh.faces())
+    {
+      double low = HUGE_VAL;
+      double high = 0.0;
+      for (const Vertex v : this->Mesh.vertices_around_face(this->Mesh.halfedge(face)))
+      {
+        low = std::min(low, this->Distance[v]);
+        high = std::max(high, this->Distance[v]);
+      }
+      if (low <= this->Radius + distance && high >= this->Radius - distance &&
+          this->Surface.longestEdge(face) > longest)
+      {
+        faces.push_back(face);
+      }
+    }
+    return faces;
+  }
+
+  bool isInside(Vertex v) const { return this->Distance[v] < this->Radius; }
+
+  void removeInside()
+  {
+    const auto inside = [this](Face face)
+    {
+      for (const Vertex v : this->Mesh.vertices_around_face(this->Mesh.halfedge(face)))
+      {
+        if (this->isInside(v))
+        {
+          return true;
+        }
+      }
+      return false;
+    };
+    std::vector<Face> hole{ this->faceAtCentre() };
+    std::vector<char> visited(this->Mesh.num_faces(), 0);
+    visited[hole.front()] = 1;
+    for (std::size_t i = 0; i < hole.size(); ++i)
+    {
+      for (const Face next : this->Mesh.faces_around_face(this->Mesh.halfedge(hole[i])))
+      {
+        if (!visited[next] && inside(next))
+        {
+          visited[next] = 1;
+          hole.push_back(next);
+        }
+      }
+    }
+    for (const Face face : hole)
+    {
+      CGAL::Euler::remove_face(this->Mesh.halfedge(face), this->Mesh);
+    }
+    auto size = this->Mesh.add_property_map<Face, double>("f:area", 0.0).first;
+    for (const Face face : this->Mesh.faces())
+    {
+      size[face] = this->Surface.area(face);
+    }
+    CGAL::Polygon_mesh_processing::keep_largest_connected_components(
+      this->Mesh, 1, CGAL::parameters::face_size_map(size));
+  }
+
+  int removedAvoided() const
+  {
+    int removed = 0;
+    for (std::size_t v = 0; v < this->Options.Avoided.size(); ++v)
+    {
+      removed +=
+        this->Options.Avoided[v] && this->Mesh.is_removed(Vertex(static_cast<SurfaceMesh::size_type>(v)))
+          ? 1
+          : 0;
+    }
+    return removed;
+  }
+
+  const TriangleMesh& Closed;
+  const GeodesicHoleOptions& Options;
+  EditableSurface Surface;
+  SurfaceMesh& Mesh;
+  double TotalArea;
+  double HoleArea;
+  Eigen::Vector3d Centre;
+  int CentreFace = -1;          // of Closed
+  std::vector<double> Distance; // of every vertex from the centre; infinite beyond the neighbourhood
+  double Radius = 0.0;
+  double Spacing = 0.0; // of the boundary vertices asked for
+};
+
+} // namespace
+
+OpenedSurface cutGeodesicHole(const TriangleMesh& closed,
+  const GeodesicHoleOptions& options,
+  const ProgressCallback& progress)
+{
+  if (!(options.AreaFraction > 0.0 && options.AreaFraction <= 0.5))
+  {
+    throw InvalidInput("the hole's share of the area is " + std::to_string(options.AreaFraction) +
+                       ": set it above 0 and to 0.5 at most");
+  }
+  if (options.BoundaryVertices < 3)
+  {
+    throw InvalidInput("a boundary of " + std::to_string(options.BoundaryVertices) +
+                       " vertices was asked for: ask for 3 at least");
+  }
+  const MeshTopology topology = analyseTopology(closed.Faces, closed.vertexCount());
+  if (topology.Components != 1 || !topology.BoundaryLoops.empty())
+  {
+    throw TopologyError("a hole can be cut into one closed surface only; this one has " +
+                        std::to_string(topology.Components) + " components and " +
+                        std::to_string(topology.BoundaryLoops.size()) +
+                        " boundary loops: run Surface To Disk");
+  }
+  OpenedSurface opened = HoleCutter(closed, options).cut(progress);
+  const TriangleMesh& rest = opened.Surface.Mesh;
+  const MeshTopology left = analyseTopology(rest.Faces, rest.vertexCount());
+  if (left.Genus != topology.Genus || left.BoundaryLoops.size() != 1)
+  {
+    throw TopologyError("a hole of share " + std::to_string(options.AreaFraction) +
+                        " of the area reaches around a handle or tunnel there: choose another hole "
+                        "point or a smaller area");
+  }
+  return opened;
+}
+
+} // namespace flattening

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Disk/HolePlacement.h"
+
+#include "Base/Errors.h"
+#include "Geodesics/DijkstraDistance.h"
+#include "Mesh/EditableSurface.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace flattening
+{
+namespace
+{
+
+constexpr int Samples = 8;
+
+using Vertex = SurfaceMesh::Vertex_index;
+
+} // namespace
+
+int geodesicCentre(const TriangleMesh& mesh,
+  const std::vector<char>& avoided,
+  double clearance,
+  const ProgressCallback& progress)
+{
+  if (!avoided.empty() && avoided.size() != static_cast<std::size_t>(mesh.vertexCount()))
+  {
+    throw InvalidInput("the region that the hole must avoid has " + std::to_string(avoided.size()) +
+                       " flags, but the surface has " + std::to_string(mesh.vertexCount()) +
+                       " vertices: pass one flag per vertex");
+  }
+  if (!avoided.empty() && std::find(avoided.begin(), avoided.end(), 0) == avoided.end())
+  {
+    throw InvalidInput("the region that the hole must avoid covers all of the surface: mark a part of "
+                       "it, or pick the hole's point");
+  }
+  const SurfaceMesh surface = toSurfaceMesh(mesh);
+  const Eigen::VectorXd distanceFromAvoided = distancesFromFlagged(surface, avoided);
+  if (!(distanceFromAvoided.maxCoeff() > clearance))
+  {
+    return indexOfLargest(distanceFromAvoided);
+  }
+  const Eigen::VectorXd area =
+    vertexAreas(mesh.Faces, faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount());
+
+  // Farthest-point samples; each stands for the area that is nearest to it.
+  Eigen::MatrixXd squared(mesh.vertexCount(), Samples);
+  Eigen::VectorXd nearest = Eigen::VectorXd::Constant(mesh.vertexCount(), HUGE_VAL);
+  std::vector<int> nearestSample(mesh.vertexCount(), 0);
+  const EdgeDistances distances(surface);
+  int sample = indexOfLargest(distances.from({ Vertex(0) }));
+  for (int i = 0; i < Samples; ++i)
+  {
+    report(progress, static_cast<double>(i) / Samples, "placing the hole");
+    const Eigen::VectorXd distance = distances.from({ Vertex(sample) });
+    squared.col(i) = distance.cwiseAbs2();
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+    {
+      if (distance[v] < nearest[v])
+      {
+        nearest[v] = distance[v];
+        nearestSample[v] = i;
+      }
+    }
+    sample = indexOfLargest(nearest);
+  }
+  Eigen::VectorXd weight = Eigen::VectorXd::Zero(Samples);
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    weight[nearestSample[v]] += area[v];
+  }
+  const Eigen::VectorXd closeness = -squared * weight;
+  return indexOfLargest((distanceFromAvoided.array() > clearance).select(closeness, -HUGE_VAL));
+}
+
+} // namespace flattening

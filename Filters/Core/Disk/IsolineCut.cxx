@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Disk/IsolineCut.h"
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace flattening
+{
+
+namespace
+{
+
+using Vertex = SurfaceMesh::Vertex_index;
+using Halfedge = SurfaceMesh::Halfedge_index;
+
+constexpr double SnapShare = 0.2;    // of an edge
+constexpr double SmallestTilt = 0.5; // cosine of 60 degrees
+
+class LevelSnapping
+{
+public:
+  LevelSnapping(EditableSurface& surface, std::vector<double>& values, double level)
+    : Surface(surface)
+    , Mesh(surface.mesh())
+    , Values(values)
+    , Level(level)
+  {
+  }
+
+  void run()
+  {
+    for (const Vertex v : this->Mesh.vertices())
+    {
+      const auto [edge, share] = this->nearestCrossing(v);
+      if (share < SnapShare && !this->Mesh.is_border(v) && this->keepsSides(v, edge, share))
+      {
+        this->snap(v, edge, share);
+      }
+    }
+  }
+
+private:
+  int side(Vertex v) const
+  {
+    const double value = this->Values[v];
+    return value < this->Level ? -1 : value > this->Level ? 1 : 0;
+  }
+
+  // The half-edge out of the vertex that the curve crosses next to it, and where.
+  std::pair<Halfedge, double> nearestCrossing(Vertex v) const
+  {
+    std::pair<Halfedge, double> nearest{ SurfaceMesh::null_halfedge(), 1.0 };
+    for (const Halfedge h : CGAL::halfedges_around_source(v, this->Mesh))
+    {
+      const Vertex w = this->Mesh.target(h);
+      if (this->side(v) * this->side(w) < 0)
+      {
+        const double share = (this->Level - this->Values[v]) / (this->Values[w] - this->Values[v]);
+        nearest = share < nearest.second ? std::make_pair(h, share) : nearest;
+      }
+    }
+    return nearest;
+  }
+
+  Kernel::Point_3 pointOn(Halfedge edge, double share) const
+  {
+    const Kernel::Point_3& p = this->Mesh.point(this->Mesh.source(edge));
+    return p + share * (this->Mesh.point(this->Mesh.target(edge)) - p);
+  }
+
+  bool keepsSides(Vertex v, Halfedge edge, double share)
+  {
+    const Kernel::Point_3 position = this->pointOn(edge, share);
+    for (const Halfedge h : CGAL::halfedges_around_source(v, this->Mesh))
+    {
+      const Vertex a = this->Mesh.target(h);
+      const Vertex b = this->Mesh.target(this->Mesh.next(h));
+      const Kernel::Point_3& p = this->Mesh.point(a);
+      const Kernel::Point_3& q = this->Mesh.point(b);
+      const auto old = CGAL::cross_product(p - this->Mesh.point(v), q - this->Mesh.point(v));
+      const auto now = CGAL::cross_product(p - position, q - position);
+      if ((this->side(a) == 0 && this->side(b) == 0) ||
+          !(old * now > SmallestTilt * std::sqrt(old.squared_length() * now.squared_length())))
+      {
+        return false;
+      }
+    }
+    const double value = this->Values[v];
+    this->Values[v] = this->Level;
+    bool manifold = this->partsAbove(v) == 1;
+    for (const Vertex w : this->Mesh.vertices_around_target(this->Mesh.halfedge(v)))
+    {
+      manifold = manifold && (this->side(w) != 0 || this->partsAbove(w) == 1);
+    }
+    this->Values[v] = value;
+    return manifold;
+  }
+
+  // Into how many fans the part above the level falls around an inner vertex on it.
+  int partsAbove(Vertex v) const
+  {
+    int above = 0;
+    int joints = 0;
+    for (const Halfedge h : CGAL::halfedges_around_source(v, this->Mesh))
+    {
+      const int here = this->side(this->Mesh.target(h));
+      const int next = this->side(this->Mesh.target(this->Mesh.next(h)));
+      const int before = this->side(this->Mesh.target(this->Mesh.next(this->Mesh.opposite(h))));
+      const bool isAbove = here > 0 || next > 0;    // of the face on the left
+      const bool wasAbove = here > 0 || before > 0; // and on the right
+      above += isAbove ? 1 : 0;
+      joints += isAbove && wasAbove && here >= 0 ? 1 : 0;
+    }
+    return above - joints;
+  }
+
+  void snap(Vertex v, Halfedge edge, double share)
+  {
+    const Kernel::Point_3 position = this->pointOn(edge, share);
+    std::map<int, double> weights;
+    for (const auto& [original, weight] : this->Surface.origin(v))
+    {
+      weights[original] += (1.0 - share) * weight;
+    }
+    for (const auto& [original, weight] : this->Surface.origin(this->Mesh.target(edge)))
+    {
+      weights[original] += share * weight;
+    }
+    this->Surface.origin(v).assign(weights.begin(), weights.end());
+    this->Mesh.point(v) = position;
+    this->Values[v] = this->Level;
+  }
+
+  EditableSurface& Surface;
+  SurfaceMesh& Mesh;
+  std::vector<double>& Values;
+  double Level;
+};
+
+} // namespace
+
+void snapToLevel(EditableSurface& surface, std::vector<double>& values, double level)
+{
+  LevelSnapping(surface, values, level).run();
+}
+
+void offLevel(std::vector<double>& values, double level)
+{
+  for (double& value : values)
+  {
+    value = value == level ? std::nextafter(level, HUGE_VAL) : value;
+  }
+}
+
+std::vector<Halfedge> edgesAcrossLevel(const SurfaceMesh& mesh,
+  const std::vector<double>& values,
+  double level)
+{
+  std::vector<Halfedge> crossed;
+  for (const auto edge : mesh.edges())
+  {
+    const Halfedge h = mesh.halfedge(edge);
+    const auto [low, high] = std::minmax(values[mesh.source(h)], values[mesh.target(h)]);
+    if (low < level && level < high)
+    {
+      crossed.push_back(h);
+    }
+  }
+  return crossed;
+}
+
+void splitAtLevel(EditableSurface& surface, std::vector<double>& values, double level)
+{
+  constexpr double closest = 1e-6; // to an end, as share of the edge
+  const SurfaceMesh& mesh = surface.mesh();
+  for (const Halfedge h : edgesAcrossLevel(mesh, values, level))
+  {
+    const double from = values[mesh.source(h)];
+    const double to = values[mesh.target(h)];
+    const double t = std::clamp((level - from) / (to - from), closest, 1.0 - closest);
+    const auto middle = surface.splitEdge(h, t).Middle;
+    values.resize(mesh.num_vertices());
+    values[middle] = level;
+  }
+}
+
+} // namespace flattening

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Disk/PlaneCut.h"
+
+#include "Base/Errors.h"
+#include "Disk/IsolineCut.h"
+#include "Geodesics/GeodesicDistance.h"
+#include "Mesh/EditableSurface.h"
+#include "Remeshing/BoundaryConditioning.h"
+#include "Remeshing/BoundaryRefinement.h"
+#include "Remeshing/LongestEdgeBisection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace flattening
+{
+namespace
+{
+
+// Edges up to this much longer than wanted do not start another round.
+constexpr double Slack = 1.1;
+
+void requireValid(const CuttingPlane& plane, int boundaryVertices)
+{
+  if (!plane.Origin.allFinite() || !plane.Normal.allFinite())
+  {
+    throw InvalidInput("the cutting plane's origin or normal is not finite: set all coordinates");
+  }
+  if (!(plane.Normal.stableNorm() > 0.0))
+  {
+    throw InvalidInput("the cutting plane's normal is zero: point it to the side that stays");
+  }
+  if (boundaryVertices < 3)
+  {
+    throw InvalidInput("a boundary of " + std::to_string(boundaryVertices) +
+                       " vertices was asked for: ask for 3 at least");
+  }
+}
+
+// Signed distances of the vertices; positive on the side that stays.
+std::vector<double> heightsOver(const CuttingPlane& plane, const Points3& points)
+{
+  const Eigen::Vector3d normal = plane.Normal.stableNormalized();
+  std::vector<double> heights(points.rows());
+  for (Eigen::Index v = 0; v < points.rows(); ++v)
+  {
+    heights[v] = (points.row(v).transpose() - plane.Origin).dot(normal);
+  }
+  return heights;
+}
+
+void requireBothSides(const std::vector<double>& heights)
+{
+  const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+  if (*low < 0.0 && *high > 0.0)
+  {
+    return;
+  }
+  std::ostringstream message;
+  message << "the cutting plane misses the surface, which lies from " << *low << " to " << *high
+          << " along its normal: all of it would be " << (*high > 0.0 ? "kept" : "removed")
+          << "; move the plane's origin into the surface"
+          << (*high > 0.0 ? "" : " or turn the normal around");
+  throw InvalidInput(message.str());
+}
+
+std::vector<EditableSurface::Face> longFacesAcross(const EditableSurface& surface,
+  const std::vector<double>& heights,
+  double longestEdge)
+{
+  const SurfaceMesh& mesh = surface.mesh();
+  std::vector<EditableSurface::Face> faces;
+  for (const auto face : mesh.faces())
+  {
+    double low = HUGE_VAL;
+    double high = -HUGE_VAL;
+    for (const auto v : mesh.vertices_around_face(mesh.halfedge(face)))
+    {
+      low = std::min(low, heights[v]);
+      high = std::max(high, heights[v]);
+    }
+    if (low <= 0.0 && high >= 0.0 && surface.longestEdge(face) > longestEdge)
+    {
+      faces.push_back(face);
+    }
+  }
+  return faces;
+}
+
+// Where the plane crosses too few edges for the boundary wanted, the faces along it are refined, so that
+// conditioning need not move much. Halved edge by edge, so that big faces are refined near the plane
+// only.
+void refineAlongPlane(EditableSurface& surface,
+  std::vector<double>& heights,
+  const CuttingPlane& plane,
+  int boundaryVertices)
+{
+  if (static_cast<int>(edgesAcrossLevel(surface.mesh(), heights, 0.0).size()) >= boundaryVertices)
+  {
+    return;
+  }
+  const double wanted =
+    levelCurveLength(toTriangleMesh(surface.mesh()),
+      Eigen::Map<const Eigen::VectorXd>(heights.data(), static_cast<Eigen::Index>(heights.size())),
+      0.0) /
+    boundaryVertices;
+  for (;;)
+  {
+    const auto faces = longFacesAcross(surface, heights, Slack * wanted);
+    if (faces.empty())
+    {
+      return;
+    }
+    double longest = 0.0;
+    for (const auto face : faces)
+    {
+      longest = std::max(longest, surface.longestEdge(face));
+    }
+    bisectLongEdges(surface, faces, std::max(wanted, 0.5 * longest));
+    heights = heightsOver(plane, toTriangleMesh(surface.mesh()).Vertices);
+    offLevel(heights, 0.0);
+  }
+}
+
+std::vector<int> facesAbove(const TriangleMesh& mesh, const std::vector<double>& heights)
+{
+  std::vector<int> faces;
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    const double low =
+      std::min({ heights[mesh.Faces(f, 0)], heights[mesh.Faces(f, 1)], heights[mesh.Faces(f, 2)] });
+    if (low >= 0.0)
+    {
+      faces.push_back(f);
+    }
+  }
+  return faces;
+}
+
+// Removes slivers along the cut; the last rounding off the plane too.
+DerivedMesh conditioned(const TriangleMesh& part,
+  const std::vector<char>& onCut,
+  const CuttingPlane& plane)
+{
+  constexpr int smallestLoop = 3; // it is refined afterwards
+  EditableSurface surface(part);
+  conditionCut(surface, onCut, smallestLoop);
+  const Eigen::Vector3d normal = plane.Normal.stableNormalized();
+  DerivedMesh result = surface.derived();
+  for (int v = 0; v < result.Mesh.vertexCount(); ++v)
+  {
+    const VertexOrigins::InnerIterator origin(result.Vertices, v);
+    if (onCut[origin.col()])
+    {
+      const Eigen::Vector3d p = result.Mesh.Vertices.row(v);
+      result.Mesh.Vertices.row(v) = p - (p - plane.Origin).dot(normal) * normal;
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+PlaneCutSurface cutAtPlane(const TriangleMesh& mesh,
+  const CuttingPlane& plane,
+  int boundaryVertices,
+  const ProgressCallback& progress)
+{
+  requireValid(plane, boundaryVertices);
+  report(progress, 0.0, "cutting at the plane");
+  std::vector<double> heights = heightsOver(plane, mesh.Vertices);
+  requireBothSides(heights);
+
+  PlaneCutSurface cut;
+  EditableSurface surface(mesh);
+  offLevel(heights, 0.0);
+  refineAlongPlane(surface, heights, plane, boundaryVertices);
+  snapToLevel(surface, heights, 0.0);
+  splitAtLevel(surface, heights, 0.0);
+  cut.Surface = surface.derived();
+
+  report(progress, 0.4, "cutting at the plane");
+  DerivedMesh part = extractFaces(cut.Surface.Mesh, facesAbove(cut.Surface.Mesh, heights));
+  cut.RemovedArea =
+    faceAreas(mesh.Vertices, mesh.Faces).sum() - faceAreas(part.Mesh.Vertices, part.Mesh.Faces).sum();
+  std::vector<char> onCut(part.Mesh.vertexCount());
+  for (int v = 0; v < part.Mesh.vertexCount(); ++v)
+  {
+    onCut[v] = heights[VertexOrigins::InnerIterator(part.Vertices, v).col()] == 0.0 ? 1 : 0;
+  }
+  follow(cut.Surface, std::move(part));
+
+  report(progress, 0.6, "conditioning the cut");
+  follow(cut.Surface, conditioned(cut.Surface.Mesh, onCut, plane));
+  report(progress, 0.8, "refining the cut");
+  follow(cut.Surface, refineBoundary(cut.Surface.Mesh, boundaryVertices));
+  report(progress, 1.0, "refining the cut");
+  return cut;
+}
+
+} // namespace flattening

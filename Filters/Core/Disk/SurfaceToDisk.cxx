@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Disk/SurfaceToDisk.h"
+
+#include "Base/Errors.h"
+#include "Disk/DiskOpening.h"
+#include "Disk/PlaneCut.h"
+#include "Disk/TubeSeam.h"
+#include "Mesh/MeshTopology.h"
+#include "Mesh/SelfIntersections.h"
+#include "Remeshing/FaceConditioning.h"
+#include "Remeshing/IsotropicRemeshing.h"
+#include "Remeshing/SliverRemoval.h"
+#include "Repair/BorderStitching.h"
+#include "Repair/CoincidentPoints.h"
+#include "Repair/ConsistentOrientation.h"
+#include "Repair/HoleFilling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace flattening
+{
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+constexpr double RemeshedAngle = 1.0;    // degrees; remeshed surfaces keep far from it but at a cut
+constexpr double FilledAreaShare = 0.05; // of a circle as long as the longest loop that is filled
+
+void requireValid(const TriangleMesh& soup, const SurfaceToDiskOptions& options)
+{
+  if (!(options.MergeTolerance >= 0.0) || !std::isfinite(options.MergeTolerance))
+  {
+    throw InvalidInput("the merge tolerance is " + std::to_string(options.MergeTolerance) +
+                       ": set it to 0 or a small length in the units of the surface");
+  }
+  if (!(options.FillLengthLimit >= 0.0) || !std::isfinite(options.FillLengthLimit))
+  {
+    throw InvalidInput("the longest boundary to be filled is " +
+                       std::to_string(options.FillLengthLimit) +
+                       ": set it to 0 or a length in the units of the surface");
+  }
+  if (options.Remesh && options.TargetEdgeLength == 0.0 &&
+      (!(options.RelativeEdgeLength > 0.0) || !std::isfinite(options.RelativeEdgeLength)))
+  {
+    throw InvalidInput("the relative edge length is " + std::to_string(options.RelativeEdgeLength) +
+                       ": set it above 0, in mean edge lengths of the surface");
+  }
+  if (!(options.SmallestAngle >= 0.0 && options.SmallestAngle <= 15.0))
+  {
+    throw InvalidInput("the smallest angle is " + std::to_string(options.SmallestAngle) +
+                       " degrees: set it between 0 and 15");
+  }
+  if (!options.RegionOfInterest.empty() &&
+      options.RegionOfInterest.size() != static_cast<std::size_t>(soup.vertexCount()))
+  {
+    throw InvalidInput("the region of interest has " + std::to_string(options.RegionOfInterest.size()) +
+                       " values for " + std::to_string(soup.vertexCount()) + " points");
+  }
+}
+
+// The two sides of a seam coincide; they are one for this purpose.
+int countSelfIntersections(const TriangleMesh& mesh, const ProgressCallback& progress)
+{
+  const std::vector<int> representative = coincidentPoints(mesh.Vertices, 0.0);
+  TriangleMesh joined = mesh;
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      joined.Faces(f, k) = representative[mesh.Faces(f, k)];
+    }
+  }
+  return static_cast<int>(selfIntersections(joined, progress).size());
+}
+
+// One surface on its way to a disk; each step is a stage of surfaceToDisk.
+class DiskMaker
+{
+public:
+  DiskMaker(const SurfaceToDiskOptions& options)
+    : Options(options)
+  {
+  }
+
+  DiskSurface make(const TriangleMesh& soup, const ProgressCallback& progress)
+  {
+    report(progress, 0.0, "repairing");
+    this->repair(soup);
+    report(progress, 0.15, "choosing the component");
+    this->keepComponent();
+    this->orient();
+    if (this->Options.CountSelfIntersections)
+    {
+      report(progress, 0.17, "looking for self-intersections");
+      this->Figures.SelfIntersectionsBefore =
+        countSelfIntersections(this->mesh(), subrange(progress, 0.17, 0.19));
+    }
+    if (this->Options.FlattenFolds && this->Options.Handles != HandleMode::Cut)
+    {
+      report(progress, 0.19, "flattening spikes and fins");
+      this->Figures.Folds = flattenSpikesAndFins(this->Disk.Surface.Mesh);
+    }
+    if (this->Options.Cut == CutMode::Plane)
+    {
+      this->keepSideOfPlane(subrange(progress, 0.2, 0.24));
+    }
+    this->closeBoundaries(subrange(progress, 0.24, 0.28));
+    this->requireHandlesWanted();
+    if (this->Options.Handles == HandleMode::Remove && this->Figures.Genus > 0)
+    {
+      this->removeHandles(subrange(progress, 0.28, 0.4));
+    }
+    if (this->Options.Remesh)
+    {
+      this->remesh(subrange(progress, 0.4, 0.75));
+    }
+    else if (this->Options.Handles != HandleMode::Cut)
+    {
+      this->condition(subrange(progress, 0.4, 0.75));
+    }
+    openSurface(this->Disk, this->Ends, this->Options, subrange(progress, 0.75, 0.95));
+    if (this->Options.Remesh && this->Disk.Seam.empty())
+    {
+      follow(this->Disk.Surface, withoutSmallAngles(this->mesh(), RemeshedAngle));
+    }
+    report(progress, 0.95, "checking the disk");
+    this->measure();
+    report(progress, 0.98, "looking for self-intersections");
+    if (this->Options.CountSelfIntersections)
+    {
+      this->Figures.SelfIntersections =
+        countSelfIntersections(this->mesh(), subrange(progress, 0.98, 1.0));
+    }
+    report(progress, 1.0, "done");
+    return std::move(this->Disk);
+  }
+
+private:
+  const TriangleMesh& mesh() const { return this->Disk.Surface.Mesh; }
+
+  void repair(const TriangleMesh& soup)
+  {
+    RepairedSurface repaired = repairTriangleSoup(soup, this->Options.MergeTolerance);
+    this->Figures.Repair = repaired.Report;
+    this->Disk.Surface = std::move(repaired.Surface);
+    this->Reversed = std::move(repaired.Reversed);
+    this->OneSided = std::move(repaired.OneSided);
+  }
+
+  void keepComponent()
+  {
+    const SurfaceComponents components = connectedComponents(this->mesh());
+    const std::vector<int> faces =
+      components.faces(chooseComponent(this->mesh(), components, this->Options.Component));
+    this->Figures.Components = components.Count;
+    const double whole = faceAreas(this->mesh().Vertices, this->mesh().Faces).sum();
+
+    std::vector<char> reversed;
+    reversed.reserve(faces.size());
+    for (const int f : faces)
+    {
+      reversed.push_back(this->Reversed[f]);
+      if (this->OneSided[f])
+      {
+        throw TopologyError("the surface is one-sided, like a Moebius strip, at face " +
+                            std::to_string(this->Disk.Surface.Faces[f]) +
+                            ": cut it open there first, e.g. with Clip");
+      }
+    }
+    this->Reversed = std::move(reversed);
+    if (components.Count > 1)
+    {
+      follow(this->Disk.Surface, extractFaces(this->mesh(), faces));
+      this->Figures.DroppedComponentArea =
+        whole - faceAreas(this->mesh().Vertices, this->mesh().Faces).sum();
+    }
+    if (this->Figures.Repair.SplitPoints > 0)
+    {
+      follow(this->Disk.Surface, stitchCoincidentBorders(this->mesh()));
+    }
+  }
+
+  void orient()
+  {
+    TriangleMesh& mesh = this->Disk.Surface.Mesh;
+    const bool closed = analyseTopology(mesh.Faces, mesh.vertexCount()).BoundaryLoops.empty();
+    this->Figures.ReorientedFaces = orientOutward(mesh, this->Reversed, closed);
+  }
+
+  void keepSideOfPlane(const ProgressCallback& progress)
+  {
+    PlaneCutSurface side =
+      cutAtPlane(this->mesh(), this->Options.Plane, this->Options.Hole.BoundaryVertices, progress);
+    this->Figures.RemovedArea = side.RemovedArea;
+    follow(this->Disk.Surface, std::move(side.Surface));
+    const SurfaceComponents parts = connectedComponents(this->mesh());
+    if (parts.Count > 1)
+    {
+      ComponentChoice choice = this->Options.Component;
+      if (choice.By == ComponentChoice::Rule::ByIndex)
+      {
+        choice.By = ComponentChoice::Rule::Largest;
+      }
+      const double whole = faceAreas(this->mesh().Vertices, this->mesh().Faces).sum();
+      follow(this->Disk.Surface,
+        extractFaces(this->mesh(), parts.faces(chooseComponent(this->mesh(), parts, choice))));
+      this->Figures.RemovedArea += whole - faceAreas(this->mesh().Vertices, this->mesh().Faces).sum();
+    }
+  }
+
+  // Fills all boundary loops but the one that is to be the disk's.
+  void closeBoundaries(const ProgressCallback& progress)
+  {
+    report(progress, 0.0, "filling holes");
+    MeshTopology topology = analyseTopology(this->mesh().Faces, this->mesh().vertexCount());
+    this->Figures.Genus = topology.Genus;
+    std::vector<std::vector<int>>& loops = topology.BoundaryLoops;
+    const int kept = chooseBoundary(this->mesh().Vertices, loops, this->Options.Boundary);
+    const std::vector<int> ends =
+      kept >= 0 && this->seamOpensTube() ? endsOfTube(this->mesh().Vertices, loops) : std::vector<int>();
+    if (!ends.empty())
+    {
+      this->Ends.Ends = OpenEnds::Kind::Two;
+      loops.erase(loops.begin() + std::max(ends[0], ends[1]));
+      loops.erase(loops.begin() + std::min(ends[0], ends[1]));
+    }
+    else if (kept >= 0)
+    {
+      if (isPuncture(this->mesh(), loops[kept], this->Options.Hole.AreaFraction))
+      {
+        this->Ends.Puncture = centreOfLoop(this->mesh().Vertices, loops[kept]);
+      }
+      else
+      {
+        this->Ends.Ends = OpenEnds::Kind::One;
+        loops.erase(loops.begin() + kept);
+      }
+    }
+    if (!loops.empty())
+    {
+      FilledSurface filled = fillHoles(this->mesh(), loops, { this->fillLengthLimit() }, progress);
+      this->Figures.FilledHoles = filled.FilledHoles;
+      this->Figures.FilledArea = filled.FilledArea;
+      this->Pierced |= filled.PiercingPatches > 0;
+      follow(this->Disk.Surface, std::move(filled.Surface));
+    }
+  }
+
+  // Cut graphs of handles open surfaces of one boundary only.
+  bool seamOpensTube() const
+  {
+    return this->Options.Cut == CutMode::Seam && this->Options.SeamPoints.empty() &&
+           (this->Figures.Genus == 0 || this->Options.Handles == HandleMode::Remove);
+  }
+
+  double fillLengthLimit() const
+  {
+    const double area = faceAreas(this->mesh().Vertices, this->mesh().Faces).sum();
+    return this->Options.FillLengthLimit > 0.0 ? this->Options.FillLengthLimit
+                                               : std::sqrt(4.0 * Pi * FilledAreaShare * area);
+  }
+
+  void requireHandlesWanted() const
+  {
+    const int genus = this->Figures.Genus;
+    if (genus > 0 && this->Options.Handles == HandleMode::Error)
+    {
+      throw TopologyError("the surface has genus " + std::to_string(genus) + ", that is " +
+                          std::to_string(genus) +
+                          (genus > 1 ? " handles or tunnels" : " handle or tunnel") +
+                          ": set Handles to Remove or Cut, or smooth the volume more before Contour");
+    }
+  }
+
+  void removeHandles(const ProgressCallback& progress)
+  {
+    SurfaceWithoutHandles removed = flattening::removeHandles(this->mesh(), progress);
+    this->Figures.Handles = removed.Report;
+    this->Pierced |= removed.Report.PiercingCaps > 0;
+    follow(this->Disk.Surface, std::move(removed.Surface));
+  }
+
+  void remesh(const ProgressCallback& progress)
+  {
+    this->Figures.RemeshEdgeLength = this->Options.TargetEdgeLength != 0.0
+                                       ? this->Options.TargetEdgeLength
+                                       : this->Options.RelativeEdgeLength * meanEdgeLength(this->mesh());
+    follow(this->Disk.Surface,
+      remeshIsotropically(this->mesh(), this->Figures.RemeshEdgeLength, 3, progress));
+  }
+
+  void condition(const ProgressCallback& progress)
+  {
+    if (this->Pierced || flattening::smallestAngle(this->mesh()) < this->Options.SmallestAngle)
+    {
+      follow(this->Disk.Surface, conditionFaces(this->mesh(), this->Options.SmallestAngle, progress));
+    }
+  }
+
+  void measure()
+  {
+    this->Disk.Seam.resize(this->mesh().vertexCount(), 0);
+    const std::vector<int> boundary = requireDisk(this->mesh());
+    this->Figures.BoundaryVertices = static_cast<int>(boundary.size());
+    this->Figures.BoundaryLength = loopLength(this->mesh().Vertices, boundary);
+    this->Figures.SurfaceArea = faceAreas(this->mesh().Vertices, this->mesh().Faces).sum();
+    this->Figures.SmallestAngle = smallestAngle(this->mesh());
+  }
+
+  const SurfaceToDiskOptions& Options;
+  DiskSurface Disk;
+  SurfaceToDiskReport& Figures = Disk.Report;
+  std::vector<char> Reversed;
+  std::vector<char> OneSided;
+  OpenEnds Ends;
+  bool Pierced = false; // a patch or a cap passes through other faces
+};
+
+} // namespace
+
+DiskSurface surfaceToDisk(const TriangleMesh& soup,
+  const SurfaceToDiskOptions& options,
+  const ProgressCallback& progress)
+{
+  requireValid(soup, options);
+  return DiskMaker(options).make(soup, progress);
+}
+
+} // namespace flattening

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "FlatMap/FlatMapTransfer.h"
+
+#include "Base/Errors.h"
+#include "Mesh/ClosestPointWalk.h"
+#include "Mesh/MeshTopology.h"
+#include "Remeshing/IsotropicRemeshing.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace flattening
+{
+namespace
+{
+
+// A place on the boundary stands for what is beyond it if the vertex lies off by more than this share of
+// the mean edge length along the surface.
+constexpr double BeyondBoundary = 1e-6;
+
+// Vertices that are not lost for good are found from their neighbours; the places spread as far a round.
+constexpr int GreatestRounds = 100;
+
+// Vertices or faces between two reports of progress.
+constexpr int Batch = 1 << 14;
+
+void requireFits(const FlattenedSurface& flattened, const TriangleMesh& target, double tolerance)
+{
+  if (flattened.Positions.rows() != flattened.Surface.vertexCount())
+  {
+    throw InvalidInput("there are " + std::to_string(flattened.Positions.rows()) +
+                       " flat positions for " + std::to_string(flattened.Surface.vertexCount()) +
+                       " vertices: pass the positions of this very surface");
+  }
+  if (flattened.Surface.faceCount() == 0 || target.faceCount() == 0)
+  {
+    throw InvalidInput("a surface has no triangles: pass a flattened and an original surface");
+  }
+  if (!flattened.Surface.Vertices.allFinite() || !flattened.Positions.allFinite())
+  {
+    throw InvalidInput("the flattened surface has a coordinate that is not finite: flatten it again");
+  }
+  if (!target.Vertices.allFinite())
+  {
+    throw InvalidInput("the original surface has a coordinate that is not finite: remove such points "
+                       "first, e.g. with Threshold or Extract Selection");
+  }
+  if (!(tolerance >= 0.0) || !std::isfinite(tolerance))
+  {
+    throw InvalidInput("the tolerance is " + std::to_string(tolerance) +
+                       ": set it to 0, for half of the mean edge length, or to a length");
+  }
+}
+
+class MapTransfer
+{
+public:
+  MapTransfer(const FlattenedSurface& flattened, const TriangleMesh& target, TransferredMap& map)
+    : Flattened(flattened)
+    , Target(target)
+    , Map(map)
+    , Normals(vertexNormals(target))
+    , Walk(flattened.Surface)
+    , MeanEdge(meanEdgeLength(flattened.Surface))
+  {
+    const TriangleMesh& surface = flattened.Surface;
+    for (const std::vector<int>& loop :
+      analyseTopology(surface.Faces, surface.vertexCount()).BoundaryLoops)
+    {
+      for (std::size_t i = 0; i < loop.size(); ++i)
+      {
+        this->BoundaryEdges.insert(std::minmax(loop[i], loop[(i + 1) % loop.size()]));
+      }
+    }
+    this->OnBoundary.assign(surface.vertexCount(), 0);
+    for (const auto& [a, b] : this->BoundaryEdges)
+    {
+      this->OnBoundary[a] = this->OnBoundary[b] = 1;
+    }
+    map.Tolerance = map.Tolerance > 0.0 ? map.Tolerance : 0.5 * this->MeanEdge;
+    map.Positions = Points2::Zero(target.vertexCount(), 2);
+    map.Survived.assign(target.vertexCount(), 0);
+    map.Places.assign(target.vertexCount(), { 0, Eigen::Vector3d::Zero(), { 1.0, 0.0, 0.0 } });
+  }
+
+  void projectAll(const ProgressCallback& progress);
+  void walkFromNeighbours(const ProgressCallback& progress);
+  void place();
+
+private:
+  Eigen::Vector3d point(int v) const { return this->Target.Vertices.row(v); }
+  bool accepts(int v, const SurfacePoint& at) const;
+  bool isBeyondBoundary(int v, const SurfacePoint& at) const;
+
+  const FlattenedSurface& Flattened;
+  const TriangleMesh& Target;
+  TransferredMap& Map;
+  Points3 Normals;
+  SurfaceWalk Walk;
+  double MeanEdge;
+  std::set<std::pair<int, int>> BoundaryEdges;
+  std::vector<char> OnBoundary;
+};
+
+bool MapTransfer::isBeyondBoundary(int v, const SurfacePoint& at) const
+{
+  std::vector<int> corners;
+  for (int k = 0; k < 3; ++k)
+  {
+    if (at.Weights[k] > 0.0)
+    {
+      corners.push_back(this->Flattened.Surface.Faces(at.Face, k));
+    }
+  }
+  const bool onEdge =
+    (corners.size() == 2 && this->BoundaryEdges.count(std::minmax(corners[0], corners[1])) > 0) ||
+    (corners.size() == 1 && this->OnBoundary[corners[0]]);
+  const Eigen::Vector3d offset = this->point(v) - at.Position;
+  const Eigen::Vector3d normal = this->Walk.normal(at);
+  return onEdge && (offset - normal.dot(offset) * normal).norm() > BeyondBoundary * this->MeanEdge;
+}
+
+bool MapTransfer::accepts(int v, const SurfacePoint& at) const
+{
+  return (at.Position - this->point(v)).norm() <= this->Map.Tolerance &&
+         this->Normals.row(v).dot(this->Walk.normal(at)) > 0.0 && !this->isBeyondBoundary(v, at);
+}
+
+void MapTransfer::projectAll(const ProgressCallback& progress)
+{
+  const SurfaceProjection projection(this->Flattened.Surface, subrange(progress, 0.0, 0.4));
+  const int vertexCount = this->Target.vertexCount();
+  std::vector<double> agreement(vertexCount, 0.0);
+  for (int begin = 0; begin < vertexCount; begin += Batch)
+  {
+    report(progress, 0.4 + 0.6 * begin / vertexCount, "carrying the map over");
+    tbb::parallel_for(begin,
+      std::min(begin + Batch, vertexCount),
+      [&](int v)
+      {
+        SurfacePoint& at = this->Map.Places[v];
+        at = projection.closest(this->point(v));
+        if ((at.Position - this->point(v)).norm() <= this->Map.Tolerance)
+        {
+          agreement[v] = this->Normals.row(v).dot(this->Walk.normal(at));
+        }
+      });
+  }
+  report(progress, 1.0, "carrying the map over");
+  double sum = 0.0;
+  for (const double cosine : agreement)
+  {
+    sum += cosine;
+  }
+  if (sum < 0.0) // turned over as a whole
+  {
+    this->Normals = -this->Normals;
+  }
+  tbb::parallel_for(0,
+    this->Target.vertexCount(),
+    [this](int v) { this->Map.Survived[v] = this->accepts(v, this->Map.Places[v]); });
+}
+
+void MapTransfer::walkFromNeighbours(const ProgressCallback& progress)
+{
+  std::vector<char> open(this->Target.vertexCount(), 1); // worth a try
+  for (int round = 0; round < GreatestRounds; ++round)
+  {
+    std::vector<int> found;
+    for (int f = 0; f < this->Target.faceCount(); ++f)
+    {
+      if (f % Batch == 0)
+      {
+        report(progress, static_cast<double>(round) / GreatestRounds, "carrying the map over");
+      }
+      for (int k = 0; k < 3; ++k)
+      {
+        const int lost = this->Target.Faces(f, k);
+        for (const int near : { this->Target.Faces(f, (k + 1) % 3), this->Target.Faces(f, (k + 2) % 3) })
+        {
+          if (this->Map.Survived[lost] == 0 && this->Map.Survived[near] == 1 && open[near])
+          {
+            const SurfacePoint at = this->Walk.closest(this->point(lost), this->Map.Places[near].Face);
+            if (this->accepts(lost, at))
+            {
+              this->Map.Places[lost] = at;
+              this->Map.Survived[lost] = 2; // so that the round's order does not matter
+              found.push_back(lost);
+            }
+          }
+        }
+      }
+    }
+    for (int v = 0; v < this->Target.vertexCount(); ++v)
+    {
+      open[v] = this->Map.Survived[v] == 2;
+    }
+    for (const int v : found)
+    {
+      this->Map.Survived[v] = 1;
+    }
+    if (found.empty())
+    {
+      return;
+    }
+  }
+}
+
+void MapTransfer::place()
+{
+  for (int v = 0; v < this->Target.vertexCount(); ++v)
+  {
+    if (this->Map.Survived[v])
+    {
+      const SurfacePoint& at = this->Map.Places[v];
+      for (int k = 0; k < 3; ++k)
+      {
+        this->Map.Positions.row(v) +=
+          at.Weights[k] * this->Flattened.Positions.row(this->Flattened.Surface.Faces(at.Face, k));
+      }
+      this->Map.LargestDistance =
+        std::max(this->Map.LargestDistance, (at.Position - this->point(v)).norm());
+    }
+  }
+}
+
+} // namespace
+
+TransferredMap transferFlatMap(const FlattenedSurface& flattened,
+  const TriangleMesh& target,
+  double tolerance,
+  const ProgressCallback& progress)
+{
+  requireFits(flattened, target, tolerance);
+  TransferredMap map;
+  map.Tolerance = tolerance;
+  report(progress, 0.0, "carrying the map over");
+  MapTransfer transfer(flattened, target, map);
+  transfer.projectAll(subrange(progress, 0.2, 0.6));
+  transfer.walkFromNeighbours(subrange(progress, 0.6, 0.9));
+  if (std::find(map.Survived.begin(), map.Survived.end(), 1) == map.Survived.end())
+  {
+    std::ostringstream message;
+    message << "no point of the original surface lies within " << map.Tolerance
+            << " of the flattened one: pass the surface that the flattened one was made from, or raise "
+               "the tolerance";
+    throw InvalidInput(message.str());
+  }
+  report(progress, 0.9, "carrying the map over");
+  transfer.place();
+  report(progress, 1.0, "carrying the map over");
+  return map;
+}
+
+} // namespace flattening

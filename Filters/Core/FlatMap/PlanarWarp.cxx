@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "FlatMap/PlanarWarp.h"
+
+#include "Base/Errors.h"
+#include "Mesh/FaceOrientation.h"
+#include "Remeshing/IsotropicRemeshing.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <string>
+
+namespace flattening
+{
+namespace
+{
+
+// Of the larger extent.
+constexpr double Planarity = 1e-6;
+
+// Points between two reports of progress.
+constexpr Eigen::Index Batch = 1 << 14;
+
+double heightOf(const TriangleMesh& mesh)
+{
+  if (mesh.faceCount() == 0)
+  {
+    throw InvalidInput("the planar mesh has no triangles: pass the output of OMT Area Preserving");
+  }
+  if (!mesh.Vertices.allFinite())
+  {
+    throw InvalidInput("a point of the planar mesh is not finite: flatten it again");
+  }
+  const Eigen::RowVector3d low = mesh.Vertices.colwise().minCoeff();
+  const Eigen::RowVector3d size = mesh.Vertices.colwise().maxCoeff() - low;
+  if (size.z() > Planarity * std::max(size.x(), size.y()))
+  {
+    throw InvalidInput("the mesh was not planar before it was flattened (z ran from " +
+                       std::to_string(low.z()) + " to " + std::to_string(low.z() + size.z()) +
+                       "): pass the flat map of a mesh in a plane of constant z");
+  }
+  return low.z() + 0.5 * size.z();
+}
+
+bool facesDownAll(const TriangleMesh& mesh)
+{
+  const std::vector<signed char> orientations =
+    faceOrientations(mesh.Vertices.leftCols<2>(), mesh.Faces);
+  const auto up = std::count(orientations.begin(), orientations.end(), 1);
+  const auto down = std::count(orientations.begin(), orientations.end(), -1);
+  if (up > 0 && down > 0)
+  {
+    const auto rare = std::find(orientations.begin(), orientations.end(), up < down ? 1 : -1);
+    throw InvalidInput("the mesh folds over itself before it is deformed (" +
+                       std::to_string(std::min(up, down)) + " of its triangles, such as " +
+                       std::to_string(rare - orientations.begin()) +
+                       ", face the other way): pass a mesh that covers every place once");
+  }
+  return down > 0;
+}
+
+double diagonal(const Points2& positions)
+{
+  return (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
+}
+
+// @p locate gives the place of a point, @p position where a place is in the other shape.
+template <typename Locate, typename Position>
+CarriedPoints carried(const Points2& points,
+  double tolerance,
+  const ProgressCallback& progress,
+  Locate&& locate,
+  Position&& position)
+{
+  CarriedPoints result{ points, std::vector<char>(points.rows(), 0) };
+  for (Eigen::Index begin = 0; begin < points.rows(); begin += Batch)
+  {
+    report(progress, static_cast<double>(begin) / static_cast<double>(points.rows()), "carrying points");
+    tbb::parallel_for(begin,
+      std::min(begin + Batch, points.rows()),
+      [&](Eigen::Index i)
+      {
+        if (points.row(i).allFinite())
+        {
+          const MapPlace place = locate(points.row(i));
+          if (place.Distance <= tolerance)
+          {
+            result.Inside[i] = 1;
+            result.Positions.row(i) = position(place);
+          }
+        }
+      });
+  }
+  report(progress, 1.0, "carrying points");
+  return result;
+}
+
+} // namespace
+
+PlanarWarp::PlanarWarp(const TriangleMesh& mesh,
+  const Points2& positions,
+  const ProgressCallback& progress)
+  : PlaneHeight(heightOf(mesh))
+  , FacesDown(facesDownAll(mesh))
+  , MeanSide(meanEdgeLength(mesh))
+  , Diagonals{ diagonal(mesh.Vertices.leftCols<2>()), diagonal(positions) }
+  , Location(mesh, positions, progress)
+{
+}
+
+CarriedPoints PlanarWarp::carry(const Points2& points, const ProgressCallback& progress) const
+{
+  this->Location.prepareSurface(subrange(progress, 0.0, 0.3));
+  return carried(
+    points,
+    Rounding * this->Diagonals[0],
+    subrange(progress, 0.3, 1.0),
+    [this](const Eigen::RowVector2d& point) {
+      return this->Location.onSurface({ point.x(), point.y(), this->PlaneHeight });
+    },
+    [this](const MapPlace& place) { return this->Location.mapPoint(place); });
+}
+
+CarriedPoints PlanarWarp::carryBack(const Points2& points, const ProgressCallback& progress) const
+{
+  return carried(
+    points,
+    Rounding * this->Diagonals[1],
+    progress,
+    [this](const Eigen::RowVector2d& point) { return this->Location.onMap(point); },
+    [this](const MapPlace& place) -> Eigen::RowVector2d
+    { return this->Location.surfacePoint(place).head<2>(); });
+}
+
+} // namespace flattening

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Handles/HandleLoops.h"
+
+#include "Handles/HandleCutting.h"
+
+#include <utility>
+
+namespace flattening
+{
+namespace
+{
+
+// Cuts the surface and leaves it open, and remembers what it was before.
+class LoopRecorder
+{
+public:
+  explicit LoopRecorder(const TriangleMesh& mesh)
+    : Surface(mesh)
+  {
+    this->followSplits();
+  }
+
+  HandleLoops run(const ProgressCallback& progress)
+  {
+    HandleLoops result;
+    result.Lengths = cutHandles(
+      this->Surface,
+      [&](const SurfaceLoop& loop, int, int) -> CutOutcome
+      {
+        this->followSplits();
+        std::vector<int> vertices;
+        for (const int h : loop.Halfedges)
+        {
+          vertices.push_back(this->Uncut[this->Surface.halfedges().origin(h)]);
+        }
+        this->Uncut.insert(this->Uncut.end(), vertices.begin(), vertices.end());
+        result.Loops.push_back(std::move(vertices));
+        return { this->Surface.cut(loop.Halfedges), 0 };
+      },
+      progress);
+    this->followSplits();
+    result.Surface = this->uncut();
+    return result;
+  }
+
+private:
+  // New vertices that no cut made are those of split edges.
+  void followSplits()
+  {
+    while (static_cast<int>(this->Uncut.size()) < this->Surface.halfedges().vertexCount())
+    {
+      this->Kept.push_back(static_cast<int>(this->Uncut.size()));
+      this->Uncut.push_back(static_cast<int>(this->Kept.size()) - 1);
+    }
+  }
+
+  // The surface with the copies of vertices put together again.
+  DerivedMesh uncut() const
+  {
+    DerivedMesh cut = this->Surface.derived();
+    DerivedMesh result;
+    std::vector<Eigen::Triplet<double, int>> weights;
+    result.Mesh.Vertices.resize(static_cast<Eigen::Index>(this->Kept.size()), 3);
+    for (std::size_t v = 0; v < this->Kept.size(); ++v)
+    {
+      const auto row = static_cast<Eigen::Index>(v);
+      result.Mesh.Vertices.row(row) = cut.Mesh.Vertices.row(this->Kept[v]);
+      for (const auto& [original, weight] : this->Surface.origin(this->Kept[v]))
+      {
+        weights.emplace_back(static_cast<int>(row), original, weight);
+      }
+    }
+    result.Vertices.resize(result.Mesh.vertexCount(), cut.Vertices.cols());
+    result.Vertices.setFromTriplets(weights.begin(), weights.end());
+    result.Mesh.Faces = cut.Mesh.Faces.unaryExpr([this](int v) { return this->Uncut[v]; });
+    result.Faces = std::move(cut.Faces);
+    return result;
+  }
+
+  TracedSurface Surface;
+  std::vector<int> Uncut; // per vertex of the cut surface: that of the surface before
+  std::vector<int> Kept;  // per vertex of the surface before: one of the cut surface
+};
+
+} // namespace
+
+HandleLoops handleLoops(const TriangleMesh& mesh, const ProgressCallback& progress)
+{
+  return LoopRecorder(mesh).run(progress);
+}
+
+} // namespace flattening

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The metrics in which an intrinsic triangulation is made Delaunay: when an edge must be flipped, and
+/// what becomes of its length.
+#pragma once
+
+#include "Intrinsic/IntrinsicTriangulation.h"
+#include "Intrinsic/SymmetricTrapezoid.h"
+#include "Intrinsic/TriangleAngles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace flattening::intrinsic
+{
+
+constexpr double FlipTolerance = 1e-12;
+
+// The metric of the surface itself. The boundary stays as it is.
+struct FlatMetric
+{
+  const IntrinsicTriangulation& Triangulation;
+  std::function<long double(int)> OtherDiagonal;
+
+  long double logLength(int h) const { return this->Triangulation.logLength(h); }
+  double cosine(int h) const
+  {
+    const IntrinsicTriangulation& t = this->Triangulation;
+    return cosineOpposite(t.logLength(h), t.logLength(t.next(h)), t.logLength(t.previous(h)));
+  }
+  bool mustFlip(int h) const
+  {
+    return this->cosine(h) + this->cosine(this->Triangulation.twin(h)) < -FlipTolerance;
+  }
+  long double flipped(int h) const { return this->OtherDiagonal(h); }
+  bool mustOpen(int) const { return false; }
+  long double opened(int) const { return 0.0L; }
+  bool mustClose(int) const { return false; }
+  long double closed(int) const { return 0.0L; }
+};
+
+// The metric at some factors. The new lengths are those at factors 0: Ptolemy's relations are the same
+// at all of them.
+struct ConformalMetric
+{
+  const IntrinsicTriangulation& Triangulation;
+  const IntrinsicTriangulation::Factors& U;
+
+  long double logLength(int h) const { return this->Triangulation.scaledLogLength(h, this->U); }
+  double cosine(int h) const
+  {
+    const IntrinsicTriangulation& t = this->Triangulation;
+    return cosineOpposite(t.scaledLogLength(h, this->U),
+      t.scaledLogLength(t.next(h), this->U),
+      t.scaledLogLength(t.previous(h), this->U));
+  }
+  MirrorCell cell(int b) const { return this->Triangulation.scaledMirrorCell(b, this->U); }
+  MirrorCell unscaledCell(int b) const
+  {
+    const auto& edges = this->Triangulation.boundaryEdges();
+    return { edges[b].LogLength, edges[b].LogCrossing, edges[edges[b].Next].LogCrossing };
+  }
+
+  bool mustFlip(int h) const
+  {
+    return this->cosine(h) + this->cosine(this->Triangulation.twin(h)) < -FlipTolerance;
+  }
+  long double flipped(int h) const
+  {
+    const IntrinsicTriangulation& t = this->Triangulation;
+    const int o = t.twin(h);
+    const long double x = t.logLength(t.previous(h)) + t.logLength(t.previous(o)); // ca + db
+    const long double y = t.logLength(t.next(h)) + t.logLength(t.next(o));         // bc + ad
+    return std::max(x, y) + std::log1p(std::exp(static_cast<double>(-std::abs(x - y)))) - t.logLength(h);
+  }
+  bool mustOpen(int b) const
+  {
+    const auto& edge = this->Triangulation.boundaryEdges()[b];
+    return !edge.AtInfinity && edge.Inner >= 0 &&
+           this->cosine(edge.Inner) + cosineOppositeEdge(this->cell(b)) < -FlipTolerance;
+  }
+  long double opened(int b) const
+  {
+    const IntrinsicTriangulation& t = this->Triangulation;
+    const int h = t.boundaryEdges()[b].Inner;
+    return crossingAtApex(this->unscaledCell(b), t.logLength(t.previous(h)), t.logLength(t.next(h)));
+  }
+  bool mustClose(int b) const
+  {
+    const auto& edge = this->Triangulation.boundaryEdges()[b];
+    return edge.LogCrossing != IntrinsicTriangulation::OnMirror &&
+           cosineOppositeCrossing(this->cell(b)) +
+               cosineOppositeCrossing(this->cell(edge.Previous).reversed()) <
+             -FlipTolerance;
+  }
+  long double closed(int b) const
+  {
+    return edgeAcross(
+      this->unscaledCell(this->Triangulation.boundaryEdges()[b].Previous), this->unscaledCell(b));
+  }
+};
+
+// The metric of the surface and its mirror image, unfolded into the plane with the mirror as x axis.
+struct DoubledMetric : ConformalMetric
+{
+  std::function<long double(int)> OtherDiagonal;
+
+  long double flipped(int h) const { return this->OtherDiagonal(h); }
+  long double opened(int b) const
+  {
+    const IntrinsicTriangulation& t = this->Triangulation;
+    const MirrorCell cell = this->unscaledCell(b);
+    const int h = t.boundaryEdges()[b].Inner;
+    const auto inEdges = [&cell](long double logLength)
+    { return std::exp(static_cast<double>(logLength - cell.LogEdge)); };
+    const double p = inEdges(t.logLength(t.previous(h)));
+    const double q = inEdges(t.logLength(t.next(h)));
+    const double along = 0.5 * (1.0 + (p - q) * (p + q));
+    const double across = std::sqrt(std::max(0.0, (p - along) * (p + along)));
+    const double above = inEdges(cell.LogAtOrigin) +
+                         along * (inEdges(cell.LogAtTip) - inEdges(cell.LogAtOrigin)) +
+                         2.0 * across * mirrorCellShape(cell).Extent;
+    return cell.LogEdge + std::log(above);
+  }
+  long double closed(int b) const
+  {
+    const MirrorCell after = this->unscaledCell(b);
+    const MirrorCell before = this->unscaledCell(this->Triangulation.boundaryEdges()[b].Previous);
+    const auto inEdges = [&after](long double logLength)
+    { return std::exp(static_cast<double>(logLength - after.LogEdge)); };
+    const double x =
+      mirrorCellShape(after).Extent + inEdges(before.LogEdge) * mirrorCellShape(before).Extent;
+    const double y = 0.5 * (inEdges(after.LogAtTip) - inEdges(before.LogAtOrigin));
+    return after.LogEdge + std::log(std::hypot(x, y));
+  }
+};
+
+} // namespace flattening::intrinsic

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesh/ClosestPointTree.h"
+
+#include "Base/InterruptibleCall.h"
+#include "Mesh/EditableSurface.h"
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <vector>
+
+namespace flattening
+{
+namespace
+{
+
+using Triangles = std::vector<Kernel::Triangle_3>;
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+
+// Barycentric coordinates of a point of the triangle's plane, clamped against rounding. On a triangle
+// without area everything goes to the nearest corner.
+std::array<double, 3> barycentric(const Eigen::Matrix3d& corners, const Eigen::Vector3d& point)
+{
+  const Eigen::Vector3d u = corners.row(1) - corners.row(0);
+  const Eigen::Vector3d v = corners.row(2) - corners.row(0);
+  const Eigen::Vector3d normal = u.cross(v);
+  const double squared = normal.squaredNorm();
+  std::array<double, 3> weights{ 0.0, 0.0, 0.0 };
+  if (!(squared > 0.0))
+  {
+    Eigen::Index nearest = 0;
+    (corners.rowwise() - point.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+    weights[nearest] = 1.0;
+    return weights;
+  }
+  const Eigen::Vector3d w = point - corners.row(0).transpose();
+  weights[1] = std::max(0.0, w.cross(v).dot(normal) / squared);
+  weights[2] = std::max(0.0, u.cross(w).dot(normal) / squared);
+  weights[0] = std::max(0.0, 1.0 - weights[1] - weights[2]);
+  const double sum = weights[0] + weights[1] + weights[2];
+  for (double& weight : weights)
+  {
+    weight /= sum;
+  }
+  return weights;
+}
+
+} // namespace
+
+struct SurfaceProjection::Tree
+{
+  Triangles Faces;
+  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> Boxes;
+};
+
+SurfaceProjection::SurfaceProjection(const TriangleMesh& mesh, const ProgressCallback& progress)
+  : Mesh(mesh)
+  , Boxes(std::make_shared<Tree>())
+{
+  Triangles& faces = this->Boxes->Faces;
+  faces.reserve(mesh.faceCount());
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    faces.emplace_back(pointOf(mesh.Vertices, mesh.Faces(f, 0)),
+      pointOf(mesh.Vertices, mesh.Faces(f, 1)),
+      pointOf(mesh.Vertices, mesh.Faces(f, 2)));
+  }
+  callInterruptibly(
+    [tree = this->Boxes, isComplete = static_cast<bool>(progress)]()
+    {
+      tree->Boxes.insert(tree->Faces.cbegin(), tree->Faces.cend());
+      tree->Boxes.accelerate_distance_queries();
+      if (isComplete && !tree->Faces.empty())
+      {
+        tree->Boxes.closest_point(tree->Faces.front()[0]); // the first query builds what is missing
+      }
+    },
+    progress,
+    0.0,
+    "Building the search tree");
+}
+
+SurfaceProjection::~SurfaceProjection() = default;
+
+SurfacePoint SurfaceProjection::closest(const Eigen::Vector3d& point) const
+{
+  const auto [position, primitive] =
+    this->Boxes->Boxes.closest_point_and_primitive({ point.x(), point.y(), point.z() });
+  SurfacePoint result;
+  result.Face = static_cast<int>(primitive - this->Boxes->Faces.cbegin());
+  result.Position = { position.x(), position.y(), position.z() };
+  Eigen::Matrix3d corners;
+  for (int k = 0; k < 3; ++k)
+  {
+    corners.row(k) = this->Mesh.Vertices.row(this->Mesh.Faces(result.Face, k));
+  }
+  result.Weights = barycentric(corners, result.Position);
+  return result;
+}
+
+} // namespace flattening

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesh/ClosestPointWalk.h"
+
+#include <Eigen/Geometry>
+
+#include <numeric>
+
+namespace flattening
+{
+namespace
+{
+
+Eigen::Matrix3d cornersOf(const TriangleMesh& mesh, int face)
+{
+  Eigen::Matrix3d corners;
+  for (int k = 0; k < 3; ++k)
+  {
+    corners.row(k) = mesh.Vertices.row(mesh.Faces(face, k));
+  }
+  return corners;
+}
+
+double shareAlong(double towards, double beyond)
+{
+  return towards + beyond > 0.0 ? towards / (towards + beyond) : 0.0;
+}
+
+std::array<double, 3> closestWeights(const Eigen::Matrix3d& corners, const Eigen::Vector3d& point)
+{
+  const Eigen::Vector3d a = corners.row(0);
+  const Eigen::Vector3d b = corners.row(1);
+  const Eigen::Vector3d c = corners.row(2);
+  const Eigen::Vector3d ab = b - a;
+  const Eigen::Vector3d ac = c - a;
+  const double abToA = ab.dot(point - a);
+  const double acToA = ac.dot(point - a);
+  if (abToA <= 0.0 && acToA <= 0.0)
+  {
+    return { 1.0, 0.0, 0.0 };
+  }
+  const double abToB = ab.dot(point - b);
+  const double acToB = ac.dot(point - b);
+  if (abToB >= 0.0 && acToB <= abToB)
+  {
+    return { 0.0, 1.0, 0.0 };
+  }
+  const double abToC = ab.dot(point - c);
+  const double acToC = ac.dot(point - c);
+  if (acToC >= 0.0 && abToC <= acToC)
+  {
+    return { 0.0, 0.0, 1.0 };
+  }
+  const double outsideAb = abToA * acToB - abToB * acToA;
+  if (outsideAb <= 0.0 && abToA >= 0.0 && abToB <= 0.0)
+  {
+    const double t = shareAlong(abToA, -abToB);
+    return { 1.0 - t, t, 0.0 };
+  }
+  const double outsideAc = abToC * acToA - abToA * acToC;
+  if (outsideAc <= 0.0 && acToA >= 0.0 && acToC <= 0.0)
+  {
+    const double t = shareAlong(acToA, -acToC);
+    return { 1.0 - t, 0.0, t };
+  }
+  const double outsideBc = abToB * acToC - abToC * acToB;
+  if (outsideBc <= 0.0 && acToB >= abToB && abToC >= acToC)
+  {
+    const double t = shareAlong(acToB - abToB, abToC - acToC);
+    return { 0.0, 1.0 - t, t };
+  }
+  const double sum = outsideAb + outsideAc + outsideBc;
+  return { outsideBc / sum, outsideAc / sum, outsideAb / sum };
+}
+
+} // namespace
+
+SurfacePoint closestOnTriangle(const Eigen::Matrix3d& corners, const Eigen::Vector3d& point)
+{
+  SurfacePoint result;
+  result.Face = -1;
+  result.Weights = closestWeights(corners, point);
+  result.Position = corners.transpose() * Eigen::Map<const Eigen::Vector3d>(result.Weights.data());
+  return result;
+}
+
+Points3 vertexNormals(const TriangleMesh& mesh)
+{
+  Points3 normals = Points3::Zero(mesh.vertexCount(), 3);
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    const Eigen::Matrix3d corners = cornersOf(mesh, f);
+    const Eigen::Vector3d u = corners.row(1) - corners.row(0);
+    const Eigen::Vector3d v = corners.row(2) - corners.row(0);
+    const Eigen::RowVector3d areaVector = u.cross(v).transpose();
+    for (int k = 0; k < 3; ++k)
+    {
+      normals.row(mesh.Faces(f, k)) += areaVector;
+    }
+  }
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    const double length = normals.row(v).norm(); // normalize() would leave tiny surfaces as they are
+    if (length > 0.0)
+    {
+      normals.row(v) /= length;
+    }
+  }
+  return normals;
+}
+
+SurfaceWalk::SurfaceWalk(const TriangleMesh& mesh)
+  : Mesh(mesh)
+  , FirstCorner(mesh.vertexCount() + 1, 0)
+  , FaceOfCorner(3 * static_cast<std::size_t>(mesh.faceCount()))
+  , Normals(vertexNormals(mesh))
+{
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      ++this->FirstCorner[mesh.Faces(f, k) + 1];
+    }
+  }
+  std::partial_sum(this->FirstCorner.begin(), this->FirstCorner.end(), this->FirstCorner.begin());
+  std::vector<int> next(this->FirstCorner.begin(), this->FirstCorner.end() - 1);
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      this->FaceOfCorner[next[mesh.Faces(f, k)]++] = f;
+    }
+  }
+}
+
+SurfacePoint SurfaceWalk::closest(const Eigen::Vector3d& point, int startFace) const
+{
+  SurfacePoint best = closestOnTriangle(cornersOf(this->Mesh, startFace), point);
+  best.Face = startFace;
+  double bestDistance = (best.Position - point).squaredNorm();
+  for (int centre = -1; centre != best.Face;)
+  {
+    centre = best.Face;
+    const std::array<double, 3> weights = best.Weights;
+    if (weights[0] > 0.0 && weights[1] > 0.0 && weights[2] > 0.0)
+    {
+      return best; // inside a face, where the distance can only grow
+    }
+    // Only faces that the point on this one is on, too, can be nearer: all around a corner, or the one
+    // across a side.
+    const int k = weights[0] > 0.0 ? 0 : weights[1] > 0.0 ? 1 : 2;
+    const int other = weights[(k + 1) % 3] > 0.0   ? (k + 1) % 3
+                      : weights[(k + 2) % 3] > 0.0 ? (k + 2) % 3
+                                                   : k;
+    const int vertex = this->Mesh.Faces(centre, k);
+    const int second = this->Mesh.Faces(centre, other);
+    for (int i = this->FirstCorner[vertex]; i < this->FirstCorner[vertex + 1]; ++i)
+    {
+      const int face = this->FaceOfCorner[i];
+      if (face == centre || (second != vertex && !(this->Mesh.Faces.row(face).array() == second).any()))
+      {
+        continue;
+      }
+      const SurfacePoint at = closestOnTriangle(cornersOf(this->Mesh, face), point);
+      const double distance = (at.Position - point).squaredNorm();
+      if (distance < bestDistance)
+      {
+        bestDistance = distance;
+        best = at;
+        best.Face = face;
+      }
+    }
+  }
+  return best;
+}
+
+Eigen::Vector3d SurfaceWalk::normal(const SurfacePoint& at) const
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int k = 0; k < 3; ++k)
+  {
+    sum += at.Weights[k] * this->Normals.row(this->Mesh.Faces(at.Face, k)).transpose();
+  }
+  const double length = sum.norm();
+  return length > 0.0 ? Eigen::Vector3d(sum / length) : sum;
+}
+
+} // namespace flattening

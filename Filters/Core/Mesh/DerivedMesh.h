@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// A mesh made from another one that remembers where its vertices and faces came from, so that any
+/// attribute of the original can be carried over.
+#pragma once
+
+#include "Mesh/TriangleMesh.h"
+
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace flattening
+{
+
+/// n x m: row v holds the weights (>= 0, sum 1) of the m original vertices that vertex v is made of. A
+/// kept vertex has one weight 1; the midpoint of an edge has two weights 1/2.
+using VertexOrigins = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
+
+struct DerivedMesh
+{
+  TriangleMesh Mesh;
+  VertexOrigins Vertices;
+  /// The original face that each face is a part of or, on a remeshed surface, lies nearest to; -1 for
+  /// a face that covers a hole.
+  std::vector<int> Faces;
+};
+
+/// The mesh as derived from itself.
+DerivedMesh derivedFromItself(TriangleMesh mesh);
+
+/// Rows with a single weight 1: vertex v was original vertex @p original[v].
+VertexOrigins keptVertices(const std::vector<int>& original, int originalCount);
+
+/// Replaces @p derived by @p next, which was derived from derived.Mesh, traced back to the original.
+void follow(DerivedMesh& derived, DerivedMesh&& next);
+
+/// The part of @p mesh made of the faces listed in @p faces, in their order; vertices keep theirs.
+DerivedMesh extractFaces(const TriangleMesh& mesh, const std::vector<int>& faces);
+
+} // namespace flattening

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesh/EditableSurface.h"
+
+#include "Base/Errors.h"
+
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+namespace flattening
+{
+
+SurfaceMesh toSurfaceMesh(const TriangleMesh& mesh)
+{
+  SurfaceMesh surface;
+  surface.reserve(mesh.vertexCount(), 3 * (mesh.faceCount() / 2), mesh.faceCount());
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    surface.add_vertex(pointOf(mesh.Vertices, v));
+  }
+  using Vertex = SurfaceMesh::Vertex_index;
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    const auto face =
+      surface.add_face(Vertex(mesh.Faces(f, 0)), Vertex(mesh.Faces(f, 1)), Vertex(mesh.Faces(f, 2)));
+    if (face == SurfaceMesh::null_face())
+    {
+      throw TopologyError(
+        "face " + std::to_string(f) + " does not fit an oriented manifold: run Surface To Disk first");
+    }
+  }
+  return surface;
+}
+
+TriangleMesh toTriangleMesh(const SurfaceMesh& mesh)
+{
+  TriangleMesh result;
+  result.Vertices.resize(mesh.number_of_vertices(), 3);
+  result.Faces.resize(mesh.number_of_faces(), 3);
+  std::vector<int> index(mesh.num_vertices(), -1);
+  int v = 0;
+  for (const auto vertex : mesh.vertices())
+  {
+    const Kernel::Point_3& p = mesh.point(vertex);
+    result.Vertices.row(v) << p.x(), p.y(), p.z();
+    index[vertex] = v++;
+  }
+  int f = 0;
+  for (const auto face : mesh.faces())
+  {
+    int k = 0;
+    for (const auto vertex : mesh.vertices_around_face(mesh.halfedge(face)))
+    {
+      result.Faces(f, k++) = index[vertex];
+    }
+    ++f;
+  }
+  return result;
+}
+
+EditableSurface::EditableSurface(const TriangleMesh& mesh)
+  : Mesh(toSurfaceMesh(mesh))
+  , VertexOrigin(this->Mesh.add_property_map<Vertex, Origin>("v:origin").first)
+  , FaceOrigin(this->Mesh.add_property_map<Face, int>("f:origin", -1).first)
+  , OriginalVertices(mesh.vertexCount())
+{
+  for (const Vertex vertex : this->Mesh.vertices())
+  {
+    this->VertexOrigin[vertex] = { { static_cast<int>(vertex.idx()), 1.0 } };
+  }
+  for (const Face face : this->Mesh.faces())
+  {
+    this->FaceOrigin[face] = static_cast<int>(face.idx());
+  }
+}
+
+EditableSurface::Split EditableSurface::splitEdge(Halfedge edge, double t)
+{
+  const Vertex source = this->Mesh.source(edge);
+  const Vertex target = this->Mesh.target(edge);
+  const Kernel::Point_3 p = this->Mesh.point(source);
+  const Kernel::Point_3 q = this->Mesh.point(target);
+
+  const Halfedge first = CGAL::Euler::split_edge(edge, this->Mesh); // source -> new vertex
+  const Vertex middle = this->Mesh.target(first);
+  this->Mesh.point(middle) = p + t * (q - p);
+
+  std::map<int, double> weights;
+  for (const auto& [vertex, weight] : this->VertexOrigin[source])
+  {
+    weights[vertex] += (1.0 - t) * weight;
+  }
+  for (const auto& [vertex, weight] : this->VertexOrigin[target])
+  {
+    weights[vertex] += t * weight;
+  }
+  this->VertexOrigin[middle].assign(weights.begin(), weights.end());
+
+  Split split{ middle, {} };
+  // On each side, from the new vertex to the opposite corner.
+  const auto splitFace = [this, &split](Halfedge toMiddle, Halfedge toCorner)
+  {
+    if (this->Mesh.is_border(toMiddle))
+    {
+      return;
+    }
+    const Face whole = this->Mesh.face(toMiddle);
+    const Halfedge diagonal = CGAL::Euler::split_face(toMiddle, toCorner, this->Mesh);
+    const Face one = this->Mesh.face(diagonal);
+    const Face rest = one == whole ? this->Mesh.face(this->Mesh.opposite(diagonal)) : one;
+    this->FaceOrigin[rest] = this->FaceOrigin[whole];
+    split.Halves.emplace_back(whole, rest);
+  };
+  const Halfedge back = this->Mesh.opposite(edge); // target -> new vertex
+  splitFace(first, this->Mesh.next(edge));
+  splitFace(back, this->Mesh.next(this->Mesh.opposite(first)));
+  return split;
+}
+
+double EditableSurface::squaredLength(Halfedge edge) const
+{
+  return CGAL::squared_distance(
+    this->Mesh.point(this->Mesh.source(edge)), this->Mesh.point(this->Mesh.target(edge)));
+}
+
+double EditableSurface::longestEdge(Face face) const
+{
+  double longest = 0.0;
+  for (const Halfedge h : this->Mesh.halfedges_around_face(this->Mesh.halfedge(face)))
+  {
+    longest = std::max(longest, this->squaredLength(h));
+  }
+  return std::sqrt(longest);
+}
+
+double EditableSurface::area(Face face) const
+{
+  const Halfedge h = this->Mesh.halfedge(face);
+  const Kernel::Point_3& p = this->Mesh.point(this->Mesh.source(h));
+  const Kernel::Vector_3 u = this->Mesh.point(this->Mesh.target(h)) - p;
+  const Kernel::Vector_3 v = this->Mesh.point(this->Mesh.target(this->Mesh.next(h))) - p;
+  return 0.5 * std::sqrt(CGAL::cross_product(u, v).squared_length());
+}
+
+DerivedMesh EditableSurface::derived() const
+{
+  DerivedMesh result;
+  result.Mesh = toTriangleMesh(this->Mesh);
+  std::vector<Eigen::Triplet<double, int>> weights;
+  weights.reserve(this->Mesh.number_of_vertices());
+  int row = 0;
+  for (const Vertex vertex : this->Mesh.vertices())
+  {
+    for (const auto& [original, weight] : this->VertexOrigin[vertex])
+    {
+      weights.emplace_back(row, original, weight);
+    }
+    ++row;
+  }
+  result.Vertices.resize(row, this->OriginalVertices);
+  result.Vertices.setFromTriplets(weights.begin(), weights.end());
+  result.Faces.reserve(this->Mesh.number_of_faces());
+  for (const Face face : this->Mesh.faces())
+  {
+    result.Faces.push_back(this->FaceOrigin[face]);
+  }
+  return result;
+}
+
+} // namespace flattening

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The connected components of a surface and the choice of one.
+#pragma once
+
+#include "Mesh/TriangleMesh.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace flattening
+{
+
+struct SurfaceComponents
+{
+  int Count = 0;
+  std::vector<int> OfFace; ///< 0 .. Count-1 per face, numbered by their first faces
+
+  /// Indices of the faces of one component, ascending.
+  std::vector<int> faces(int component) const;
+};
+
+/// Faces that share a vertex belong together.
+SurfaceComponents connectedComponents(const TriangleMesh& mesh);
+
+/// Area of every component, input units squared.
+Eigen::VectorXd componentAreas(const TriangleMesh& mesh, const SurfaceComponents& components);
+
+/// How many components have at least @p share (0 to 1) of the area of all: the others are fragments.
+int componentsAbove(const TriangleMesh& mesh, const SurfaceComponents& components, double share);
+
+/// Which component of a surface is meant.
+struct ComponentChoice
+{
+  enum class Rule
+  {
+    Largest,
+    ClosestToPoint,
+    ByIndex
+  };
+  Rule By = Rule::Largest;
+  Eigen::Vector3d Point = Eigen::Vector3d::Zero(); ///< for ClosestToPoint, input units
+  int Index = 0; ///< for ByIndex: from 0, in order of decreasing area, equals in their own order
+};
+
+/// The number of the chosen component.
+/// @throws InvalidInput if the point is not finite or there is no component of that index.
+int chooseComponent(const TriangleMesh& mesh,
+  const SurfaceComponents& components,
+  const ComponentChoice& choice);
+
+/// The component of the largest area; the first one of equals.
+int largestComponent(const TriangleMesh& mesh, const SurfaceComponents& components);
+
+/// The component with the face nearest to @p point (input units).
+int closestComponent(const TriangleMesh& mesh,
+  const SurfaceComponents& components,
+  const Eigen::Vector3d& point);
+
+} // namespace flattening

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Points that a user picked on a surface.
+#pragma once
+
+#include "Mesh/ClosestPointTree.h"
+#include "Mesh/TriangleMesh.h"
+
+#include <Eigen/Core>
+
+#include <string>
+
+namespace flattening
+{
+
+/// The point of the surface nearest to @p picked (input units).
+/// @param what names the point in messages, such as "the hole's point".
+/// @throws InvalidInput if a coordinate is not finite or the surface is farther away than 5 % of the
+/// diagonal of its bounding box: then the point was meant for another surface or never set.
+SurfacePoint pickOnSurface(const TriangleMesh& mesh,
+  const SurfaceProjection& surface,
+  const Eigen::Vector3d& picked,
+  const std::string& what);
+
+} // namespace flattening

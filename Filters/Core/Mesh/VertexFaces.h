@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The faces around every vertex.
+#pragma once
+
+#include "Mesh/TriangleMesh.h"
+
+#include <vector>
+
+namespace flattening
+{
+
+/// For each of @p vertexCount vertices the rows of @p faces that name it, in ascending order.
+class VertexFaces
+{
+public:
+  VertexFaces(const FaceMatrix& faces, int vertexCount);
+
+  struct Range
+  {
+    const int* First;
+    const int* Last;
+    const int* begin() const { return this->First; }
+    const int* end() const { return this->Last; }
+    int size() const { return static_cast<int>(this->Last - this->First); }
+  };
+  int vertexCount() const { return static_cast<int>(this->Starts.size()) - 1; }
+
+  Range operator[](int vertex) const
+  {
+    const int* rows = this->Rows.data();
+    return { rows + this->Starts[vertex], rows + this->Starts[vertex + 1] };
+  }
+
+private:
+  std::vector<int> Starts; // of each vertex's part of Rows, and the end
+  std::vector<int> Rows;
+};
+
+} // namespace flattening

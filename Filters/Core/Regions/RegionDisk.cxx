@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Regions/RegionDisk.h"
+
+#include "Base/Errors.h"
+#include "Geodesics/DijkstraDistance.h"
+#include "Mesh/EditableSurface.h"
+#include "Mesh/MeshTopology.h"
+#include "Mesh/SurfaceComponents.h"
+#include "Mesh/VertexFaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+
+namespace flattening
+{
+namespace
+{
+
+std::vector<int> flagged(const std::vector<char>& flags)
+{
+  std::vector<int> indices;
+  for (std::size_t i = 0; i < flags.size(); ++i)
+  {
+    if (flags[i])
+    {
+      indices.push_back(static_cast<int>(i));
+    }
+  }
+  return indices;
+}
+
+std::vector<char> cornersOf(const TriangleMesh& mesh, const std::vector<char>& faces)
+{
+  std::vector<char> corners(mesh.vertexCount(), 0);
+  for (const int f : flagged(faces))
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[mesh.Faces(f, k)] = 1;
+    }
+  }
+  return corners;
+}
+
+class GrowingRegion
+{
+public:
+  GrowingRegion(const TriangleMesh& mesh, std::vector<char> inside)
+    : Mesh(mesh)
+    , Around(mesh.Faces, mesh.vertexCount())
+    , Inside(std::move(inside))
+    , Areas(faceAreas(mesh.Vertices, mesh.Faces))
+  {
+    const MeshTopology topology = analyseTopology(mesh.Faces, mesh.vertexCount());
+    this->OnBoundary.assign(mesh.vertexCount(), 0);
+    for (const std::vector<int>& loop : topology.BoundaryLoops)
+    {
+      for (const int v : loop)
+      {
+        this->OnBoundary[v] = 1;
+      }
+    }
+  }
+
+  const std::vector<char>& faces() const { return this->Inside; }
+
+  double area() const
+  {
+    double sum = 0.0;
+    for (const int f : flagged(this->Inside))
+    {
+      sum += this->Areas[f];
+    }
+    return sum;
+  }
+
+  void keepLargestPiece(RegionDisk& report)
+  {
+    const std::vector<int> faces = flagged(this->Inside);
+    const DerivedMesh part = extractFaces(this->Mesh, faces);
+    const SurfaceComponents pieces = connectedComponents(part.Mesh);
+    const double before = this->area();
+    report.Pieces = pieces.Count;
+    this->Inside.assign(this->Inside.size(), 0);
+    for (const int f : pieces.faces(largestComponent(part.Mesh, pieces)))
+    {
+      this->Inside[faces[f]] = 1;
+    }
+    report.DroppedArea = std::max(before - this->area(), 0.0);
+  }
+
+  // Adds the faces around vertices where the region touches itself.
+  void openPinches()
+  {
+    for (bool changed = true; changed;)
+    {
+      changed = false;
+      for (int v = 0; v < this->Mesh.vertexCount(); ++v)
+      {
+        if (this->fansAt(v) > 1)
+        {
+          changed = true;
+          for (const int f : this->Around[v])
+          {
+            this->Inside[f] = 1;
+          }
+        }
+      }
+    }
+  }
+
+  // Fills the parts of the rest that the region surrounds; returns how many.
+  int fillHoles(double largest, double& filledArea)
+  {
+    std::vector<char> outside(this->Inside.size());
+    std::transform(
+      this->Inside.begin(), this->Inside.end(), outside.begin(), [](char in) { return !in; });
+    const std::vector<int> faces = flagged(outside);
+    if (faces.empty())
+    {
+      return 0;
+    }
+    const DerivedMesh rest = extractFaces(this->Mesh, faces);
+    const SurfaceComponents parts = connectedComponents(rest.Mesh);
+    const Eigen::VectorXd areas = componentAreas(rest.Mesh, parts);
+    std::vector<char> isOpen(parts.Count, 0); // it reaches the boundary of the surface
+    for (std::size_t f = 0; f < faces.size(); ++f)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        isOpen[parts.OfFace[f]] |= this->OnBoundary[this->Mesh.Faces(faces[f], k)];
+      }
+    }
+    if (std::none_of(isOpen.begin(), isOpen.end(), [](char open) { return open; }))
+    {
+      isOpen[largestComponent(rest.Mesh, parts)] = 1;
+    }
+    int holes = 0;
+    for (int part = 0; part < parts.Count; ++part)
+    {
+      holes += !isOpen[part];
+      filledArea += isOpen[part] ? 0.0 : areas[part];
+    }
+    if (filledArea > largest * this->area())
+    {
+      std::ostringstream text;
+      text
+        << "the region surrounds " << holes << " part" << (holes == 1 ? "" : "s")
+        << " of the surface that do not belong to it, of area " << filledArea
+        << " in all, more than its holes may have: raise the share of holes that are filled, choose a "
+           "smaller margin, or give these parts the label of the region";
+      throw TopologyError(text.str());
+    }
+    for (std::size_t f = 0; f < faces.size(); ++f)
+    {
+      this->Inside[faces[f]] = !isOpen[parts.OfFace[f]];
+    }
+    return holes;
+  }
+
+  void grow(double margin)
+  {
+    const std::vector<char> corners = cornersOf(this->Mesh, this->Inside);
+    const Eigen::VectorXd distance = distancesFromFlagged(toSurfaceMesh(this->Mesh), corners);
+    for (int f = 0; f < this->Mesh.faceCount(); ++f)
+    {
+      const auto face = this->Mesh.Faces.row(f);
+      const double farthest = std::max({ distance[face[0]], distance[face[1]], distance[face[2]] });
+      this->Inside[f] |= static_cast<char>(farthest <= margin);
+    }
+  }
+
+private:
+  // Groups of the region's faces around a vertex that share no edge there.
+  int fansAt(int v) const
+  {
+    int faces = 0;
+    int shared = 0; // sides between two of them
+    for (const int f : this->Around[v])
+    {
+      if (!this->Inside[f])
+      {
+        continue;
+      }
+      ++faces;
+      const int next = this->neighbourAfter(f, v);
+      for (const int g : this->Around[v])
+      {
+        shared += g != f && this->Inside[g] && this->neighbourBefore(g, v) == next;
+      }
+    }
+    return faces == shared && faces > 0 ? 1 : faces - shared;
+  }
+
+  int neighbourAfter(int f, int v) const
+  {
+    const auto face = this->Mesh.Faces.row(f);
+    return face[0] == v ? face[1] : face[1] == v ? face[2] : face[0];
+  }
+  int neighbourBefore(int f, int v) const
+  {
+    const auto face = this->Mesh.Faces.row(f);
+    return face[0] == v ? face[2] : face[1] == v ? face[0] : face[1];
+  }
+
+  const TriangleMesh& Mesh;
+  VertexFaces Around;
+  std::vector<char> Inside;
+  std::vector<char> OnBoundary; // of the whole surface
+  Eigen::VectorXd Areas;
+};
+
+void requireRegionIsDisk(const TriangleMesh& mesh, const std::string& name, const std::string& remedy)
+{
+  try
+  {
+    requireDisk(mesh);
+  }
+  catch (const FlatteningError& error)
+  {
+    throw TopologyError(name + " is not a disk (" + error.what() + "); here: " + remedy);
+  }
+}
+
+} // namespace
+
+RegionDisk regionDisk(const TriangleMesh& mesh,
+  const std::vector<char>& inRegion,
+  const RegionDiskOptions& options)
+{
+  if (!(options.Margin >= 0.0) || !std::isfinite(options.Margin) || !(options.LargestHoles >= 0.0))
+  {
+    throw InvalidInput("the margin and the share of holes of a region must not be negative");
+  }
+  if (flagged(inRegion).empty())
+  {
+    throw InvalidInput("the region has no triangle: choose another, or one with more points");
+  }
+  RegionDisk result;
+  GrowingRegion region(mesh, inRegion);
+  region.keepLargestPiece(result);
+  region.openPinches();
+  result.FilledHoles = region.fillHoles(options.LargestHoles, result.FilledArea);
+  const std::vector<char> core = region.faces();
+  requireRegionIsDisk(extractFaces(mesh, flagged(core)).Mesh,
+    "the region",
+    "remove handles with Surface To Disk before, or choose a smaller region");
+  if (options.Margin > 0.0)
+  {
+    region.grow(options.Margin);
+    region.openPinches();
+    double filled = 0.0;
+    region.fillHoles(options.LargestHoles, filled);
+  }
+  result.Disk = extractFaces(mesh, flagged(region.faces()));
+  requireRegionIsDisk(result.Disk.Mesh, "the region with its margin", "choose a smaller margin");
+  for (const int f : result.Disk.Faces)
+  {
+    result.InRegion.push_back(core[f]);
+  }
+  return result;
+}
+
+} // namespace flattening

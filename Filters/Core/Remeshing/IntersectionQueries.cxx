@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Remeshing/IntersectionQueries.h"
+
+#include <algorithm>
+
+namespace flattening
+{
+namespace
+{
+
+using Vertex = ResampledSurface::Vertex;
+using Face = ResampledSurface::Face;
+
+std::vector<PlacedTriangle> placed(const ResampledSurface& surface, const std::vector<Face>& faces)
+{
+  std::vector<PlacedTriangle> result;
+  result.reserve(faces.size());
+  for (const Face f : faces)
+  {
+    result.push_back(flattening::placed(surface.triangle(f)));
+  }
+  return result;
+}
+
+std::vector<Face> allFaces(const ResampledSurface& surface)
+{
+  return { surface.mesh().faces().begin(), surface.mesh().faces().end() };
+}
+
+} // namespace
+
+PlacedTriangle placed(const CornerTriangle& triangle)
+{
+  PlacedTriangle result;
+  for (int k = 0; k < 3; ++k)
+  {
+    result.Vertices[k] = triangle[k].Vertex;
+    result.Points[k] = *triangle[k].Position;
+  }
+  return result;
+}
+
+FacePairs intersectingFaces(const ResampledSurface& surface, const ProgressCallback& progress)
+{
+  return intersectingFaces(surface, allFaces(surface), progress);
+}
+
+FacePairs intersectingFaces(const ResampledSurface& surface,
+  const std::vector<Face>& faces,
+  const ProgressCallback& progress)
+{
+  FacePairs pairs;
+  for (const auto& [i, j] : intersectingPairs(placed(surface, faces), progress))
+  {
+    pairs.emplace_back(faces[i], faces[j]);
+  }
+  return pairs;
+}
+
+int countIntersections(const ResampledSurface& surface,
+  const std::vector<Face>& some,
+  const std::vector<Face>& near)
+{
+  const std::vector<PlacedTriangle> first = placed(surface, some);
+  const std::vector<PlacedTriangle> second = placed(surface, near);
+  int count = 0;
+  for (const auto& [i, j] : overlappingBoxes(first, second))
+  {
+    const bool again = near[j] <= some[i] && std::binary_search(some.begin(), some.end(), near[j]);
+    count += !again && intersect(first[i], second[j]);
+  }
+  return count;
+}
+
+std::vector<Face> unitedFaces(const std::vector<std::vector<Face>>& lists)
+{
+  std::vector<Face> all;
+  for (const std::vector<Face>& faces : lists)
+  {
+    all.insert(all.end(), faces.begin(), faces.end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+std::vector<std::vector<Face>> facesNear(const ResampledSurface& surface,
+  const std::vector<std::vector<Vertex>>& groups)
+{
+  std::vector<PlacedTriangle> boxes; // each as a triangle with its corners at two of the box's
+  for (const std::vector<Vertex>& group : groups)
+  {
+    Eigen::Vector3d low = surface.mesh().point(group.front());
+    Eigen::Vector3d high = low;
+    for (const Vertex v : group)
+    {
+      low = low.cwiseMin(surface.mesh().point(v));
+      high = high.cwiseMax(surface.mesh().point(v));
+    }
+    const Eigen::Vector3d margin = 0.25 * (high - low);
+    boxes.push_back({ { -1, -1, -1 }, { low - margin, high + margin, high + margin } });
+  }
+  const std::vector<Face> faces = allFaces(surface);
+  std::vector<std::vector<Face>> near(groups.size());
+  for (const auto& [group, face] : overlappingBoxes(boxes, placed(surface, faces)))
+  {
+    near[group].push_back(faces[face]);
+  }
+  return near;
+}
+
+} // namespace flattening

@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Remeshing/MeshOnSurface.h"
+
+#include "Base/Errors.h"
+
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <Eigen/Geometry>
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace flattening
+{
+namespace
+{
+
+// How far a vertex may lie off the chord that replaces it on a boundary, as a share of the chord.
+constexpr double BoundarySagitta = 0.05;
+constexpr int FacesPerReport = 32768;
+constexpr const char* CarryingStage = "carrying attributes over";
+
+} // namespace
+
+ResampledSurface::ResampledSurface(const TriangleMesh& old)
+  : Old(old)
+  , Walk(old)
+{
+  this->Surface.reserve(old.vertexCount(), 3 * (old.faceCount() / 2), old.faceCount());
+  this->Place = this->Surface.add_property_map<Vertex, SurfacePoint>("v:place").first;
+  this->Normal = this->Surface.add_property_map<Vertex, Eigen::Vector3d>("v:old normal").first;
+  this->Boundary = this->Surface.add_property_map<Vertex, char>("v:boundary", 0).first;
+  for (int v = 0; v < old.vertexCount(); ++v)
+  {
+    this->Surface.add_vertex(old.Vertices.row(v).transpose());
+  }
+  for (int f = 0; f < old.faceCount(); ++f)
+  {
+    if (this->Surface.add_face(Vertex(old.Faces(f, 0)),
+          Vertex(old.Faces(f, 1)),
+          Vertex(old.Faces(f, 2))) == Mesh::null_face())
+    {
+      throw TopologyError(
+        "face " + std::to_string(f) + " does not fit an oriented manifold: run Surface To Disk first");
+    }
+  }
+  for (const Vertex v : this->Surface.vertices())
+  {
+    if (this->Surface.is_isolated(v))
+    {
+      throw TopologyError(
+        "vertex " + std::to_string(v.idx()) + " belongs to no face: run Surface To Disk first");
+    }
+    const int face = this->Walk.faceOf(static_cast<int>(v.idx()));
+    SurfacePoint place{ face, this->Surface.point(v), { 0.0, 0.0, 0.0 } };
+    for (int k = 0; k < 3; ++k)
+    {
+      place.Weights[k] = old.Faces(face, k) == static_cast<int>(v.idx()) ? 1.0 : 0.0;
+    }
+    this->set(v, place.Position, place);
+    for (const Halfedge h : this->Surface.halfedges_around_target(this->Surface.halfedge(v)))
+    {
+      this->Boundary[v] |= static_cast<char>(this->Surface.is_border(h));
+    }
+  }
+}
+
+void ResampledSurface::set(Vertex v, const Eigen::Vector3d& position, const SurfacePoint& place)
+{
+  this->Surface.point(v) = position;
+  this->Place[v] = place;
+  this->Normal[v] = this->Walk.normal(place);
+}
+
+Corner ResampledSurface::corner(Vertex v) const
+{
+  return { static_cast<int>(v.idx()), &this->Surface.point(v), &this->Normal[v] };
+}
+
+CornerTriangle ResampledSurface::triangle(Face f) const
+{
+  const Halfedge h = this->Surface.halfedge(f);
+  return { this->corner(this->Surface.source(h)),
+    this->corner(this->Surface.target(h)),
+    this->corner(this->Surface.target(this->Surface.next(h))) };
+}
+
+double ResampledSurface::length(Halfedge h) const
+{
+  return (this->Surface.point(this->Surface.target(h)) - this->Surface.point(this->Surface.source(h)))
+    .norm();
+}
+
+// The triangles around v, but those that have the other vertex too, with v moved.
+void ResampledSurface::gatherStar(Vertex v, Vertex except, const Corner& to, LocalChange& change) const
+{
+  const Corner here = this->corner(v);
+  for (const Halfedge h : this->Surface.halfedges_around_target(this->Surface.halfedge(v)))
+  {
+    const Vertex next = this->Surface.target(this->Surface.next(h));
+    const Vertex before = this->Surface.source(h);
+    if (this->Surface.is_border(h))
+    {
+      continue;
+    }
+    if (next == except || before == except)
+    {
+      continue;
+    }
+    change.Removed.push_back(static_cast<int>(this->Surface.face(h).idx()));
+    change.Before.push_back({ here, this->corner(next), this->corner(before) });
+    change.After.push_back({ to, change.Before.back()[1], change.Before.back()[2] });
+  }
+}
+
+LocalChange ResampledSurface::changeByCollapsing(Halfedge h, const Corner& to) const
+{
+  const Vertex a = this->Surface.source(h);
+  const Vertex b = this->Surface.target(h);
+  LocalChange change;
+  this->gatherStar(a, b, to, change);
+  this->gatherStar(b, a, to, change);
+  for (const Halfedge side : { h, this->Surface.opposite(h) })
+  {
+    if (!this->Surface.is_border(side))
+    {
+      change.Removed.push_back(static_cast<int>(this->Surface.face(side).idx()));
+      change.Before.push_back(this->triangle(this->Surface.face(side)));
+    }
+  }
+  return change;
+}
+
+ResampledSurface::Vertex ResampledSurface::split(Edge edge, const Guard& guard)
+{
+  const Halfedge h = this->Surface.halfedge(edge);
+  const Halfedge opposite = this->Surface.opposite(h);
+  const Vertex source = this->Surface.source(h);
+  const bool border = this->Surface.is_border(h) || this->Surface.is_border(opposite);
+  const Eigen::Vector3d middle =
+    0.5 * (this->Surface.point(source) + this->Surface.point(this->Surface.target(h)));
+  const double length = this->length(h);
+  const SurfacePoint place = this->Walk.closest(middle, this->Place[source].Face);
+
+  const Halfedge first = CGAL::Euler::split_edge(h, this->Surface); // source -> new vertex
+  const Vertex added = this->Surface.target(first);
+  if (!this->Surface.is_border(first))
+  {
+    CGAL::Euler::split_face(first, this->Surface.next(h), this->Surface);
+  }
+  if (!this->Surface.is_border(opposite))
+  {
+    CGAL::Euler::split_face(opposite, this->Surface.next(this->Surface.opposite(first)), this->Surface);
+  }
+  this->Boundary[added] = static_cast<char>(border);
+  this->set(added, middle, place);
+  // From farther away some edge would be as long as this one was, and splitting need not end.
+  constexpr double Near = 0.1;
+  if (!border && (place.Position - middle).norm() <= Near * length)
+  {
+    this->move(added, place, place.Position, guard);
+  }
+  return added;
+}
+
+bool ResampledSurface::flip(Edge edge, const Guard& guard)
+{
+  if (this->Surface.is_border(edge))
+  {
+    return false;
+  }
+  const Halfedge h = this->Surface.halfedge(edge);
+  const Halfedge back = this->Surface.opposite(h);
+  const Vertex left = this->Surface.target(this->Surface.next(h));
+  const Vertex right = this->Surface.target(this->Surface.next(back));
+  if (left == right)
+  {
+    return false;
+  }
+  const Corner a = this->corner(this->Surface.source(h));
+  const Corner b = this->corner(this->Surface.target(h));
+  const Corner c = this->corner(left);
+  const Corner d = this->corner(right);
+  LocalChange change;
+  change.Removed = { static_cast<int>(this->Surface.face(h).idx()),
+    static_cast<int>(this->Surface.face(back).idx()) };
+  change.Before = { CornerTriangle{ a, b, c }, CornerTriangle{ b, a, d } };
+  change.After = { CornerTriangle{ a, d, c }, CornerTriangle{ d, b, c } };
+  if (!guard(change) || this->Surface.halfedge(left, right) != Mesh::null_halfedge())
+  {
+    return false;
+  }
+  CGAL::Euler::flip_edge(h, this->Surface);
+  return true;
+}
+
+bool ResampledSurface::move(Vertex vertex,
+  const SurfacePoint& to,
+  const Eigen::Vector3d& position,
+  const Guard& guard)
+{
+  if (this->onBoundary(vertex))
+  {
+    return false;
+  }
+  const Eigen::Vector3d normal = this->Walk.normal(to);
+  LocalChange change;
+  this->gatherStar(
+    vertex, Mesh::null_vertex(), { static_cast<int>(vertex.idx()), &position, &normal }, change);
+  if (!guard(change))
+  {
+    return false;
+  }
+  this->set(vertex, position, to);
+  return true;
+}
+
+// Whether the boundary may lose the vertex that a border half-edge ends in.
+bool ResampledSurface::straightAround(Halfedge border) const
+{
+  const Eigen::Vector3d& from = this->Surface.point(this->Surface.source(border));
+  const Eigen::Vector3d& at = this->Surface.point(this->Surface.target(border));
+  const Eigen::Vector3d& to = this->Surface.point(this->Surface.target(this->Surface.next(border)));
+  const Eigen::Vector3d chord = to - from;
+  const bool between = chord.dot(at - from) > 0.0 && chord.dot(to - at) > 0.0;
+  return between && chord.cross(at - from).norm() <= BoundarySagitta * chord.squaredNorm();
+}
+
+bool ResampledSurface::collapse(Edge edge, const Guard& guard)
+{
+  const Halfedge h = this->Surface.halfedge(edge);
+  const Halfedge back = this->Surface.opposite(h);
+  const Vertex a = this->Surface.source(h);
+  const Vertex b = this->Surface.target(h);
+  boost::container::small_vector<Target, 3> targets;
+  const Target atA{ this->Surface.point(a), this->Place[a] };
+  const Target atB{ this->Surface.point(b), this->Place[b] };
+  if (!this->onBoundary(a) && !this->onBoundary(b))
+  {
+    const SurfacePoint middle =
+      this->Walk.closest(0.5 * (atA.Position + atB.Position), this->Place[a].Face);
+    targets = { Target{ middle.Position, middle }, atA, atB };
+  }
+  else if (this->Surface.is_border(edge))
+  {
+    const Halfedge border = this->Surface.is_border(h) ? h : back; // from and to along the boundary
+    const Halfedge previous = this->Surface.prev(border);
+    const bool forwards = border == h;
+    if (this->straightAround(border))
+    {
+      targets.push_back(forwards ? atA : atB);
+    }
+    if (this->straightAround(previous))
+    {
+      targets.push_back(forwards ? atB : atA);
+    }
+  }
+  else if (this->onBoundary(a) != this->onBoundary(b))
+  {
+    targets.push_back(this->onBoundary(a) ? atA : atB);
+  }
+
+  const auto admitted = std::find_if(targets.begin(),
+    targets.end(),
+    [this, h, a, &guard](const Target& target)
+    {
+      const Eigen::Vector3d normal = this->Walk.normal(target.Place);
+      return guard(
+        this->changeByCollapsing(h, { static_cast<int>(a.idx()), &target.Position, &normal }));
+    });
+  if (admitted == targets.end() || !CGAL::Euler::does_satisfy_link_condition(edge, this->Surface))
+  {
+    return false;
+  }
+  const bool border = this->onBoundary(a) || this->onBoundary(b);
+  const Vertex kept = CGAL::Euler::collapse_edge(edge, this->Surface);
+  this->Boundary[kept] = static_cast<char>(border);
+  this->set(kept, admitted->Position, admitted->Place);
+  return true;
+}
+
+DerivedMesh ResampledSurface::derived(const ProgressCallback& progress) const
+{
+  report(progress, 0.0, CarryingStage);
+  DerivedMesh result;
+  result.Mesh.Vertices.resize(this->Surface.number_of_vertices(), 3);
+  result.Mesh.Faces.resize(this->Surface.number_of_faces(), 3);
+  std::vector<int> index(this->Surface.num_vertices(), -1);
+  std::vector<Eigen::Triplet<double, int>> weights;
+  weights.reserve(3 * static_cast<std::size_t>(this->Surface.number_of_vertices()));
+  int vertices = 0;
+  for (const Vertex v : this->Surface.vertices())
+  {
+    result.Mesh.Vertices.row(vertices) = this->Surface.point(v).transpose();
+    const SurfacePoint& place = this->Place[v];
+    for (int k = 0; k < 3; ++k)
+    {
+      if (place.Weights[k] > 0.0)
+      {
+        weights.emplace_back(vertices, this->Old.Faces(place.Face, k), place.Weights[k]);
+      }
+    }
+    index[v] = vertices++;
+  }
+  result.Vertices.resize(vertices, this->Old.vertexCount());
+  result.Vertices.setFromTriplets(weights.begin(), weights.end());
+
+  std::vector<int> nearby; // an old face below the first corner of each face
+  nearby.reserve(this->Surface.number_of_faces());
+  for (const Face f : this->Surface.faces())
+  {
+    int k = 0;
+    for (const Vertex v : this->Surface.vertices_around_face(this->Surface.halfedge(f)))
+    {
+      result.Mesh.Faces(static_cast<int>(nearby.size()), k++) = index[v];
+    }
+    nearby.push_back(this->Place[this->Surface.target(this->Surface.halfedge(f))].Face);
+  }
+  result.Faces.resize(nearby.size());
+  const int faces = result.Mesh.faceCount();
+  for (int begin = 0; begin < faces; begin += FacesPerReport)
+  {
+    report(progress, 0.2 + 0.8 * begin / faces, CarryingStage);
+    tbb::parallel_for(begin,
+      std::min(begin + FacesPerReport, faces),
+      [this, &result, &nearby](int f)
+      {
+        Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+        for (int k = 0; k < 3; ++k)
+        {
+          sum += result.Mesh.Vertices.row(result.Mesh.Faces(f, k));
+        }
+        result.Faces[f] = this->Walk.closest(sum.transpose() / 3.0, nearby[f]).Face;
+      });
+  }
+  return result;
+}
+
+double smallestSine(const CornerTriangle& triangle)
+{
+  const Eigen::Vector3d u = *triangle[1].Position - *triangle[0].Position;
+  const Eigen::Vector3d v = *triangle[2].Position - *triangle[1].Position;
+  const Eigen::Vector3d w = *triangle[0].Position - *triangle[2].Position;
+  const std::array<double, 3> squares{ u.squaredNorm(), v.squaredNorm(), w.squaredNorm() };
+  const double shortest = std::min({ squares[0], squares[1], squares[2] });
+  const double longest = std::max({ squares[0], squares[1], squares[2] });
+  const double middle = squares[0] + squares[1] + squares[2] - shortest - longest;
+  return middle > 0.0 ? std::sqrt(u.cross(v).squaredNorm() / (middle * longest)) : 0.0;
+}
+
+double alignment(const CornerTriangle& triangle)
+{
+  const Eigen::Vector3d areaVector =
+    (*triangle[1].Position - *triangle[0].Position).cross(*triangle[2].Position - *triangle[0].Position);
+  const double length = areaVector.norm();
+  const double smallest = std::min({ areaVector.dot(*triangle[0].Normal),
+    areaVector.dot(*triangle[1].Normal),
+    areaVector.dot(*triangle[2].Normal) });
+  return length > 0.0 ? smallest / length : -1.0;
+}
+
+double smallestSine(const LocalChange::Triangles& triangles)
+{
+  double smallest = 1.0;
+  for (const CornerTriangle& triangle : triangles)
+  {
+    smallest = std::min(smallest, smallestSine(triangle));
+  }
+  return smallest;
+}
+
+double smallestAlignment(const LocalChange::Triangles& triangles)
+{
+  double smallest = 1.0;
+  for (const CornerTriangle& triangle : triangles)
+  {
+    smallest = std::min(smallest, alignment(triangle));
+  }
+  return smallest;
+}
+
+} // namespace flattening

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Remeshing/RegionPreservingDecimation.h"
+
+#include "Base/Errors.h"
+#include "Mesh/ClosestPointTree.h"
+#include "Mesh/EditableSurface.h"
+
+#include <CGAL/Surface_mesh_simplification/Edge_collapse_visitor_base.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Constrained_placement.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+
+#include <algorithm>
+#include <string>
+
+namespace flattening
+{
+namespace
+{
+
+namespace simplification = CGAL::Surface_mesh_simplification;
+
+using Vertex = SurfaceMesh::Vertex_index;
+using Fixed = SurfaceMesh::Property_map<SurfaceMesh::Edge_index, bool>;
+using Origins = SurfaceMesh::Property_map<Vertex, int>; // -1: a new vertex
+
+constexpr int ReportInterval = 1 << 12;
+
+void requireFits(const TriangleMesh& mesh, const std::vector<char>& inRegion, int contextFaces)
+{
+  if (static_cast<int>(inRegion.size()) != mesh.vertexCount())
+  {
+    throw InvalidInput("there are " + std::to_string(inRegion.size()) + " flags for " +
+                       std::to_string(mesh.vertexCount()) + " vertices: pass one for each");
+  }
+  if (contextFaces < 1)
+  {
+    throw InvalidInput(
+      "the context is to have " + std::to_string(contextFaces) + " faces: set a positive number");
+  }
+  if (std::none_of(inRegion.begin(), inRegion.end(), [](char in) { return in != 0; }))
+  {
+    throw InvalidInput("no point is in a region: choose an array that is not 0 in the regions, or use "
+                       "Remesh in Surface To Disk for the whole surface");
+  }
+  if (!mesh.Vertices.allFinite())
+  {
+    throw InvalidInput("the surface has a coordinate that is not finite: remove such points first");
+  }
+}
+
+// Per face: whether it is to stay, for a corner of it is in a region.
+std::vector<char> facesToKeep(const TriangleMesh& mesh, const std::vector<char>& inRegion)
+{
+  std::vector<char> keep(mesh.faceCount());
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    keep[f] =
+      inRegion[mesh.Faces(f, 0)] || inRegion[mesh.Faces(f, 1)] || inRegion[mesh.Faces(f, 2)] ? 1 : 0;
+  }
+  return keep;
+}
+
+struct Visitor : simplification::Edge_collapse_visitor_base<SurfaceMesh>
+{
+  Visitor(Origins origins, const ProgressCallback& progress)
+    : OriginOf(origins)
+    , Report(progress)
+  {
+  }
+
+  void OnSelected(const Profile&, const boost::optional<FT>&, size_type initial, size_type current)
+  {
+    if (this->Selected++ % ReportInterval == 0)
+    {
+      report(this->Report,
+        0.8 * (1.0 - static_cast<double>(current) / static_cast<double>(initial)),
+        "Collapsing edges");
+    }
+  }
+
+  void OnCollapsing(const Profile& profile, const boost::optional<Point>& place)
+  {
+    this->Next = place && *place == profile.p0()   ? this->OriginOf[profile.v0()]
+                 : place && *place == profile.p1() ? this->OriginOf[profile.v1()]
+                                                   : -1;
+  }
+
+  void OnCollapsed(const Profile&, const vertex_descriptor& kept) { this->OriginOf[kept] = this->Next; }
+
+  Origins OriginOf;
+  ProgressCallback Report;
+  long long Selected = 0;
+  int Next = -1;
+};
+
+Origins collapse(SurfaceMesh& surface,
+  const std::vector<char>& keep,
+  int contextFaces,
+  const ProgressCallback& progress)
+{
+  Fixed fixed = surface.add_property_map<SurfaceMesh::Edge_index, bool>("e:fixed", false).first;
+  Origins origins = surface.add_property_map<Vertex, int>("v:origin", -1).first;
+  for (const Vertex v : surface.vertices())
+  {
+    origins[v] = static_cast<int>(v.idx());
+  }
+  int kept = 0;
+  for (const auto f : surface.faces())
+  {
+    for (const auto h : surface.halfedges_around_face(surface.halfedge(f)))
+    {
+      fixed[surface.edge(h)] = fixed[surface.edge(h)] || keep[f.idx()];
+    }
+    kept += keep[f.idx()];
+  }
+  // Every inner edge has two faces, every face three edges.
+  const auto faces = static_cast<double>(surface.number_of_faces());
+  const double edgesPerFace = static_cast<double>(surface.number_of_edges()) / faces;
+  const double edges = edgesPerFace * (kept + std::min<double>(contextFaces, faces - kept));
+  const simplification::Count_stop_predicate<SurfaceMesh> stop(static_cast<std::size_t>(edges));
+  const simplification::Constrained_placement<simplification::LindstromTurk_placement<SurfaceMesh>,
+    Fixed>
+    placement(fixed);
+  simplification::edge_collapse(surface,
+    stop,
+    CGAL::parameters::edge_is_constrained_map(fixed)
+      .get_cost(simplification::LindstromTurk_cost<SurfaceMesh>())
+      .get_placement(placement)
+      .filter(simplification::Bounded_normal_change_filter<>())
+      .visitor(Visitor(origins, progress)));
+  return origins;
+}
+
+} // namespace
+
+DerivedMesh coarsenContext(const TriangleMesh& mesh,
+  const std::vector<char>& inRegion,
+  int contextFaces,
+  const ProgressCallback& progress)
+{
+  requireFits(mesh, inRegion, contextFaces);
+  const std::vector<char> keep = facesToKeep(mesh, inRegion);
+  if (std::count(keep.begin(), keep.end(), 0) <= contextFaces)
+  {
+    report(progress, 1.0, "Nothing is too fine");
+    return derivedFromItself(mesh);
+  }
+  report(progress, 0.0, "Collapsing edges");
+  SurfaceMesh surface = toSurfaceMesh(mesh);
+  const Origins origins = collapse(surface, keep, contextFaces, progress);
+
+  report(progress, 0.8, "Carrying attributes over");
+  const SurfaceProjection original(mesh);
+  DerivedMesh derived;
+  derived.Mesh = toTriangleMesh(surface);
+  std::vector<int> originOf;
+  std::vector<Eigen::Triplet<double>> weights;
+  for (const Vertex v : surface.vertices())
+  {
+    const int row = static_cast<int>(originOf.size());
+    originOf.push_back(origins[v]);
+    if (origins[v] >= 0)
+    {
+      weights.emplace_back(row, origins[v], 1.0);
+      continue;
+    }
+    const SurfacePoint nearest = original.closest(derived.Mesh.Vertices.row(row).transpose());
+    for (int k = 0; k < 3; ++k)
+    {
+      if (nearest.Weights[k] > 0.0)
+      {
+        weights.emplace_back(row, mesh.Faces(nearest.Face, k), nearest.Weights[k]);
+      }
+    }
+  }
+  derived.Vertices.resize(derived.Mesh.vertexCount(), mesh.vertexCount());
+  derived.Vertices.setFromTriplets(weights.begin(), weights.end());
+  for (const auto f : surface.faces()) // whose indices are those of the original faces
+  {
+    const int face = static_cast<int>(f.idx());
+    const int row = static_cast<int>(derived.Faces.size());
+    const Eigen::Vector3i corners(originOf[derived.Mesh.Faces(row, 0)],
+      originOf[derived.Mesh.Faces(row, 1)],
+      originOf[derived.Mesh.Faces(row, 2)]);
+    const Eigen::Vector3i before = mesh.Faces.row(face).transpose();
+    const bool isSame = std::is_permutation(corners.data(), corners.data() + 3, before.data());
+    const Eigen::Vector3d centroid = (derived.Mesh.Vertices.row(derived.Mesh.Faces(row, 0)) +
+                                       derived.Mesh.Vertices.row(derived.Mesh.Faces(row, 1)) +
+                                       derived.Mesh.Vertices.row(derived.Mesh.Faces(row, 2)))
+                                       .transpose() /
+                                     3.0;
+    derived.Faces.push_back(isSame ? face : original.closest(centroid).Face);
+  }
+  report(progress, 1.0, "Done");
+  return derived;
+}
+
+} // namespace flattening

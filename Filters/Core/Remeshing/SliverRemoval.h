@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The angles of triangles, and the removal of small ones.
+#pragma once
+
+#include "Base/Progress.h"
+#include "Mesh/TriangleMesh.h"
+#include "Remeshing/MeshOnSurface.h"
+
+namespace flattening
+{
+
+/// Smallest angle of all faces, degrees; 0 where a face has no area, 180 if there is no face.
+double smallestAngle(const TriangleMesh& mesh);
+
+/// Flips and collapses edges of the faces with an angle below @p degrees and moves their vertices over
+/// the old surface, until there is none or nothing helps. Every change makes the smallest of the angles
+/// around larger. The topology stays.
+void removeSmallAngles(ResampledSurface& surface, double degrees, const ProgressCallback& progress = {});
+
+/// The same for a surface that stays as it is elsewhere, e.g. after a boundary was cut. Changed vertices
+/// and faces are traced to the nearest places of @p mesh, all others to themselves.
+/// @throws TopologyError if the mesh is no oriented manifold or has unused vertices.
+DerivedMesh withoutSmallAngles(const TriangleMesh& mesh,
+  double degrees,
+  const ProgressCallback& progress = {});
+
+/// Whether the sum of the two angles opposite to a flipped edge becomes smaller: the Delaunay property.
+bool opensAngles(const LocalChange& flip);
+
+/// Distance between the two diagonals of a flip, input units: how much it changes the surface.
+double flipHeight(const LocalChange& flip);
+
+} // namespace flattening

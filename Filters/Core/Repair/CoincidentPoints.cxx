@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Repair/CoincidentPoints.h"
+
+#include "Mesh/EditableSurface.h"
+
+#include <CGAL/Fuzzy_sphere.h>
+#include <CGAL/Kd_tree.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/Search_traits_adapter.h>
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <tuple>
+
+namespace flattening
+{
+namespace
+{
+
+std::vector<int> exactlyCoincident(const Points3& points)
+{
+  const auto key = [&points](int v)
+  { return std::make_tuple(points(v, 0), points(v, 1), points(v, 2)); };
+  std::vector<int> order(points.rows());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(),
+    order.end(),
+    [&key](int a, int b)
+    { return std::tuple_cat(key(a), std::tie(a)) < std::tuple_cat(key(b), std::tie(b)); });
+  std::vector<int> representative(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const bool same = i > 0 && key(order[i]) == key(order[i - 1]);
+    representative[order[i]] = same ? representative[order[i - 1]] : order[i];
+  }
+  return representative;
+}
+
+} // namespace
+
+std::vector<int> coincidentPoints(const Points3& points, double tolerance)
+{
+  std::vector<int> representative = exactlyCoincident(points);
+  if (!(tolerance > 0.0))
+  {
+    return representative;
+  }
+
+  using Indexed = std::pair<Kernel::Point_3, int>;
+  using Traits = CGAL::Search_traits_adapter<Indexed,
+    CGAL::First_of_pair_property_map<Indexed>,
+    CGAL::Search_traits_3<Kernel>>;
+  std::vector<Indexed> distinct;
+  for (int v = 0; v < points.rows(); ++v)
+  {
+    if (representative[v] == v)
+    {
+      distinct.emplace_back(pointOf(points, v), v);
+    }
+  }
+  const CGAL::Kd_tree<Traits> tree(distinct.begin(), distinct.end());
+
+  std::vector<int> joins(points.rows(), -1);
+  std::vector<Indexed> near;
+  for (const Indexed& point : distinct)
+  {
+    if (joins[point.second] < 0)
+    {
+      near.clear();
+      tree.search(std::back_inserter(near), CGAL::Fuzzy_sphere<Traits>(point, tolerance));
+      for (const Indexed& other : near)
+      {
+        if (joins[other.second] < 0)
+        {
+          joins[other.second] = point.second;
+        }
+      }
+    }
+  }
+  for (int& v : representative)
+  {
+    v = joins[v];
+  }
+  return representative;
+}
+
+} // namespace flattening

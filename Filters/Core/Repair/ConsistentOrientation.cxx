@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Repair/ConsistentOrientation.h"
+
+#include "Base/Errors.h"
+#include "Mesh/EditableSurface.h"
+#include "Mesh/MeshTopology.h"
+
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace flattening
+{
+namespace
+{
+
+using Polygons = std::vector<std::array<std::size_t, 3>>;
+
+// Most isosurfaces are: finding out takes a tenth of the time of making them so.
+bool isOrientedManifold(const TriangleMesh& mesh)
+{
+  try
+  {
+    analyseTopology(mesh.Faces, mesh.vertexCount());
+    return true;
+  }
+  catch (const TopologyError&)
+  {
+    return false;
+  }
+}
+
+struct OrientationRecord : CGAL::Polygon_mesh_processing::Default_orientation_visitor
+{
+  OrientedMesh* Result = nullptr;
+
+  void polygon_orientation_reversed(std::size_t face) { this->Result->Reversed[face] ^= 1; }
+  void duplicated_vertex(std::size_t original, std::size_t copy)
+  {
+    std::vector<int>& copyOf = this->Result->CopyOf;
+    copyOf.resize(std::max(copyOf.size(), copy + 1));
+    copyOf[copy] = copyOf[original];
+  }
+};
+
+using FacesOfEdges = std::map<std::pair<int, int>, std::vector<int>>;
+
+FacesOfEdges facesOfEdges(const FaceMatrix& faces, const std::vector<char>& concerned)
+{
+  FacesOfEdges edges;
+  for (int f = 0; f < faces.rows(); ++f)
+  {
+    for (int k = 0; concerned[f] && k < 3; ++k)
+    {
+      edges[std::minmax<int>(faces(f, k), faces(f, (k + 1) % 3))].push_back(f);
+    }
+  }
+  return edges;
+}
+
+// A cut at an edge of just two faces has one reason only: no orientation suits both.
+void markOneSidedEdges(OrientedMesh& oriented, const TriangleMesh& before)
+{
+  std::vector<char> copied(before.vertexCount(), 0);
+  for (std::size_t v = before.vertexCount(); v < oriented.CopyOf.size(); ++v)
+  {
+    copied[oriented.CopyOf[v]] = 1;
+  }
+  std::vector<char> concerned(before.faceCount(), 0);
+  for (int f = 0; f < before.faceCount(); ++f)
+  {
+    concerned[f] =
+      copied[before.Faces(f, 0)] || copied[before.Faces(f, 1)] || copied[before.Faces(f, 2)];
+  }
+  std::vector<std::pair<int, int>> joined;
+  for (const auto& [edge, faces] : facesOfEdges(oriented.Mesh.Faces, concerned))
+  {
+    if (faces.size() == 2)
+    {
+      joined.emplace_back(faces[0], faces[1]);
+    }
+  }
+  std::sort(joined.begin(), joined.end());
+  for (const auto& [edge, faces] : facesOfEdges(before.Faces, concerned))
+  {
+    if (faces.size() == 2 &&
+        !std::binary_search(joined.begin(), joined.end(), std::make_pair(faces[0], faces[1])))
+    {
+      oriented.OneSided[faces[0]] = oriented.OneSided[faces[1]] = 1;
+    }
+  }
+}
+
+} // namespace
+
+OrientedMesh orientConsistently(const TriangleMesh& mesh)
+{
+  OrientedMesh oriented;
+  oriented.CopyOf.resize(mesh.vertexCount());
+  std::iota(oriented.CopyOf.begin(), oriented.CopyOf.end(), 0);
+  oriented.Reversed.assign(mesh.faceCount(), 0);
+  oriented.OneSided.assign(mesh.faceCount(), 0);
+  oriented.Mesh = mesh;
+  if (isOrientedManifold(mesh))
+  {
+    return oriented;
+  }
+
+  std::vector<Kernel::Point_3> points;
+  points.reserve(mesh.vertexCount());
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    points.push_back(pointOf(mesh.Vertices, v));
+  }
+  Polygons polygons(mesh.faceCount());
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      polygons[f][k] = mesh.Faces(f, k);
+    }
+  }
+  OrientationRecord record;
+  record.Result = &oriented;
+  CGAL::Polygon_mesh_processing::orient_polygon_soup(
+    points, polygons, CGAL::parameters::visitor(record));
+
+  oriented.Mesh.Vertices.conservativeResize(static_cast<Eigen::Index>(points.size()), 3);
+  for (std::size_t v = mesh.vertexCount(); v < points.size(); ++v)
+  {
+    oriented.Mesh.Vertices.row(static_cast<Eigen::Index>(v)) = mesh.Vertices.row(oriented.CopyOf[v]);
+  }
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      oriented.Mesh.Faces(f, k) = static_cast<int>(polygons[f][k]);
+    }
+  }
+  if (points.size() > static_cast<std::size_t>(mesh.vertexCount()))
+  {
+    markOneSidedEdges(oriented, mesh);
+  }
+  return oriented;
+}
+
+int orientOutward(TriangleMesh& component, const std::vector<char>& reversed, bool closed)
+{
+  const int faces = component.faceCount();
+  double volume = 0.0;       // six times; about the centroid, to lose fewer digits
+  double reversedArea = 0.0; // minus the area of the faces that were kept
+  const Eigen::RowVector3d centre = component.Vertices.colwise().mean();
+  const Eigen::VectorXd areas = faceAreas(component.Vertices, component.Faces);
+  int reversedFaces = 0;
+  for (int f = 0; f < faces; ++f)
+  {
+    const Eigen::Vector3d a = component.Vertices.row(component.Faces(f, 0)) - centre;
+    const Eigen::Vector3d b = component.Vertices.row(component.Faces(f, 1)) - centre;
+    const Eigen::Vector3d c = component.Vertices.row(component.Faces(f, 2)) - centre;
+    volume += a.dot(b.cross(c));
+    reversedArea += reversed[f] ? areas[f] : -areas[f];
+    reversedFaces += reversed[f] != 0;
+  }
+  if (closed ? volume < 0.0 : reversedArea > 0.0)
+  {
+    component.Faces.col(1).swap(component.Faces.col(2));
+    reversedFaces = faces - reversedFaces;
+  }
+  return reversedFaces;
+}
+
+} // namespace flattening

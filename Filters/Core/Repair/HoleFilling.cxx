@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Repair/HoleFilling.h"
+
+#include "Base/Errors.h"
+#include "Mesh/ClosestPointTree.h"
+#include "Mesh/EditableSurface.h"
+#include "Mesh/SelfIntersections.h"
+
+#include <CGAL/Polygon_mesh_processing/refine.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace flattening
+{
+namespace
+{
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+using Vertex = EditableSurface::Vertex;
+using Halfedge = EditableSurface::Halfedge;
+using Face = EditableSurface::Face;
+
+// Up to here the search of all triangulations, O(n^3), takes seconds at most if the faster ones fail.
+constexpr std::size_t LongestCubicLoop = 500;
+
+// The border half-edge that ends in a boundary vertex.
+Halfedge borderAt(const SurfaceMesh& mesh, Vertex v)
+{
+  for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
+  {
+    if (mesh.is_border(h))
+    {
+      return h;
+    }
+  }
+  throw InvalidInput("vertex " + std::to_string(v.idx()) + " is not on the boundary");
+}
+
+std::vector<Vertex> loopVertices(const SurfaceMesh& mesh, Halfedge border)
+{
+  std::vector<Vertex> loop;
+  for (const Halfedge h : mesh.halfedges_around_face(border))
+  {
+    loop.push_back(mesh.target(h));
+  }
+  return loop;
+}
+
+// A vertex in the middle, joined to the whole loop: always fits, whatever edges exist.
+void coverWithFan(EditableSurface& surface, Halfedge border, const std::vector<Vertex>& loop)
+{
+  SurfaceMesh& mesh = surface.mesh();
+  Kernel::Vector_3 sum = CGAL::NULL_VECTOR;
+  EditableSurface::Origin origin;
+  for (const Vertex v : loop)
+  {
+    sum += mesh.point(v) - CGAL::ORIGIN;
+    origin.emplace_back(surface.origin(v).front().first, 1.0 / static_cast<double>(loop.size()));
+  }
+  CGAL::Euler::fill_hole(border, mesh);
+  const Halfedge spoke = CGAL::Euler::add_center_vertex(border, mesh);
+  const Vertex centre = mesh.target(spoke);
+  mesh.point(centre) = CGAL::ORIGIN + sum / static_cast<double>(loop.size());
+  surface.origin(centre) = origin;
+}
+
+// New vertices take their attributes from the unrefined patch, which has the loop's vertices only.
+void traceToLoop(EditableSurface& surface,
+  const std::vector<Vertex>& loop,
+  const TriangleMesh& patch,
+  const std::vector<Vertex>& added)
+{
+  if (added.empty())
+  {
+    return;
+  }
+  const SurfaceProjection projection(patch);
+  for (const Vertex v : added)
+  {
+    const Kernel::Point_3& p = surface.mesh().point(v);
+    const SurfacePoint at = projection.closest({ p.x(), p.y(), p.z() });
+    EditableSurface::Origin origin;
+    for (int k = 0; k < 3; ++k)
+    {
+      if (at.Weights[k] > 0.0)
+      {
+        const Vertex corner = loop[patch.Faces(at.Face, k)];
+        origin.emplace_back(surface.origin(corner).front().first, at.Weights[k]);
+      }
+    }
+    surface.origin(v) = origin;
+  }
+}
+
+TriangleMesh unrefinedPatch(const SurfaceMesh& mesh,
+  const std::vector<Vertex>& loop,
+  const std::vector<Face>& faces)
+{
+  std::vector<std::pair<Vertex, int>> position;
+  TriangleMesh patch;
+  patch.Vertices.resize(static_cast<Eigen::Index>(loop.size()), 3);
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const Kernel::Point_3& p = mesh.point(loop[i]);
+    patch.Vertices.row(i) << p.x(), p.y(), p.z();
+    position.emplace_back(loop[i], static_cast<int>(i));
+  }
+  std::sort(position.begin(), position.end());
+  patch.Faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    int k = 0;
+    for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(faces[f])))
+    {
+      patch.Faces(f, k++) =
+        std::lower_bound(position.begin(), position.end(), std::make_pair(v, 0))->second;
+    }
+  }
+  return patch;
+}
+
+enum class Patch
+{
+  Refined,
+  Delaunay,
+  LeastAngle,
+  Fan,
+  Kinds
+};
+
+void fillHole(EditableSurface& surface, Halfedge border, Patch kind)
+{
+  SurfaceMesh& mesh = surface.mesh();
+  const std::vector<Vertex> loop = loopVertices(mesh, border);
+  std::vector<Face> patch;
+  if (kind != Patch::Fan)
+  {
+    PMP::triangulate_hole(mesh,
+      border,
+      std::back_inserter(patch),
+      CGAL::parameters::use_2d_constrained_delaunay_triangulation(kind != Patch::LeastAngle)
+        .do_not_use_cubic_algorithm(loop.size() > LongestCubicLoop));
+  }
+  if (patch.empty())
+  {
+    coverWithFan(surface, border, loop);
+    return;
+  }
+  if (kind == Patch::Refined)
+  {
+    const TriangleMesh unrefined = unrefinedPatch(mesh, loop, patch);
+    std::vector<Vertex> added;
+    std::vector<Face> refined;
+    PMP::refine(mesh, patch, std::back_inserter(refined), std::back_inserter(added));
+    traceToLoop(surface, loop, unrefined, added);
+  }
+}
+
+struct PatchedSurface
+{
+  DerivedMesh Surface;
+  std::vector<int> HoleOfFace; ///< -1 for old faces
+};
+
+PatchedSurface patched(const TriangleMesh& mesh,
+  const std::vector<std::vector<int>>& loops,
+  const std::vector<Patch>& kinds,
+  const ProgressCallback& progress)
+{
+  EditableSurface surface(mesh);
+  PatchedSurface result;
+  result.HoleOfFace.assign(mesh.faceCount(), -1);
+  for (std::size_t hole = 0; hole < loops.size(); ++hole)
+  {
+    report(progress, static_cast<double>(hole) / loops.size(), "filling holes");
+    fillHole(surface, borderAt(surface.mesh(), Vertex(loops[hole].front())), kinds[hole]);
+    result.HoleOfFace.resize(surface.mesh().number_of_faces(), static_cast<int>(hole));
+  }
+  result.Surface = surface.derived();
+  return result;
+}
+
+PlacedTriangle placed(const TriangleMesh& mesh, int face)
+{
+  PlacedTriangle triangle;
+  for (int k = 0; k < 3; ++k)
+  {
+    triangle.Vertices[k] = mesh.Faces(face, k);
+    triangle.Points[k] = mesh.Vertices.row(mesh.Faces(face, k));
+  }
+  return triangle;
+}
+
+// Per hole: how many faces, old or new, its patch intersects.
+std::vector<int> intersectionsPerHole(const PatchedSurface& filled, int holes)
+{
+  const TriangleMesh& mesh = filled.Surface.Mesh;
+  std::vector<PlacedTriangle> all;
+  std::vector<PlacedTriangle> ofPatches;
+  all.reserve(mesh.faceCount());
+  int oldFaces = 0;
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    all.push_back(placed(mesh, f));
+    oldFaces += filled.HoleOfFace[f] < 0;
+  }
+  ofPatches.assign(all.begin() + oldFaces, all.end());
+  std::vector<int> count(holes, 0);
+  for (const auto& [i, other] : overlappingBoxes(ofPatches, all))
+  {
+    const int face = oldFaces + i;
+    count[filled.HoleOfFace[face]] += face != other && intersect(all[face], all[other]);
+  }
+  return count;
+}
+
+// The message of a loop that is too long says where it is.
+void requireShort(const TriangleMesh& mesh, const std::vector<int>& loop, double limit)
+{
+  const double length = loopLength(mesh.Vertices, loop);
+  if (length > limit)
+  {
+    Eigen::RowVector3d centre = Eigen::RowVector3d::Zero();
+    for (const int v : loop)
+    {
+      centre += mesh.Vertices.row(v) / static_cast<double>(loop.size());
+    }
+    std::ostringstream message; // lengths of any order of magnitude
+    message << "the hole around (" << centre[0] << ", " << centre[1] << ", " << centre[2] << ") is "
+            << length << " long, more than the limit of " << limit
+            << " for holes that are filled: raise the limit, or cut that part off with Clip";
+    throw InvalidInput(message.str());
+  }
+}
+
+} // namespace
+
+double loopLength(const Points3& vertices, const std::vector<int>& loop)
+{
+  double length = 0.0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    length += (vertices.row(loop[i]) - vertices.row(loop[(i + 1) % loop.size()])).norm();
+  }
+  return length;
+}
+
+FilledSurface fillHoles(const TriangleMesh& mesh,
+  const std::vector<std::vector<int>>& loops,
+  const HoleFillingOptions& options,
+  const ProgressCallback& progress)
+{
+  for (const std::vector<int>& loop : loops)
+  {
+    requireShort(mesh, loop, options.LongestLoop);
+  }
+  const int holes = static_cast<int>(loops.size());
+  std::vector<Patch> kinds(holes, Patch::Refined);
+  PatchedSurface filled = patched(mesh, loops, kinds, subrange(progress, 0.0, 0.4));
+  std::vector<int> fewest = intersectionsPerHole(filled, holes);
+
+  const auto pierces = [](int count) { return count > 0; };
+  for (int k = 1; k < static_cast<int>(Patch::Kinds); ++k)
+  {
+    if (std::none_of(fewest.begin(), fewest.end(), pierces))
+    {
+      break;
+    }
+    report(progress, 0.4 + 0.15 * (k - 1), "filling holes");
+    std::vector<Patch> tried = kinds;
+    for (int hole = 0; hole < holes; ++hole)
+    {
+      tried[hole] = pierces(fewest[hole]) ? static_cast<Patch>(k) : kinds[hole];
+    }
+    const std::vector<int> counts = intersectionsPerHole(patched(mesh, loops, tried, {}), holes);
+    for (int hole = 0; hole < holes; ++hole)
+    {
+      if (counts[hole] < fewest[hole])
+      {
+        kinds[hole] = tried[hole];
+        fewest[hole] = counts[hole];
+      }
+    }
+    filled = patched(mesh, loops, kinds, {});
+    fewest = intersectionsPerHole(filled, holes);
+  }
+
+  FilledSurface result;
+  result.FilledHoles = holes;
+  result.PiercingPatches = static_cast<int>(std::count_if(fewest.begin(), fewest.end(), pierces));
+  result.Surface = std::move(filled.Surface);
+  const TriangleMesh& surface = result.Surface.Mesh;
+  const Eigen::VectorXd areas = faceAreas(surface.Vertices, surface.Faces);
+  for (int f = 0; f < surface.faceCount(); ++f)
+  {
+    result.FilledArea += result.Surface.Faces[f] < 0 ? areas[f] : 0.0;
+  }
+  return result;
+}
+
+FilledSurface fillHoles(const TriangleMesh& mesh,
+  const std::vector<std::vector<int>>& loops,
+  const ProgressCallback& progress)
+{
+  return fillHoles(mesh, loops, HoleFillingOptions{}, progress);
+}
+
+} // namespace flattening

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Repair/SurfaceRepair.h"
+
+#include "Base/Errors.h"
+#include "Repair/CoincidentPoints.h"
+#include "Repair/CollinearFaces.h"
+#include "Repair/ConsistentOrientation.h"
+#include "Repair/NeedlesAndCaps.h"
+#include "Repair/TJunctions.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+namespace flattening
+{
+namespace
+{
+
+using Triangle = std::array<int, 3>;
+
+void requireFinite(const TriangleMesh& soup)
+{
+  for (int f = 0; f < soup.faceCount(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int v = soup.Faces(f, k);
+      if (v < 0 || v >= soup.vertexCount())
+      {
+        throw InvalidInput("face " + std::to_string(f) + " names vertex " + std::to_string(v) +
+                           ", but there are " + std::to_string(soup.vertexCount()) +
+                           " vertices: the data set is damaged");
+      }
+      if (!soup.Vertices.row(v).allFinite())
+      {
+        throw InvalidInput("point " + std::to_string(v) + " of face " + std::to_string(f) +
+                           " has a coordinate that is not finite: remove such points first, e.g. with "
+                           "Threshold or Extract Selection");
+      }
+    }
+  }
+}
+
+bool repeatsVertex(const Triangle& t)
+{
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
+// The faces left after merging, with the input face of each.
+struct FaceList
+{
+  std::vector<Triangle> Faces;
+  std::vector<int> Origins;
+
+  template <typename Drop>
+  int dropIf(Drop&& drop)
+  {
+    std::size_t kept = 0;
+    for (std::size_t f = 0; f < this->Faces.size(); ++f)
+    {
+      if (!drop(f))
+      {
+        this->Faces[kept] = this->Faces[f];
+        this->Origins[kept++] = this->Origins[f];
+      }
+    }
+    const int dropped = static_cast<int>(this->Faces.size() - kept);
+    this->Faces.resize(kept);
+    this->Origins.resize(kept);
+    return dropped;
+  }
+};
+
+int dropDuplicates(FaceList& list)
+{
+  struct Key
+  {
+    Triangle Vertices;
+    int Face;
+  };
+  std::vector<Key> keys(list.Faces.size());
+  for (std::size_t f = 0; f < keys.size(); ++f)
+  {
+    keys[f] = { list.Faces[f], static_cast<int>(f) };
+    std::sort(keys[f].Vertices.begin(), keys[f].Vertices.end());
+  }
+  std::sort(keys.begin(),
+    keys.end(),
+    [](const Key& a, const Key& b)
+    { return a.Vertices != b.Vertices ? a.Vertices < b.Vertices : a.Face < b.Face; });
+  std::vector<char> duplicate(keys.size(), 0);
+  for (std::size_t i = 1; i < keys.size(); ++i)
+  {
+    duplicate[keys[i].Face] = keys[i].Vertices == keys[i - 1].Vertices;
+  }
+  return list.dropIf([&duplicate](std::size_t f) { return duplicate[f] != 0; });
+}
+
+// Each of the two steps may bring new work for the other.
+void removeDegenerateFaces(const Points3& vertices, FaceList& list, RepairReport& report)
+{
+  for (bool changed = true; changed;)
+  {
+    const CollapsedNeedles needles = collapseNeedles(vertices, list.Faces, list.Origins);
+    const int collinear = dissolveCollinearFaces(vertices, list.Faces, list.Origins);
+    report.MergedPoints += needles.Vertices;
+    report.DegenerateFaces += needles.Faces + collinear;
+    changed = needles.Vertices > 0 || collinear > 0;
+  }
+}
+
+// Merges the corners of the faces; counts what that concerns.
+FaceList mergedFaces(const TriangleMesh& soup, double tolerance, RepairReport& report)
+{
+  const std::vector<int> representative = coincidentPoints(soup.Vertices, tolerance);
+  std::vector<char> used(soup.vertexCount(), 0);
+  FaceList list;
+  list.Faces.resize(soup.faceCount());
+  list.Origins.resize(soup.faceCount());
+  for (int f = 0; f < soup.faceCount(); ++f)
+  {
+    list.Origins[f] = f;
+    for (int k = 0; k < 3; ++k)
+    {
+      used[soup.Faces(f, k)] = 1;
+      list.Faces[f][k] = representative[soup.Faces(f, k)];
+    }
+  }
+  for (int v = 0; v < soup.vertexCount(); ++v)
+  {
+    report.UnusedPoints += !used[v];
+    report.MergedPoints += used[v] && representative[v] != v;
+  }
+  return list;
+}
+
+// The faces with the vertices that they use; says which those were.
+TriangleMesh compactMesh(const Points3& vertices, const FaceList& list, std::vector<int>& original)
+{
+  std::vector<int> index(vertices.rows(), -1);
+  for (const Triangle& triangle : list.Faces)
+  {
+    for (const int v : triangle)
+    {
+      index[v] = 0;
+    }
+  }
+  for (int v = 0; v < vertices.rows(); ++v)
+  {
+    if (index[v] == 0)
+    {
+      index[v] = static_cast<int>(original.size());
+      original.push_back(v);
+    }
+  }
+  TriangleMesh mesh;
+  mesh.Vertices.resize(static_cast<Eigen::Index>(original.size()), 3);
+  for (std::size_t v = 0; v < original.size(); ++v)
+  {
+    mesh.Vertices.row(static_cast<Eigen::Index>(v)) = vertices.row(original[v]);
+  }
+  mesh.Faces.resize(static_cast<Eigen::Index>(list.Faces.size()), 3);
+  for (std::size_t f = 0; f < list.Faces.size(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      mesh.Faces(static_cast<Eigen::Index>(f), k) = index[list.Faces[f][k]];
+    }
+  }
+  return mesh;
+}
+
+} // namespace
+
+RepairedSurface repairTriangleSoup(const TriangleMesh& soup, double tolerance)
+{
+  if (soup.faceCount() == 0)
+  {
+    throw InvalidInput("the surface has no triangles: pass a surface, e.g. from Contour");
+  }
+  requireFinite(soup);
+
+  RepairedSurface repaired;
+  RepairReport& report = repaired.Report;
+  FaceList list = mergedFaces(soup, tolerance, report);
+  report.DegenerateFaces = list.dropIf([&list](std::size_t f) { return repeatsVertex(list.Faces[f]); });
+  removeDegenerateFaces(soup.Vertices, list, report);
+  report.DuplicateFaces = dropDuplicates(list);
+  report.ClosedCracks = closeCracks(soup.Vertices, list.Faces, list.Origins, tolerance);
+  if (list.Faces.empty())
+  {
+    throw InvalidInput("the surface has zero area: all of its " + std::to_string(soup.faceCount()) +
+                       " triangles are degenerate; check the coordinates and the merge tolerance");
+  }
+
+  std::vector<int> original;
+  OrientedMesh oriented = orientConsistently(compactMesh(soup.Vertices, list, original));
+  report.SplitPoints = static_cast<int>(oriented.CopyOf.size() - original.size());
+  for (int& v : oriented.CopyOf)
+  {
+    v = original[v];
+  }
+  repaired.Surface.Vertices = keptVertices(oriented.CopyOf, soup.vertexCount());
+  repaired.Surface.Faces = std::move(list.Origins);
+  repaired.Surface.Mesh = std::move(oriented.Mesh);
+  repaired.Reversed = std::move(oriented.Reversed);
+  repaired.OneSided = std::move(oriented.OneSided);
+  return repaired;
+}
+
+} // namespace flattening

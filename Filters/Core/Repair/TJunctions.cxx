@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Repair/TJunctions.h"
+
+#include "Repair/NeedlesAndCaps.h"
+
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+#include <tuple>
+#include <utility>
+
+namespace flattening
+{
+namespace
+{
+
+using Triangle = std::array<int, 3>;
+using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
+
+constexpr double OffEdge = 1e-10;         // of the edge's length
+constexpr double LeastHeightRatio = 10.0; // of the third corner's distance to the point's
+
+struct OpenEdge
+{
+  int From;
+  int To;
+  int Apex;
+  int Face;
+};
+
+struct PointOnEdge
+{
+  int Edge;
+  double Along; // from 0 to 1
+  int Vertex;
+
+  bool operator<(const PointOnEdge& other) const
+  {
+    return std::tie(this->Edge, this->Along, this->Vertex) <
+           std::tie(other.Edge, other.Along, other.Vertex);
+  }
+};
+
+// Ends of open edges, and few others: a vertex around which some edge has an odd number of faces. The
+// codes of the neighbours cancel where all are met twice, but for a chance of 2^-64.
+std::vector<char> verticesOfOpenEdges(const std::vector<Triangle>& faces, Eigen::Index vertexCount)
+{
+  std::mt19937_64 random;
+  std::vector<std::uint64_t> code(vertexCount);
+  std::generate(code.begin(), code.end(), random);
+  std::vector<std::uint64_t> left(vertexCount, 0);
+  for (const auto& [a, b, c] : faces)
+  {
+    left[a] ^= code[b] ^ code[c];
+    left[b] ^= code[c] ^ code[a];
+    left[c] ^= code[a] ^ code[b];
+  }
+  std::vector<char> flags(vertexCount);
+  std::transform(left.begin(), left.end(), flags.begin(), [](std::uint64_t rest) { return rest != 0; });
+  return flags;
+}
+
+// Sorted by face.
+std::vector<OpenEdge> openEdges(const std::vector<Triangle>& faces, Eigen::Index vertexCount)
+{
+  const std::vector<char> candidate = verticesOfOpenEdges(faces, vertexCount);
+  using Keyed = std::pair<std::pair<int, int>, OpenEdge>; // by its ends
+  std::vector<Keyed> edges;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int from = faces[f][k];
+      const int to = faces[f][(k + 1) % 3];
+      if (candidate[from] && candidate[to])
+      {
+        edges.push_back(
+          { std::minmax(from, to), { from, to, faces[f][(k + 2) % 3], static_cast<int>(f) } });
+      }
+    }
+  }
+  std::sort(edges.begin(),
+    edges.end(),
+    [](const Keyed& a, const Keyed& b)
+    { return std::tie(a.first, a.second.Face) < std::tie(b.first, b.second.Face); });
+  std::vector<OpenEdge> open;
+  for (std::size_t i = 0, next = 0; i < edges.size(); i = next)
+  {
+    for (next = i + 1; next < edges.size() && edges[next].first == edges[i].first;)
+    {
+      ++next;
+    }
+    if (next == i + 1)
+    {
+      open.push_back(edges[i].second);
+    }
+  }
+  std::sort(open.begin(),
+    open.end(),
+    [](const OpenEdge& a, const OpenEdge& b)
+    { return std::tie(a.Face, a.From) < std::tie(b.Face, b.From); });
+  return open;
+}
+
+class CrackSearch
+{
+public:
+  CrackSearch(const Points3& vertices, double tolerance)
+    : Vertices(vertices)
+    , Tolerance(tolerance)
+  {
+  }
+
+  // Sorted along each edge.
+  std::vector<PointOnEdge> pointsOn(const std::vector<OpenEdge>& edges) const
+  {
+    std::vector<Box> boxesOfEdges;
+    std::vector<int> ends;
+    for (std::size_t e = 0; e < edges.size(); ++e)
+    {
+      Eigen::AlignedBox3d box = this->boxAround(edges[e]);
+      boxesOfEdges.emplace_back(box.min().data(), box.max().data(), static_cast<int>(e));
+      ends.push_back(edges[e].From);
+      ends.push_back(edges[e].To);
+    }
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    std::vector<Box> boxesOfPoints;
+    for (const int v : ends)
+    {
+      Eigen::Vector3d point = this->Vertices.row(v);
+      boxesOfPoints.emplace_back(point.data(), point.data(), v);
+    }
+
+    std::vector<PointOnEdge> found;
+    CGAL::box_intersection_d(boxesOfEdges.begin(),
+      boxesOfEdges.end(),
+      boxesOfPoints.begin(),
+      boxesOfPoints.end(),
+      [&](const Box& edge, const Box& point)
+      {
+        const double along = this->placeOn(edges[edge.info()], point.info());
+        if (along > 0.0)
+        {
+          found.push_back({ edge.info(), along, point.info() });
+        }
+      });
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+private:
+  double reach(double length) const { return std::max(this->Tolerance, OffEdge * length); }
+
+  Eigen::AlignedBox3d boxAround(const OpenEdge& edge) const
+  {
+    const Eigen::Vector3d from = this->Vertices.row(edge.From);
+    const Eigen::Vector3d to = this->Vertices.row(edge.To);
+    const Eigen::Vector3d margin = Eigen::Vector3d::Constant(this->reach((to - from).norm()));
+    return { from.cwiseMin(to) - margin, from.cwiseMax(to) + margin };
+  }
+
+  // Share of the edge before the vertex; 0 if that is not on it.
+  double placeOn(const OpenEdge& edge, int v) const
+  {
+    if (v == edge.From || v == edge.To || v == edge.Apex)
+    {
+      return 0.0;
+    }
+    const Eigen::Vector3d from = this->Vertices.row(edge.From);
+    const Eigen::Vector3d along = this->Vertices.row(edge.To).transpose() - from;
+    const Eigen::Vector3d point = this->Vertices.row(v).transpose() - from;
+    const Eigen::Vector3d apex = this->Vertices.row(edge.Apex).transpose() - from;
+    const double length = along.norm();
+    const double share = point.dot(along) / (length * length);
+    const double offEnds = std::max(this->Tolerance / length, 2.0 * SmallestEdgeShare);
+    if (!(share > offEnds && share < 1.0 - offEnds))
+    {
+      return 0.0;
+    }
+    const double distance = (point - share * along).norm();
+    const double height = along.cross(apex).norm() / length;
+    return distance <= this->reach(length) && height > LeastHeightRatio * distance ? share : 0.0;
+  }
+
+  const Points3& Vertices;
+  double Tolerance;
+};
+
+// Splits the part of a face with the edge from @p before to @p end at @p middle.
+void splitPart(std::vector<Triangle>& parts, int before, int end, int middle)
+{
+  const auto has = [](const Triangle& part, int v)
+  { return std::find(part.begin(), part.end(), v) != part.end(); };
+  const auto whole = std::find_if(parts.begin(),
+    parts.end(),
+    [&](const Triangle& part) { return has(part, before) && has(part, end); });
+  Triangle rest = *whole;
+  std::replace(whole->begin(), whole->end(), end, middle);
+  std::replace(rest.begin(), rest.end(), before, middle);
+  parts.push_back(rest);
+}
+
+} // namespace
+
+int closeCracks(const Points3& vertices,
+  std::vector<Triangle>& faces,
+  std::vector<int>& origins,
+  double tolerance)
+{
+  const std::vector<OpenEdge> edges = openEdges(faces, vertices.rows());
+  const std::vector<PointOnEdge> points = CrackSearch(vertices, tolerance).pointsOn(edges);
+  std::vector<Triangle> parts;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const OpenEdge& edge = edges[points[i].Edge];
+    const bool firstOfFace = i == 0 || edges[points[i - 1].Edge].Face != edge.Face;
+    const bool firstOfEdge = i == 0 || points[i - 1].Edge != points[i].Edge;
+    const bool lastOfFace = i + 1 == points.size() || edges[points[i + 1].Edge].Face != edge.Face;
+    if (firstOfFace)
+    {
+      parts = { faces[edge.Face] };
+    }
+    splitPart(parts, firstOfEdge ? edge.From : points[i - 1].Vertex, edge.To, points[i].Vertex);
+    if (lastOfFace)
+    {
+      faces[edge.Face] = parts.front();
+      faces.insert(faces.end(), parts.begin() + 1, parts.end());
+      origins.insert(origins.end(), parts.size() - 1, origins[edge.Face]);
+    }
+  }
+  return static_cast<int>(points.size());
+}
+
+} // namespace flattening

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Transport/DomainPolygon.h"
+
+#include "Base/Errors.h"
+#include "Transport/ArcPolygonMoments.h"
+#include "Transport/ConvexDomain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace flattening
+{
+namespace
+{
+
+constexpr double OnTheLine = 1e-9;
+// Of the largest coordinate: outlines that are smaller have lost their shape to rounding.
+constexpr double LeastSize = 1e-9;
+
+void requireCoordinates(const Points2& outline, double size)
+{
+  for (Eigen::Index k = 0; k < outline.rows(); ++k)
+  {
+    if (!outline.row(k).allFinite())
+    {
+      throw InvalidInput("point " + std::to_string(k) +
+                         " of the domain's outline is not finite: give the corners of a convex polygon");
+    }
+  }
+  if (!(size > LeastSize * outline.cwiseAbs().maxCoeff()) || !(size * size > 0.0) ||
+      !std::isfinite(size * size))
+  {
+    throw InvalidInput("the domain's outline has an extent of " + std::to_string(size) +
+                       ", too small or too large for its place: give a convex polygon near the origin");
+  }
+}
+
+// Without those points that are no corners: a point goes if the path over it is straight.
+std::vector<Eigen::Vector2d> cornersOf(const Points2& outline, double size)
+{
+  std::vector<Eigen::Vector2d> corners(outline.rows());
+  for (Eigen::Index k = 0; k < outline.rows(); ++k)
+  {
+    corners[k] = outline.row(k);
+  }
+  const auto isNone = [&](std::size_t k)
+  {
+    const Eigen::Vector2d before = corners[k] - corners[(k + corners.size() - 1) % corners.size()];
+    const Eigen::Vector2d after = corners[(k + 1) % corners.size()] - corners[k];
+    return before.norm() <= OnTheLine * size ||
+           (before.dot(after) > 0.0 &&
+             std::abs(cross(before, after)) <= OnTheLine * before.norm() * after.norm());
+  };
+  for (std::size_t k = 0; k < corners.size() && corners.size() > 1;)
+  {
+    if (isNone(k))
+    {
+      corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(k));
+      k = k > 0 ? k - 1 : 0;
+    }
+    else
+    {
+      ++k;
+    }
+  }
+  return corners;
+}
+
+ConvexPolygon convexPolygon(const Points2& corners, const std::string& remedy)
+{
+  try
+  {
+    return ConvexPolygon(corners);
+  }
+  catch (const InvalidInput&)
+  {
+    throw InvalidInput("the domain's outline is not convex, or crosses itself" + remedy);
+  }
+}
+
+} // namespace
+
+DomainPolygon domainPolygon(const Points2& outline)
+{
+  const std::string remedy = ": give the corners of a convex polygon, three at least, in order";
+  if (outline.rows() < 3)
+  {
+    throw InvalidInput(
+      "the domain's outline has " + std::to_string(outline.rows()) + " points" + remedy);
+  }
+  const double size = (outline.colwise().maxCoeff() - outline.colwise().minCoeff()).norm();
+  requireCoordinates(outline, size);
+  const std::vector<Eigen::Vector2d> corners = cornersOf(outline, size);
+  double area = 0.0;
+  for (std::size_t k = 0; k < corners.size(); ++k)
+  {
+    area += 0.5 * cross(corners[k] - corners[0], corners[(k + 1) % corners.size()] - corners[0]);
+  }
+  if (corners.size() < 3 || !(std::abs(area) > OnTheLine * size * size))
+  {
+    throw InvalidInput("the domain's outline has no area" + remedy);
+  }
+  DomainPolygon polygon;
+  polygon.Corners.resize(static_cast<Eigen::Index>(corners.size()), 2);
+  for (std::size_t k = 0; k < corners.size(); ++k)
+  {
+    polygon.Corners.row(k) = corners[area > 0.0 ? k : corners.size() - 1 - k];
+  }
+  // Near the origin, where areas lose no digits.
+  const Eigen::RowVector2d near = polygon.Corners.row(0);
+  polygon.Corners.rowwise() -= near;
+  const ConvexPolygon convex = convexPolygon(polygon.Corners, remedy);
+  polygon.Centroid = near.transpose() + convex.centroid();
+  polygon.Scale = std::sqrt(convex.area() / EIGEN_PI);
+  polygon.Corners.rowwise() -= convex.centroid().transpose();
+  polygon.Corners /= polygon.Scale;
+  return polygon;
+}
+
+} // namespace flattening

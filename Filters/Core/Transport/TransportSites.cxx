@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Transport/TransportSites.h"
+
+#include "Mesh/RecursiveBisection.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace flattening
+{
+
+Eigen::VectorXd TransportSites::sums(const Eigen::VectorXd& values) const
+{
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(this->count());
+  for (std::size_t v = 0; v < this->SiteOfVertex.size(); ++v)
+  {
+    result[this->SiteOfVertex[v]] += values[static_cast<Eigen::Index>(v)];
+  }
+  return result;
+}
+
+TransportSites distinctSites(const Points2& positions)
+{
+  const int n = static_cast<int>(positions.rows());
+  std::vector<int> order(n);
+  std::iota(order.begin(), order.end(), 0);
+  const auto before = [&positions](int a, int b)
+  {
+    return positions(a, 0) != positions(b, 0) ? positions(a, 0) < positions(b, 0)
+                                              : positions(a, 1) < positions(b, 1);
+  };
+  std::stable_sort(order.begin(), order.end(), before);
+  std::vector<int> representative(n);
+  for (int k = 0; k < n; ++k)
+  {
+    const bool same = k > 0 && !before(order[k - 1], order[k]);
+    representative[order[k]] = same ? representative[order[k - 1]] : order[k];
+  }
+  TransportSites sites;
+  sites.SiteOfVertex.resize(n);
+  sites.Positions.resize(n, 2);
+  int count = 0;
+  for (int v = 0; v < n; ++v) // the lowest vertex of each place comes first: the sort is stable
+  {
+    if (representative[v] == v)
+    {
+      sites.Positions.row(count) = positions.row(v);
+      sites.SiteOfVertex[v] = count++;
+    }
+    else
+    {
+      sites.SiteOfVertex[v] = sites.SiteOfVertex[representative[v]];
+    }
+  }
+  sites.Positions.conservativeResize(count, 2);
+  return sites;
+}
+
+TransportSites groupedSites(const Points2& positions,
+  const Eigen::VectorXd& masses,
+  const std::vector<int>& alone,
+  int verticesPerSite)
+{
+  const int n = static_cast<int>(positions.rows());
+  std::vector<char> isAlone(n, 0);
+  for (const int v : alone)
+  {
+    isAlone[v] = 1;
+  }
+  std::vector<int> grouped;
+  for (int v = 0; v < n; ++v)
+  {
+    if (!isAlone[v])
+    {
+      grouped.push_back(v);
+    }
+  }
+  Points2 places(static_cast<Eigen::Index>(grouped.size()), 2);
+  for (std::size_t i = 0; i < grouped.size(); ++i)
+  {
+    places.row(static_cast<Eigen::Index>(i)) = positions.row(grouped[i]);
+  }
+  const std::vector<std::vector<int>> groups = planarParts(places, verticesPerSite, 0.0);
+
+  Points2 centres(static_cast<Eigen::Index>(groups.size() + alone.size()), 2);
+  std::vector<int> groupOf(n);
+  int count = 0;
+  for (const std::vector<int>& group : groups)
+  {
+    Eigen::RowVector2d moment = Eigen::RowVector2d::Zero();
+    double mass = 0.0;
+    for (const int i : group)
+    {
+      moment += masses[grouped[i]] * places.row(i);
+      mass += masses[grouped[i]];
+      groupOf[grouped[i]] = count;
+    }
+    centres.row(count++) = moment / mass;
+  }
+  for (const int v : alone)
+  {
+    centres.row(count) = positions.row(v);
+    groupOf[v] = count++;
+  }
+  TransportSites sites = distinctSites(centres);
+  std::vector<int> siteOfVertex(n);
+  for (int v = 0; v < n; ++v)
+  {
+    siteOfVertex[v] = sites.SiteOfVertex[groupOf[v]];
+  }
+  sites.SiteOfVertex = std::move(siteOfVertex);
+  return sites;
+}
+
+} // namespace flattening

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Untangling/TargetTriangles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace flattening
+{
+namespace
+{
+
+// Of the longest side.
+constexpr double LeastAltitude = 0.02;
+// Of the unit disk's radius: what doubles tell apart.
+constexpr double LeastLength = 1e-15;
+
+// The triangle with sides (squared) first to second corner, second to third, third to first.
+TargetTriangle triangleOfSides(const double squaredSides[3])
+{
+  const int longest = static_cast<int>(std::max_element(squaredSides, squaredSides + 3) - squaredSides);
+  const double base2 = squaredSides[longest];
+  const double left2 = squaredSides[(longest + 2) % 3];
+  const double right2 = squaredSides[(longest + 1) % 3];
+  const double base = std::sqrt(base2);
+  const double foot = std::clamp(0.5 * (base2 + left2 - right2) / base, 0.0, base);
+  const double altitude = std::sqrt(std::max(0.0, left2 - foot * foot));
+  Eigen::Vector2d corners[3];
+  corners[longest] = Eigen::Vector2d::Zero();
+  corners[(longest + 1) % 3] = Eigen::Vector2d(base, 0.0);
+  corners[(longest + 2) % 3] = Eigen::Vector2d(foot, std::max(altitude, LeastAltitude * base));
+  return { corners[1] - corners[0], corners[2] - corners[0] };
+}
+
+// Logarithm of flat over surface length around every vertex.
+Eigen::VectorXd logScales(const TriangleMesh& surface, const Points2& positions)
+{
+  Eigen::VectorXd flat = Eigen::VectorXd::Zero(surface.vertexCount());
+  Eigen::VectorXd curved = Eigen::VectorXd::Zero(surface.vertexCount());
+  for (int f = 0; f < surface.faceCount(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int a = surface.Faces(f, k);
+      const int b = surface.Faces(f, (k + 1) % 3);
+      const double flatLength2 = (positions.row(b) - positions.row(a)).squaredNorm();
+      const double length2 = (surface.Vertices.row(b) - surface.Vertices.row(a)).squaredNorm();
+      for (const int v : { a, b })
+      {
+        flat[v] += flatLength2;
+        curved[v] += length2;
+      }
+    }
+  }
+  const double floor = LeastLength * LeastLength;
+  return 0.5 * (flat.array().max(floor).log() - curved.array().log());
+}
+
+} // namespace
+
+TargetTriangles similarTriangles(const TriangleMesh& surface, const Points2& positions)
+{
+  const auto scales = std::make_shared<const Eigen::VectorXd>(logScales(surface, positions));
+  return [&surface, scales](int face)
+  {
+    double squaredSides[3];
+    double logScale = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const int a = surface.Faces(face, k);
+      const int b = surface.Faces(face, (k + 1) % 3);
+      squaredSides[k] = (surface.Vertices.row(b) - surface.Vertices.row(a)).squaredNorm();
+      logScale += (*scales)[a] / 3.0;
+    }
+    const TargetTriangle triangle = triangleOfSides(squaredSides);
+    return TargetTriangle{ std::exp(logScale) * triangle.Second, std::exp(logScale) * triangle.Third };
+  };
+}
+
+TargetTriangles trianglesOfArea(const TriangleMesh& surface, const Eigen::VectorXd& areas)
+{
+  const auto kept = std::make_shared<const Eigen::VectorXd>(areas);
+  return [&surface, kept](int face)
+  {
+    double squaredSides[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      const int a = surface.Faces(face, k);
+      const int b = surface.Faces(face, (k + 1) % 3);
+      squaredSides[k] = (surface.Vertices.row(b) - surface.Vertices.row(a)).squaredNorm();
+    }
+    const TargetTriangle triangle = triangleOfSides(squaredSides);
+    const double area =
+      0.5 * (triangle.Second.x() * triangle.Third.y() - triangle.Second.y() * triangle.Third.x());
+    const double scale = std::sqrt((*kept)[face] / area);
+    return TargetTriangle{ scale * triangle.Second, scale * triangle.Third };
+  };
+}
+
+} // namespace flattening

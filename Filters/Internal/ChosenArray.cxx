@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Internal/ChosenArray.h"
+
+#include "Core/Base/Errors.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDataObject.h>
+#include <vtkInformation.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+namespace flattening
+{
+namespace
+{
+
+vtkDataArray* arrayOf(vtkDataSetAttributes* attributes, vtkInformation* choice)
+{
+  return choice->Has(vtkDataObject::FIELD_NAME())
+           ? attributes->GetArray(choice->Get(vtkDataObject::FIELD_NAME()))
+           : attributes->GetAttribute(choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()));
+}
+
+} // namespace
+
+ChosenArray chosenArray(vtkAlgorithm* filter, vtkPolyData* data, const std::string& what)
+{
+  vtkInformation* choice = filter->GetInputArrayInformation(0);
+  const char* name = choice->Get(vtkDataObject::FIELD_NAME());
+  const std::string chosen = name ? name : "";
+  if (!choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()) && (chosen.empty() || chosen == "None"))
+  {
+    return {};
+  }
+  const int association = choice->Get(vtkDataObject::FIELD_ASSOCIATION());
+  ChosenArray result;
+  if (association == vtkDataObject::FIELD_ASSOCIATION_POINTS ||
+      association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS)
+  {
+    result.Array = arrayOf(data->GetPointData(), choice);
+  }
+  if (!result.Array && association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    result = { arrayOf(data->GetCellData(), choice), true };
+  }
+  const std::string called = what + (chosen.empty() ? "" : " " + chosen);
+  if (!result.Array || result.Array->GetNumberOfComponents() != 1)
+  {
+    throw InvalidInput(called + " is not a point or cell array of one number each: choose another");
+  }
+  const vtkIdType expected = result.OnCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
+  if (result.Array->GetNumberOfTuples() != expected)
+  {
+    throw InvalidInput(called + " has " + std::to_string(result.Array->GetNumberOfTuples()) +
+                       " values for " + std::to_string(expected) +
+                       (result.OnCells ? " cells" : " points") +
+                       ": pass an array of the surface itself");
+  }
+  return result;
+}
+
+} // namespace flattening

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Internal/FlatDomain.h"
+
+#include "Core/Base/Errors.h"
+
+#include <vtkCellArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace flattening
+{
+namespace
+{
+
+// Of the extent: how far from the sides of a rectangle a boundary may lie, and how far from flat.
+constexpr double Tolerance = 1e-6;
+
+// Radius of the disk that the boundary loop lies on.
+double diskRadius(const Points2& positions, const std::vector<int>& loop)
+{
+  double sum = 0.0;
+  for (const int v : loop)
+  {
+    sum += positions.row(v).norm();
+  }
+  const double radius = sum / loop.size();
+  if (!(radius > 0.0))
+  {
+    throw InvalidInput("the boundary of the flat surface is a single point: run Conformal Disk first");
+  }
+  return radius;
+}
+
+// The points of the only polygon or closed line.
+void outlinePoints(vtkPolyData* data, vtkIdList* ids)
+{
+  const vtkIdType polygons = data->GetNumberOfPolys();
+  const vtkIdType lines = data->GetNumberOfLines();
+  if (data->GetNumberOfStrips() > 0 || polygons > 1 || (polygons == 0 && lines != 1))
+  {
+    throw InvalidInput("the domain has " + std::to_string(polygons) + " polygons, " +
+                       std::to_string(lines) + " lines and " +
+                       std::to_string(data->GetNumberOfStrips()) +
+                       " strips: give one convex polygon or one closed line");
+  }
+  vtkCellArray* cells = polygons == 1 ? data->GetPolys() : data->GetLines();
+  cells->GetCellAtId(0, ids);
+  for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+  {
+    if (ids->GetId(k) < 0 || ids->GetId(k) >= data->GetNumberOfPoints())
+    {
+      throw InvalidInput("the domain names point " + std::to_string(ids->GetId(k)) +
+                         ", which does not exist: the data set is damaged");
+    }
+  }
+}
+
+} // namespace
+
+std::shared_ptr<const ConvexDomain> FlatDomain::normalised() const
+{
+  if (!this->IsRectangle)
+  {
+    return std::make_shared<UnitDisk>();
+  }
+  const double x = 0.5 * this->Width / this->Scale;
+  const double y = 0.5 * this->Height / this->Scale;
+  Points2 corners(4, 2);
+  corners << -x, -y, x, -y, x, y, -x, y;
+  return std::make_shared<ConvexPolygon>(corners);
+}
+
+FlatDomain flatDomain(const Points2& positions, const std::vector<int>& loop)
+{
+  Eigen::RowVector2d low = positions.row(loop.front());
+  Eigen::RowVector2d high = low;
+  for (const int v : loop)
+  {
+    low = low.cwiseMin(positions.row(v));
+    high = high.cwiseMax(positions.row(v));
+  }
+  const double slack = Tolerance * (high - low).norm();
+  FlatDomain domain;
+  domain.IsRectangle = std::all_of(loop.begin(),
+    loop.end(),
+    [&](int v)
+    {
+      const Eigen::RowVector2d fromLow = positions.row(v) - low;
+      const Eigen::RowVector2d fromHigh = high - positions.row(v);
+      return std::min(fromLow.minCoeff(), fromHigh.minCoeff()) <= slack;
+    });
+  if (domain.IsRectangle && (high - low).minCoeff() > slack)
+  {
+    domain.Centre = 0.5 * (low + high);
+    domain.Width = high.x() - low.x();
+    domain.Height = high.y() - low.y();
+    domain.Scale = std::sqrt(domain.Width * domain.Height / EIGEN_PI);
+    return domain;
+  }
+  domain.IsRectangle = false;
+  domain.Scale = diskRadius(positions, loop);
+  return domain;
+}
+
+Points2 polygonOutline(vtkPolyData* data)
+{
+  vtkNew<vtkIdList> ids;
+  outlinePoints(data, ids);
+  Points3 points(ids->GetNumberOfIds(), 3);
+  for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+  {
+    data->GetPoint(ids->GetId(k), points.row(k).data());
+  }
+  const bool isLine = data->GetNumberOfPolys() == 0;
+  const bool isClosed = points.rows() > 0 && points.row(0) == points.row(points.rows() - 1);
+  if (isLine && !isClosed)
+  {
+    throw InvalidInput("the domain's line does not end where it begins: close it, or give a polygon");
+  }
+  if (points.rows() > 0 && points.allFinite())
+  {
+    const Eigen::RowVector3d extent = points.colwise().maxCoeff() - points.colwise().minCoeff();
+    if (extent.z() > Tolerance * std::max(extent.x(), extent.y()))
+    {
+      throw InvalidInput("the domain does not lie in a plane of constant z (its z extends over " +
+                         std::to_string(extent.z()) + "): turn it into the xy plane");
+    }
+  }
+  return points.leftCols<2>();
+}
+
+} // namespace flattening

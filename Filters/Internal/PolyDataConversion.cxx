@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Internal/PolyDataConversion.h"
+
+#include "Core/Base/Errors.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flattening
+{
+
+bool isEmpty(vtkDataObject* data)
+{
+  return !data || (data->GetNumberOfElements(vtkDataObject::POINT) == 0 &&
+                    data->GetNumberOfElements(vtkDataObject::CELL) == 0 &&
+                    data->GetNumberOfElements(vtkDataObject::VERTEX) == 0);
+}
+
+namespace
+{
+
+FaceMatrix toFaces(vtkPolyData* data)
+{
+  const vtkIdType triangles = data->GetNumberOfPolys();
+  if (data->GetNumberOfCells() != triangles)
+  {
+    throw InvalidInput(
+      "the surface has vertices, lines or strips beside its triangles: run Surface To Disk first");
+  }
+  if (triangles == 0)
+  {
+    throw InvalidInput("the surface has no triangles: pass a triangle surface, e.g. from Contour");
+  }
+  if (data->GetNumberOfPoints() > std::numeric_limits<int>::max())
+  {
+    throw InvalidInput("the surface has more points than can be flattened (2^31): decimate it first");
+  }
+  FaceMatrix faces(triangles, 3);
+  auto cells = vtk::TakeSmartPointer(data->GetPolys()->NewIterator());
+  vtkIdType face = 0;
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell(), ++face)
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    cells->GetCurrentCell(size, ids);
+    if (size != 3)
+    {
+      throw InvalidInput("cell " + std::to_string(face) + " has " + std::to_string(size) +
+                         " points, not 3: run Surface To Disk or Triangulate first");
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      if (ids[k] < 0 || ids[k] >= data->GetNumberOfPoints())
+      {
+        throw InvalidInput("cell " + std::to_string(face) + " names point " + std::to_string(ids[k]) +
+                           ", which does not exist: the data set is damaged");
+      }
+      faces(face, k) = static_cast<int>(ids[k]);
+    }
+  }
+  return faces;
+}
+
+} // namespace
+
+TriangleMesh toTriangleMesh(vtkPolyData* data)
+{
+  TriangleMesh mesh;
+  mesh.Faces = toFaces(data);
+  mesh.Vertices.resize(data->GetNumberOfPoints(), 3);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    data->GetPoint(i, mesh.Vertices.row(i).data());
+  }
+  return mesh;
+}
+
+TriangleMesh surfaceOfFlattened(vtkPolyData* flattened)
+{
+  vtkDataArray* points = flattened->GetPointData()->GetArray(SurfacePointsName);
+  if (!points)
+  {
+    throw InvalidInput("the input has no point array SurfacePoints, so it is not a flattened "
+                       "surface: run Conformal Disk first");
+  }
+  if (points->GetNumberOfComponents() != 3)
+  {
+    throw InvalidInput("the point array SurfacePoints has " +
+                       std::to_string(points->GetNumberOfComponents()) +
+                       " components, not 3: run Conformal Disk again");
+  }
+  TriangleMesh mesh;
+  mesh.Faces = toFaces(flattened);
+  mesh.Vertices.resize(flattened->GetNumberOfPoints(), 3);
+  for (vtkIdType i = 0; i < flattened->GetNumberOfPoints(); ++i)
+  {
+    points->GetTuple(i, mesh.Vertices.row(i).data());
+  }
+  return mesh;
+}
+
+TriangleMesh surfaceInSpace(vtkPolyData* data)
+{
+  return data->GetPointData()->HasArray(SurfacePointsName) ? surfaceOfFlattened(data)
+                                                           : toTriangleMesh(data);
+}
+
+namespace
+{
+
+// Guards against a surface that was warped back into space: its x and y alone would be nonsense.
+void requireFlat(vtkPolyData* flattened)
+{
+  double bounds[6];
+  flattened->GetBounds(bounds);
+  const double extent = std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
+  if (bounds[5] - bounds[4] > 1e-6 * extent)
+  {
+    throw InvalidInput("the input is not flat (z runs from " + std::to_string(bounds[4]) + " to " +
+                       std::to_string(bounds[5]) +
+                       "): pass the output of Conformal Disk or OMT Area Preserving as it is");
+  }
+}
+
+} // namespace
+
+Points2 toPlanarPositions(vtkPolyData* flattened)
+{
+  requireFlat(flattened);
+  Points2 positions(flattened->GetNumberOfPoints(), 2);
+  for (vtkIdType i = 0; i < flattened->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    flattened->GetPoint(i, x);
+    if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+    {
+      throw InvalidInput("point " + std::to_string(i) +
+                         " of the flat surface is not finite: clean the data before flattening");
+    }
+    positions.row(i) << x[0], x[1];
+  }
+  return positions;
+}
+
+vtkPoints* newPlanarPoints(const Points2& positions)
+{
+  vtkPoints* points = vtkPoints::New(VTK_DOUBLE);
+  points->SetNumberOfPoints(positions.rows());
+  for (Eigen::Index i = 0; i < positions.rows(); ++i)
+  {
+    points->SetPoint(i, positions(i, 0), positions(i, 1), 0.0);
+  }
+  return points;
+}
+
+void deactivateNormals(vtkPolyData* flattened)
+{
+  flattened->GetPointData()->SetActiveAttribute(-1, vtkDataSetAttributes::NORMALS);
+  flattened->GetCellData()->SetActiveAttribute(-1, vtkDataSetAttributes::NORMALS);
+}
+
+void addSurfacePoints(vtkPolyData* output, const Points3& surface)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(SurfacePointsName);
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(surface.rows());
+  for (Eigen::Index i = 0; i < surface.rows(); ++i)
+  {
+    array->SetTuple(i, surface.row(i).data());
+  }
+  output->GetPointData()->AddArray(array);
+}
+
+void addPointArray(vtkPolyData* output, const char* name, const Eigen::VectorXd& values)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(values.size());
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+  {
+    array->SetValue(i, values[i]);
+  }
+  output->GetPointData()->AddArray(array);
+}
+
+void setFigure(vtkFieldData* fieldData, const char* name, double value)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  fieldData->AddArray(array);
+}
+
+void setFigure(vtkFieldData* fieldData, const char* name, long long value)
+{
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName(name);
+  array->InsertNextValue(static_cast<vtkIdType>(value));
+  fieldData->AddArray(array);
+}
+
+void setIds(vtkFieldData* fieldData, const char* name, const std::vector<int>& ids)
+{
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName(name);
+  for (const int id : ids)
+  {
+    array->InsertNextValue(id);
+  }
+  fieldData->AddArray(array);
+}
+
+void setFigure(vtkFieldData* fieldData, const char* name, const std::string& value)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  fieldData->AddArray(array);
+}
+
+} // namespace flattening

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Internal/RegionReport.h"
+
+#include "Internal/PolyDataConversion.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+
+#include <cmath>
+#include <vector>
+
+namespace flattening
+{
+namespace
+{
+
+struct NamedCurve
+{
+  const char* Name;
+  const SurfaceCurve* Curve;
+};
+
+std::vector<NamedCurve> curvesOf(const RegionMeasures& measures)
+{
+  return { { "GreatestDiameter", &measures.Extent.Diameter },
+    { "ExtentAcross", &measures.Extent.Across },
+    { "Perimeter", &measures.Extent.Outline } };
+}
+
+// By the vertices of the mesh that the region is a part of.
+void renumber(SurfaceCurve& curve, const VertexOrigins& origins)
+{
+  const auto original = [&origins](int v)
+  { return static_cast<int>(VertexOrigins::InnerIterator(origins, v).col()); };
+  for (EdgePoint& point : curve.Points)
+  {
+    point.From = original(point.From);
+    point.To = original(point.To);
+  }
+}
+
+template <typename Positions>
+auto positionOn(const Positions& positions, const EdgePoint& point)
+{
+  return ((1.0 - point.Fraction) * positions.row(point.From) + point.Fraction * positions.row(point.To))
+    .eval();
+}
+
+std::vector<int> loopOf(const SurfaceCurve& outline)
+{
+  std::vector<int> loop;
+  for (std::size_t i = 0; i + 1 < outline.Points.size(); ++i)
+  {
+    loop.push_back(outline.Points[i].From);
+  }
+  return loop;
+}
+
+} // namespace
+
+RegionMeasures measureRegion(const RegionDisk& region,
+  const Points2& positions,
+  const ProgressCallback& progress)
+{
+  std::vector<int> faces;
+  for (std::size_t f = 0; f < region.InRegion.size(); ++f)
+  {
+    if (region.InRegion[f])
+    {
+      faces.push_back(static_cast<int>(f));
+    }
+  }
+  const TriangleMesh& disk = region.Disk.Mesh;
+  RegionMeasures measures;
+  measures.Area = faceAreas(disk.Vertices, disk.Faces)(faces).sum();
+  measures.FlatArea = signedFaceAreas(positions, disk.Faces)(faces).sum();
+  const DerivedMesh part = extractFaces(disk, faces);
+  measures.Extent = regionExtent(part.Mesh, progress);
+  for (SurfaceCurve* curve :
+    { &measures.Extent.Diameter, &measures.Extent.Across, &measures.Extent.Outline })
+  {
+    renumber(*curve, part.Vertices);
+  }
+  // The boundary is uniformly distributed over an edge's length, at each edge by itself.
+  const double edge = measures.Extent.EdgeLength;
+  const double edges = measures.Extent.Outline.Length / edge;
+  measures.AreaError = edge * edge * std::sqrt(edges / 12.0);
+  measures.LengthError = edge * std::sqrt(2.0 / 12.0);
+  Points3 flat = Points3::Zero(positions.rows(), 3);
+  flat.leftCols(2) = positions;
+  const std::vector<int> loop = loopOf(measures.Extent.Outline);
+  measures.FlatDiameter = trimmedLength(flat, measures.Extent.Diameter, loop);
+  measures.FlatAcross = trimmedLength(flat, measures.Extent.Across, loop);
+  measures.FlatPerimeter = smoothedPerimeter(flat, loop);
+  return measures;
+}
+
+void fillMeasures(vtkTable* table,
+  const RegionMeasures& measures,
+  const std::string& unit,
+  vtkFieldData* figures)
+{
+  vtkNew<vtkStringArray> names;
+  names->SetName("Measure");
+  vtkNew<vtkDoubleArray> onSurface;
+  onSurface->SetName("OnSurface");
+  vtkNew<vtkDoubleArray> onMap;
+  onMap->SetName("OnMap");
+  vtkNew<vtkDoubleArray> errors;
+  errors->SetName("Error");
+  vtkNew<vtkStringArray> units;
+  units->SetName("Unit");
+  const auto add =
+    [&](const char* name, double value, double error, double flat, const std::string& itsUnit)
+  {
+    names->InsertNextValue(name);
+    onSurface->InsertNextValue(value);
+    onMap->InsertNextValue(flat);
+    errors->InsertNextValue(error);
+    units->InsertNextValue(itsUnit);
+    setFigure(figures, name, value);
+  };
+  const RegionExtent& extent = measures.Extent;
+  add("Area", measures.Area, measures.AreaError, measures.FlatArea, unit + "^2");
+  add("GreatestDiameter", extent.Diameter.Length, measures.LengthError, measures.FlatDiameter, unit);
+  add("ExtentAcross", extent.Across.Length, measures.LengthError, measures.FlatAcross, unit);
+  add("Perimeter", extent.Perimeter, extent.PerimeterError, measures.FlatPerimeter, unit);
+  setFigure(figures, "FlatArea", measures.FlatArea);
+  for (vtkAbstractArray* column : std::initializer_list<vtkAbstractArray*>{
+         names.Get(), onSurface.Get(), errors.Get(), onMap.Get(), units.Get() })
+  {
+    table->AddColumn(column);
+  }
+}
+
+void fillCurves(vtkPolyData* output,
+  const RegionMeasures& measures,
+  const TriangleMesh& disk,
+  const Points2& positions)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkDoubleArray> surface;
+  surface->SetName(SurfacePointsName);
+  surface->SetNumberOfComponents(3);
+  vtkNew<vtkStringArray> names;
+  names->SetName("Measure");
+  vtkNew<vtkDoubleArray> lengths;
+  lengths->SetName("Length");
+  for (const auto& [name, curve] : curvesOf(measures))
+  {
+    if (curve->Points.empty())
+    {
+      continue;
+    }
+    lines->InsertNextCell(static_cast<int>(curve->Points.size()));
+    for (const EdgePoint& point : curve->Points)
+    {
+      const Eigen::RowVector2d flat = positionOn(positions, point);
+      const Eigen::RowVector3d space = positionOn(disk.Vertices, point);
+      lines->InsertCellPoint(points->InsertNextPoint(flat[0], flat[1], 0.0));
+      surface->InsertNextTuple(space.data());
+    }
+    names->InsertNextValue(name);
+    lengths->InsertNextValue(curve->Length);
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+  output->GetPointData()->AddArray(surface);
+  output->GetCellData()->AddArray(names);
+  output->GetCellData()->AddArray(lengths);
+}
+
+} // namespace flattening

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Internal/SelectedPoints.h"
+
+#include "Core/Base/Errors.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkExtractSelection.h>
+#include <vtkIdList.h>
+#include <vtkImplicitFunction.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSelection.h>
+#include <vtkSelectionNode.h>
+#include <vtkSmartPointer.h>
+
+#include <cmath>
+#include <string>
+
+namespace flattening
+{
+namespace
+{
+
+constexpr const char* InsidednessName = "vtkInsidedness"; // of vtkExtractSelection
+
+void requireEvaluable(vtkSelection* selection)
+{
+  if (!selection || selection->GetNumberOfNodes() == 0)
+  {
+    throw InvalidInput("there is no selection: select points or cells in a view, then press Copy Active "
+                       "Selection");
+  }
+  for (unsigned int i = 0; i < selection->GetNumberOfNodes(); ++i)
+  {
+    if (selection->GetNode(i)->GetContentType() == vtkSelectionNode::QUERY)
+    {
+      throw InvalidInput(
+        "the selection is a query, not a list of points or cells: freeze it (Find Data, "
+        "Freeze) and press Copy Active Selection again");
+    }
+  }
+}
+
+// The data with what vtkExtractSelection says of its points or cells; null if it says nothing.
+vtkSmartPointer<vtkDataSet> marked(vtkPolyData* data, vtkSelection* selection)
+{
+  requireEvaluable(selection);
+  vtkNew<vtkExtractSelection> extract;
+  extract->PreserveTopologyOn();
+  extract->SetInputDataObject(0, data);
+  extract->SetInputDataObject(1, selection);
+  extract->Update();
+  return vtkDataSet::SafeDownCast(extract->GetOutputDataObject(0));
+}
+
+// None if there is no such array.
+std::vector<char> insidedness(vtkDataSetAttributes* attributes)
+{
+  vtkDataArray* array = attributes->GetArray(InsidednessName);
+  std::vector<char> inside(array ? array->GetNumberOfTuples() : 0);
+  for (std::size_t i = 0; i < inside.size(); ++i)
+  {
+    inside[i] = array->GetTuple1(static_cast<vtkIdType>(i)) > 0.0;
+  }
+  return inside;
+}
+
+} // namespace
+
+std::vector<char> pointsWhereNotZero(vtkPolyData* data, const ChosenArray& array)
+{
+  std::vector<char> marked(data->GetNumberOfPoints(), 0);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < array.Array->GetNumberOfTuples(); ++i)
+  {
+    const double value = array.Array->GetTuple1(i);
+    if (!std::isfinite(value))
+    {
+      throw InvalidInput("the array " + std::string(array.Array->GetName()) + " has no number at " +
+                         std::to_string(i) + ": give every point or cell a value");
+    }
+    if (value == 0.0)
+    {
+      continue;
+    }
+    if (!array.OnCells)
+    {
+      marked[i] = 1;
+      continue;
+    }
+    data->GetCellPoints(i, corners);
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+    {
+      marked[corners->GetId(k)] = 1;
+    }
+  }
+  return marked;
+}
+
+std::vector<char> pointsInSelection(vtkPolyData* data, vtkSelection* selection)
+{
+  const vtkSmartPointer<vtkDataSet> result = marked(data, selection);
+  std::vector<char> inside(data->GetNumberOfPoints(), 0);
+  if (!result)
+  {
+    return inside;
+  }
+  const std::vector<char> cells = insidedness(result->GetCellData());
+  const std::vector<char> points = insidedness(result->GetPointData());
+  if (cells.empty() && !points.empty())
+  {
+    return points;
+  }
+  vtkNew<vtkIdList> corners;
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
+  {
+    if (cells[cell])
+    {
+      data->GetCellPoints(static_cast<vtkIdType>(cell), corners);
+      for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+      {
+        inside[corners->GetId(k)] = 1;
+      }
+    }
+  }
+  return inside;
+}
+
+std::vector<char> cellsInSelection(vtkPolyData* data, vtkSelection* selection)
+{
+  const vtkSmartPointer<vtkDataSet> result = marked(data, selection);
+  std::vector<char> inside(data->GetNumberOfCells(), 0);
+  if (!result)
+  {
+    return inside;
+  }
+  const std::vector<char> cells = insidedness(result->GetCellData());
+  const std::vector<char> points = insidedness(result->GetPointData());
+  if (!cells.empty() || points.empty())
+  {
+    return cells.empty() ? inside : cells;
+  }
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    data->GetCellPoints(cell, corners);
+    int count = 0;
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+    {
+      count += points[corners->GetId(k)];
+    }
+    inside[cell] = count >= 2;
+  }
+  return inside;
+}
+
+std::vector<char> pointsInFunction(vtkImplicitFunction* function, const Points3& positions, bool outside)
+{
+  if (!function)
+  {
+    throw InvalidInput("no implicit function is set: choose a sphere, a box or a plane");
+  }
+  std::vector<char> inside(positions.rows(), 0);
+  for (Eigen::Index v = 0; v < positions.rows(); ++v)
+  {
+    const double value = function->FunctionValue(positions(v, 0), positions(v, 1), positions(v, 2));
+    if (std::isnan(value))
+    {
+      throw InvalidInput("the implicit function has no value at point " + std::to_string(v) +
+                         ": give it a finite position and size");
+    }
+    inside[v] = outside ? value >= 0.0 : value <= 0.0;
+  }
+  return inside;
+}
+
+} // namespace flattening

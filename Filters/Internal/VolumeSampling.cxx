@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Internal/VolumeSampling.h"
+
+#include "Core/Base/Errors.h"
+
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkProbeFilter.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace flattening
+{
+namespace
+{
+
+// Between two reports of progress.
+constexpr vtkIdType Batch = 1 << 20;
+constexpr Eigen::Index SampleBatch = 1 << 18;
+
+vtkSmartPointer<vtkFloatArray> inFloatingPoint(vtkDataArray* array, const ProgressCallback& progress)
+{
+  auto values = vtkSmartPointer<vtkFloatArray>::New();
+  const vtkIdType count = array->GetNumberOfTuples();
+  values->SetNumberOfComponents(array->GetNumberOfComponents());
+  values->SetNumberOfTuples(count);
+  for (vtkIdType begin = 0; begin < count; begin += Batch)
+  {
+    report(progress, static_cast<double>(begin) / static_cast<double>(count), "Reading the volume");
+    values->InsertTuples(begin, std::min(Batch, count - begin), begin, array);
+  }
+  return values;
+}
+
+// The centre of the voxel that a point within the volume is in.
+void moveToVoxel(vtkImageData* volume, Eigen::RowVector3d& point)
+{
+  double index[3];
+  volume->TransformPhysicalPointToContinuousIndex(point.data(), index);
+  int voxel[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    const int low = volume->GetExtent()[2 * k];
+    const int high = volume->GetExtent()[2 * k + 1];
+    if (!(index[k] >= low && index[k] <= high))
+    {
+      return; // outside, where it must stay
+    }
+    voxel[k] = static_cast<int>(std::lround(index[k]));
+  }
+  volume->TransformIndexToPhysicalPoint(voxel, point.data());
+}
+
+// In the centres of @p voxels, if there are any.
+vtkSmartPointer<vtkPolyData> pointsOnly(const Points3& points, vtkImageData* voxels)
+{
+  vtkNew<vtkPoints> positions;
+  positions->SetDataTypeToDouble();
+  positions->SetNumberOfPoints(points.rows());
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+  {
+    // What is not finite would make VTK look in a cell that does not exist.
+    Eigen::RowVector3d point = points.row(i).allFinite()
+                                 ? Eigen::RowVector3d(points.row(i))
+                                 : Eigen::RowVector3d::Constant(std::numeric_limits<float>::max());
+    if (voxels)
+    {
+      moveToVoxel(voxels, point);
+    }
+    positions->SetPoint(i, point.data());
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(positions);
+  return data;
+}
+
+} // namespace
+
+VolumeSampling::VolumeSampling(vtkImageData* volume, bool nearest, const ProgressCallback& progress)
+  : Volume(vtkSmartPointer<vtkImageData>::New())
+  , Nearest(nearest)
+{
+  this->Volume->CopyStructure(volume);
+  const int count = volume->GetPointData()->GetNumberOfArrays();
+  for (int a = 0; a < count; ++a)
+  {
+    if (vtkDataArray* array = volume->GetPointData()->GetArray(a); array && array->GetName())
+    {
+      const vtkSmartPointer<vtkFloatArray> values =
+        inFloatingPoint(array, subrange(progress, static_cast<double>(a) / count, (a + 1.0) / count));
+      values->SetName(std::to_string(this->Names.size()).c_str());
+      this->Volume->GetPointData()->AddArray(values);
+      this->Names.emplace_back(array->GetName());
+    }
+  }
+  if (this->Volume->GetPointData()->GetNumberOfArrays() == 0)
+  {
+    throw InvalidInput(
+      "the volume has no numbers at its points: choose another, or turn its cell arrays "
+      "into point arrays (Cell Data To Point Data)");
+  }
+}
+
+VolumeSampling::~VolumeSampling() = default;
+
+std::vector<VolumeSamples> VolumeSampling::at(const Points3& points,
+  const ProgressCallback& progress) const
+{
+  std::vector<VolumeSamples> samples(this->Names.size());
+  for (std::size_t a = 0; a < this->Names.size(); ++a)
+  {
+    samples[a].Values = vtkSmartPointer<vtkFloatArray>::New();
+    samples[a].Values->SetName(this->Names[a].c_str());
+    samples[a].Values->SetNumberOfComponents(
+      this->Volume->GetPointData()->GetArray(static_cast<int>(a))->GetNumberOfComponents());
+    samples[a].Values->SetNumberOfTuples(points.rows());
+    samples[a].Inside.resize(points.rows());
+  }
+  for (Eigen::Index begin = 0; begin < points.rows(); begin += SampleBatch)
+  {
+    report(
+      progress, static_cast<double>(begin) / static_cast<double>(points.rows()), "Sampling the volume");
+    this->sample(points.middleRows(begin, std::min(SampleBatch, points.rows() - begin)), begin, samples);
+  }
+  return samples;
+}
+
+// Of the @p points, into the rows from @p first on.
+void VolumeSampling::sample(const Points3& points,
+  vtkIdType first,
+  std::vector<VolumeSamples>& samples) const
+{
+  vtkNew<vtkProbeFilter> probe;
+  // vtkProbeFilter's own CategoricalData is for one array, the active scalars.
+  probe->SetInputData(pointsOnly(points, this->Nearest ? this->Volume.Get() : nullptr));
+  probe->SetSourceData(this->Volume);
+  probe->Update();
+  vtkPointData* found = probe->GetOutput()->GetPointData();
+  vtkDataArray* valid = found->GetArray(probe->GetValidPointMaskArrayName());
+  for (std::size_t a = 0; a < samples.size(); ++a)
+  {
+    vtkFloatArray* values = samples[a].Values;
+    values->InsertTuples(first, points.rows(), 0, found->GetArray(std::to_string(a).c_str()));
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
+    {
+      samples[a].Inside[first + i] = valid->GetTuple1(i) != 0.0;
+      for (int k = 0; !samples[a].Inside[first + i] && k < values->GetNumberOfComponents(); ++k)
+      {
+        values->SetComponent(first + i, k, std::numeric_limits<double>::quiet_NaN());
+      }
+    }
+  }
+}
+
+} // namespace flattening

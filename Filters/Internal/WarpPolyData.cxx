@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Internal/WarpPolyData.h"
+
+#include "Core/Base/Errors.h"
+#include "Internal/AttributeTransfer.h"
+#include "Internal/PolyDataConversion.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkCellData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace flattening
+{
+namespace
+{
+
+using Cell = std::vector<vtkIdType>;
+
+// A point of the output: (1 - Share) of input point A and Share of B.
+struct Origin
+{
+  vtkIdType A;
+  vtkIdType B;
+  double Share;
+};
+
+std::vector<Cell> cellsOf(vtkCellArray* array)
+{
+  std::vector<Cell> cells;
+  auto each = vtk::TakeSmartPointer(array->NewIterator());
+  for (each->GoToFirstCell(); !each->IsDoneWithTraversal(); each->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    each->GetCurrentCell(size, ids);
+    cells.emplace_back(ids, ids + size);
+  }
+  return cells;
+}
+
+class Carrier
+{
+public:
+  Carrier(vtkPolyData* input, const CarryRules& rules)
+    : Input(input)
+    , Rules(rules)
+  {
+    if (input->GetNumberOfPoints() > std::numeric_limits<int>::max())
+    {
+      throw InvalidInput("the data have more points than can be carried (2^31): carry parts of them");
+    }
+    this->Before.resize(input->GetNumberOfPoints(), 3);
+    for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+    {
+      input->GetPoint(i, this->Before.row(i).data());
+      this->Origins.push_back({ i, i, 0.0 });
+    }
+  }
+
+  void subdivideLines();
+  void move();
+  CarryCounts write(vtkPolyData* output);
+
+private:
+  Eigen::Vector3d point(vtkIdType i) const { return this->Before.row(i); }
+  bool kept(vtkIdType i) const { return this->KeptAs[i] >= 0; }
+  vtkSmartPointer<vtkCellArray> whole(vtkCellArray* cells);
+  vtkSmartPointer<vtkCellArray> runsOfLines();
+  VertexOrigins keptOrigins() const;
+
+  vtkPolyData* Input;
+  const CarryRules& Rules;
+  Points3 Before;
+  std::vector<Origin> Origins;
+  std::vector<Cell> Lines;
+  CarriedInSpace Carried;
+  std::vector<vtkIdType> KeptAs; // per point; -1: not kept
+  vtkIdType Kept = 0;
+  vtkIdType Visited = 0;              // cells of the input so far
+  std::vector<vtkIdType> CellOrigins; // of the output's cells
+};
+
+void Carrier::subdivideLines()
+{
+  for (const Cell& line : cellsOf(this->Input->GetLines()))
+  {
+    Cell divided(line.begin(), line.begin() + std::min<std::size_t>(1, line.size()));
+    for (std::size_t k = 0; k + 1 < line.size(); ++k)
+    {
+      const int parts = segmentParts(this->point(line[k]), this->point(line[k + 1]), this->Rules);
+      for (int part = 1; part < parts; ++part)
+      {
+        divided.push_back(static_cast<vtkIdType>(this->Origins.size()));
+        this->Origins.push_back({ line[k], line[k + 1], static_cast<double>(part) / parts });
+      }
+      divided.push_back(line[k + 1]);
+    }
+    this->Lines.push_back(divided);
+  }
+  const Points3 ends = this->Before;
+  this->Before.resize(static_cast<Eigen::Index>(this->Origins.size()), 3);
+  for (Eigen::Index i = 0; i < this->Before.rows(); ++i)
+  {
+    const Origin& from = this->Origins[i];
+    this->Before.row(i) =
+      from.A == from.B
+        ? ends.row(from.A)
+        : Eigen::RowVector3d((1.0 - from.Share) * ends.row(from.A) + from.Share * ends.row(from.B));
+  }
+}
+
+void Carrier::move()
+{
+  this->Carried = carryInSpace(this->Before, this->Rules);
+  requireSomeInside(this->Carried, this->Before);
+  this->KeptAs.assign(this->Origins.size(), -1);
+  for (std::size_t i = 0; i < this->Origins.size(); ++i)
+  {
+    if (this->Carried.Inside[i] || !this->Rules.RemoveOutside)
+    {
+      this->KeptAs[i] = this->Kept++;
+    }
+  }
+}
+
+// Vertices, polygons and strips all of whose points are kept.
+vtkSmartPointer<vtkCellArray> Carrier::whole(vtkCellArray* cells)
+{
+  auto result = vtkSmartPointer<vtkCellArray>::New();
+  for (Cell& cell : cellsOf(cells))
+  {
+    if (std::all_of(cell.begin(), cell.end(), [this](vtkIdType i) { return this->kept(i); }))
+    {
+      std::transform(
+        cell.begin(), cell.end(), cell.begin(), [this](vtkIdType i) { return this->KeptAs[i]; });
+      result->InsertNextCell(static_cast<vtkIdType>(cell.size()), cell.data());
+      this->CellOrigins.push_back(this->Visited);
+    }
+    ++this->Visited;
+  }
+  return result;
+}
+
+vtkSmartPointer<vtkCellArray> Carrier::runsOfLines()
+{
+  auto result = vtkSmartPointer<vtkCellArray>::New();
+  for (const Cell& line : this->Lines)
+  {
+    Cell run;
+    const auto close = [&]
+    {
+      if (run.size() >= std::min<std::size_t>(2, line.size()))
+      {
+        result->InsertNextCell(static_cast<vtkIdType>(run.size()), run.data());
+        this->CellOrigins.push_back(this->Visited);
+      }
+      run.clear();
+    };
+    for (const vtkIdType i : line)
+    {
+      if (this->kept(i))
+      {
+        run.push_back(this->KeptAs[i]);
+      }
+      else
+      {
+        close();
+      }
+    }
+    close();
+    ++this->Visited;
+  }
+  return result;
+}
+
+VertexOrigins Carrier::keptOrigins() const
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t i = 0; i < this->Origins.size(); ++i)
+  {
+    if (this->kept(static_cast<vtkIdType>(i)))
+    {
+      const auto row = static_cast<int>(this->KeptAs[i]);
+      const Origin& from = this->Origins[i];
+      entries.emplace_back(row, static_cast<int>(from.A), 1.0 - from.Share);
+      if (from.Share > 0.0)
+      {
+        entries.emplace_back(row, static_cast<int>(from.B), from.Share);
+      }
+    }
+  }
+  VertexOrigins origins(
+    static_cast<int>(this->Kept), static_cast<int>(this->Input->GetNumberOfPoints()));
+  origins.setFromTriplets(entries.begin(), entries.end()); // a line back to its own point sums up to 1
+  return origins;
+}
+
+CarryCounts Carrier::write(vtkPolyData* output)
+{
+  CarryCounts counts;
+  Points3 surface(this->Kept, 3);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(this->Kept);
+  vtkNew<vtkUnsignedCharArray> inMap;
+  inMap->SetName(InMapName);
+  inMap->SetNumberOfTuples(this->Kept);
+  for (std::size_t i = 0; i < this->Origins.size(); ++i)
+  {
+    const bool inserted = this->Origins[i].A != this->Origins[i].B || this->Origins[i].Share > 0.0;
+    counts.Outside += !inserted && !this->Carried.Inside[i];
+    if (this->kept(static_cast<vtkIdType>(i)))
+    {
+      const vtkIdType to = this->KeptAs[i];
+      counts.Inserted += inserted;
+      points->SetPoint(to, this->Carried.Positions.row(static_cast<Eigen::Index>(i)).data());
+      surface.row(to) = this->Before.row(static_cast<Eigen::Index>(i));
+      inMap->SetValue(to, this->Carried.Inside[i]);
+    }
+  }
+  output->SetPoints(points);
+  output->SetVerts(this->whole(this->Input->GetVerts()));
+  output->SetLines(this->runsOfLines());
+  output->SetPolys(this->whole(this->Input->GetPolys()));
+  output->SetStrips(this->whole(this->Input->GetStrips()));
+  transferPointData(this->Input->GetPointData(), this->keptOrigins(), output->GetPointData());
+  transferCellData(this->Input->GetCellData(), this->CellOrigins, output->GetCellData());
+  addSurfacePoints(output, surface);
+  output->GetPointData()->AddArray(inMap);
+  return counts;
+}
+
+} // namespace
+
+CarryCounts carryPolyData(vtkPolyData* input, const CarryRules& rules, vtkPolyData* output)
+{
+  Carrier carrier(input, rules);
+  carrier.subdivideLines();
+  carrier.move();
+  return carrier.write(output);
+}
+
+} // namespace flattening

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Areas/FaceAreaEnergy.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+using namespace flattening;
+
+FaceAreaEnergy energyOf(double epsilon)
+{
+  FaceAreaEnergy::Options options;
+  options.Epsilon = epsilon;
+  return FaceAreaEnergy(options);
+}
+
+TEST(FaceAreaEnergy, VanishesForASimilarTriangleOfTheTargetArea)
+{
+  const auto value = energyOf(0.0).value(0.7, 0.7, 0.7, 0.01);
+  EXPECT_NEAR(value.Energy, 0.0, 1e-16);
+  // Growing it as it is gains nothing either: the derivatives by both measures of its size cancel.
+  EXPECT_NEAR(value.ByArea + value.ByDirichlet, 0.0, 1e-16);
+}
+
+TEST(FaceAreaEnergy, IsInfiniteForAFlippedFaceUnlessEpsilonIsPositive)
+{
+  EXPECT_TRUE(std::isinf(energyOf(0.0).value(-0.1, 1.0, 1.0, 0.0).Energy));
+  EXPECT_TRUE(std::isinf(energyOf(0.0).value(0.0, 1.0, 1.0, 0.0).Energy));
+  EXPECT_TRUE(std::isfinite(energyOf(0.1).value(-50.0, 1.0, 50.0, 0.01).Energy));
+}
+
+// However much shape counts: the logarithms of both its sizes are smoothed alike.
+TEST(FaceAreaEnergy, AFaceDoesNotGainByShrinkingToAPoint)
+{
+  for (const double shape : { 0.01, 0.3, 3.0 })
+  {
+    for (const double size : { 1e-2, 1e-4, 1e-8, 0.0 })
+    {
+      EXPECT_GT(energyOf(0.1).value(size, 1.0, size, shape).Energy, 0.9) << shape << " " << size;
+    }
+  }
+}
+
+TEST(FaceAreaEnergy, DerivativesMatchDifferences)
+{
+  constexpr double target = 0.3;
+  constexpr double shape = 0.02;
+  constexpr double step = 1e-5;
+  for (const double epsilon : { 0.0, 0.1 })
+  {
+    const FaceAreaEnergy energy = energyOf(epsilon);
+    for (const double area : { -0.2, 0.05, 0.3, 0.9 })
+    {
+      if (epsilon == 0.0 && area < 0.0)
+      {
+        continue;
+      }
+      const double dirichlet = std::abs(area) + 0.1;
+      const auto at = [&](double a, double q) { return energy.value(a, target, q, shape).Energy; };
+      const auto value = energy.value(area, target, dirichlet, shape);
+      const double up = at(area + step, dirichlet);
+      const double down = at(area - step, dirichlet);
+      EXPECT_NEAR(value.ByArea, (up - down) / (2.0 * step), 1e-6 * (1.0 + std::abs(value.ByArea)));
+      EXPECT_NEAR(value.ByDirichlet,
+        (at(area, dirichlet + step) - at(area, dirichlet - step)) / (2.0 * step),
+        1e-6);
+      const double second = (up - 2.0 * value.Energy + down) / (step * step);
+      EXPECT_GE(value.Curvature, second * (1.0 - 1e-3) - 1e-3);
+      if (area > 0.0) // every term is convex by the area there
+      {
+        EXPECT_NEAR(value.Curvature, second, 1e-3 * second);
+      }
+    }
+  }
+}
+
+} // namespace

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Area weights from 1e-3 to 1e3, and beyond what doubles resolve.
+#include "AnalyticSurfaces.h"
+#include "Areas/AreaPreservingDisk.h"
+#include "Base/Errors.h"
+#include "Conformal/ConformalDisk.h"
+#include "Mesh/FaceOrientation.h"
+#include "Support/SampleSurfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace flattening;
+using namespace flattening::analytic;
+using samples::contains;
+using samples::messageOf;
+using samples::Pi;
+
+constexpr int Rest = -1;
+constexpr int Between = -2;
+
+// Round regions side by side on a bump, each with a weight of its own. Between a region and the rest the
+// weight's logarithm runs smoothly over @p edge.
+struct WeightedRegions
+{
+  WeightedRegions(int vertexCount, std::vector<double> factors, double radius, double edge)
+    : Mesh(sunflowerMesh(gaussianBump(1.0, 0.3), vertexCount).Mesh)
+    , Conformal(conformalDiskMap(Mesh).Positions)
+    , Factors(std::move(factors))
+    , Weights(Eigen::VectorXd::Ones(Mesh.vertexCount()))
+    , RegionOf(Mesh.vertexCount(), Rest)
+  {
+    for (int v = 0; v < this->Mesh.vertexCount(); ++v)
+    {
+      for (std::size_t k = 0; k < this->Factors.size(); ++k)
+      {
+        const double angle = 2.0 * Pi * k / this->Factors.size();
+        const Eigen::RowVector2d centre(0.65 * std::cos(angle), 0.65 * std::sin(angle));
+        const double distance = (this->Mesh.Vertices.row(v).head<2>() - centre).norm();
+        if (distance < radius + edge)
+        {
+          const double t = distance <= radius ? 0.0 : (distance - radius) / edge;
+          this->Weights[v] = std::pow(this->Factors[k], 1.0 - t * t * (3.0 - 2.0 * t));
+          this->RegionOf[v] = distance <= radius ? static_cast<int>(k) : Between;
+        }
+      }
+    }
+  }
+
+  // How many times as much of the rest's area per area on the surface a region has, @p flat over
+  // @p surface by @p regionOf, over its factor.
+  std::vector<double> gains(const Eigen::VectorXd& flat,
+    const Eigen::VectorXd& surface,
+    const std::vector<int>& regionOf) const
+  {
+    std::vector<double> flatSums(this->Factors.size() + 1, 0.0);
+    std::vector<double> surfaceSums(this->Factors.size() + 1, 0.0);
+    for (std::size_t i = 0; i < regionOf.size(); ++i)
+    {
+      if (regionOf[i] != Between)
+      {
+        flatSums[regionOf[i] + 1] += flat[static_cast<Eigen::Index>(i)];
+        surfaceSums[regionOf[i] + 1] += surface[static_cast<Eigen::Index>(i)];
+      }
+    }
+    std::vector<double> gains;
+    for (std::size_t k = 0; k < this->Factors.size(); ++k)
+    {
+      gains.push_back(
+        flatSums[k + 1] / surfaceSums[k + 1] / (flatSums[0] / surfaceSums[0]) / this->Factors[k]);
+    }
+    return gains;
+  }
+
+  std::vector<double> cellGains(const AreaPreservingMap& map) const
+  {
+    const Eigen::VectorXd surface = vertexAreas(
+      this->Mesh.Faces, faceAreas(this->Mesh.Vertices, this->Mesh.Faces), this->Mesh.vertexCount());
+    return this->gains(map.CellAreas, surface, this->RegionOf);
+  }
+
+  // Of the faces with all corners in the region.
+  std::vector<double> faceGains(const AreaPreservingMap& map) const
+  {
+    std::vector<int> regionOf(this->Mesh.faceCount());
+    for (int f = 0; f < this->Mesh.faceCount(); ++f)
+    {
+      const auto corner = [&](int k) { return this->RegionOf[this->Mesh.Faces(f, k)]; };
+      regionOf[f] = corner(0) == corner(1) && corner(1) == corner(2) ? corner(0) : Between;
+    }
+    return this->gains(signedFaceAreas(map.Positions, this->Mesh.Faces),
+      faceAreas(this->Mesh.Vertices, this->Mesh.Faces),
+      regionOf);
+  }
+
+  AreaPreservingMap map(bool refined) const
+  {
+    AreaPreservingOptions options;
+    options.RefineFaces = refined;
+    return areaPreservingDiskMap(this->Mesh, this->Conformal, this->Weights, options).Map;
+  }
+
+  TriangleMesh Mesh;
+  Points2 Conformal;
+  std::vector<double> Factors;
+  Eigen::VectorXd Weights;
+  std::vector<int> RegionOf; // per vertex
+};
+
+void expectOnes(const std::vector<double>& gains, double tolerance)
+{
+  for (const double gain : gains)
+  {
+    std::cout << gain - 1.0 << " ";
+    EXPECT_NEAR(gain, 1.0, tolerance);
+  }
+  std::cout << "\n";
+}
+
+const std::vector<double> SixDecades{ 1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 1000.0 };
+
+TEST(WeightRange, CellsOfSixDecadesInOneMeshAreLinear)
+{
+  for (const double edge : { 0.0, 0.16 })
+  {
+    const WeightedRegions regions(5000, SixDecades, 0.12, edge);
+    const AreaPreservingMap map = regions.map(false);
+    EXPECT_LE(map.MaxCellError, 1e-6);
+    expectOnes(regions.cellGains(map), 1e-6);
+  }
+}
+
+// Where the weight has a dozen triangles to change in. Over a sharp edge triangles with corners on both
+// sides would have to be a hundred times as long as wide. Beside a region of 1000 the faces of a region
+// of 0.001 have a 20,000th of the mean area: they shrink to it over many rounds, in which their number
+// that is not right stays the same.
+TEST(WeightRange, FacesOfManyDecadesInOneMeshAreLinear)
+{
+  for (const int vertexCount : { 16000, 20000 })
+  {
+    const WeightedRegions regions(vertexCount, SixDecades, 0.12, 0.16);
+    const AreaPreservingMap map = regions.map(true);
+    EXPECT_TRUE(map.Bijective);
+    expectOnes(regions.cellGains(map), 1e-6);
+    expectOnes(regions.faceGains(map), 0.02);
+  }
+}
+
+class WeightRangeOf : public testing::TestWithParam<double>
+{
+};
+
+// The transport of groups of vertices had stopped at 1e3, its cells all but vanished.
+TEST_P(WeightRangeOf, OneRegionIsLinear)
+{
+  const WeightedRegions regions(8000, { GetParam() }, 0.15, 0.25);
+  const AreaPreservingMap map = regions.map(true);
+  EXPECT_TRUE(map.Bijective);
+  expectOnes(regions.cellGains(map), 1e-6);
+  expectOnes(regions.faceGains(map), 0.01);
+}
+
+INSTANTIATE_TEST_SUITE_P(,
+  WeightRangeOf,
+  testing::Values(1e-3, 1e-2, 0.1, 10.0, 100.0, 1000.0),
+  [](const testing::TestParamInfo<double>& info)
+  {
+    const int decades = static_cast<int>(std::lround(std::log10(info.param)));
+    return (decades < 0 ? "OverTenTo" : "TenTo") + std::to_string(std::abs(decades));
+  });
+
+TEST(WeightRange, ASharpEdgeOfAThousandKeepsCellsExact)
+{
+  const WeightedRegions regions(10000, { 1000.0 }, 0.2, 0.0);
+  const AreaPreservingMap map = regions.map(true);
+  EXPECT_TRUE(map.Bijective);
+  expectOnes(regions.cellGains(map), 1e-6);
+  expectOnes(regions.faceGains(map), 0.005);
+}
+
+TEST(WeightRange, BelowDoublePrecisionIsRefused)
+{
+  for (const double factor : { 1e-14, 1e15, 1e-200, 1e200, 1e308, std::numeric_limits<double>::min() })
+  {
+    const WeightedRegions regions(2000, { factor }, 0.2, 0.0);
+    for (const bool refined : { false, true })
+    {
+      const std::string message = messageOf<InvalidInput>([&] { regions.map(refined); });
+      EXPECT_TRUE(contains(message, "below what double precision resolves"))
+        << factor << ": " << message;
+      EXPECT_TRUE(contains(message, "bring the weights nearer together")) << message;
+    }
+  }
+}
+
+// Weights count relative to each other: alone their common factor says nothing.
+TEST(WeightRange, ACommonFactorChangesNothing)
+{
+  WeightedRegions regions(1000, { 4.0 }, 0.2, 0.0);
+  const AreaPreservingMap expected = regions.map(true);
+  for (const double factor : { 0x1p-1000, 0x1p+900 })
+  {
+    regions.Weights *= factor;
+    const AreaPreservingMap map = regions.map(true);
+    EXPECT_LT((map.Positions - expected.Positions).cwiseAbs().maxCoeff(), 1e-12) << factor;
+    regions.Weights /= factor;
+  }
+}
+
+} // namespace

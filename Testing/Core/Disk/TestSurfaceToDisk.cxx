@@ -1,0 +1,446 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Base/Errors.h"
+#include "Disk/SurfaceToDisk.h"
+#include "Mesh/MeshTopology.h"
+#include "Remeshing/IsotropicRemeshing.h"
+#include "Repair/HoleFilling.h"
+#include "Support/SampleSurfaces.h"
+
+#include <algorithm>
+#include <set>
+
+namespace
+{
+
+using namespace flattening;
+using namespace flattening::samples;
+
+double weightError(const VertexOrigins& origins)
+{
+  return (origins * Eigen::VectorXd::Ones(origins.cols()) - Eigen::VectorXd::Ones(origins.rows()))
+    .cwiseAbs()
+    .maxCoeff();
+}
+
+TEST(HoleFilling, ClosesOneEndOfATube)
+{
+  constexpr int n = 60;
+  TriangleMesh tube = cylinder(n, 20, 3.0);
+  for (int v = 0; v < tube.vertexCount(); ++v)
+  {
+    tube.Vertices.row(v).head<2>() *= 1.0 + 0.1 * tube.Vertices(v, 2);
+  }
+  // The loop of the lowest vertices.
+  auto loops = analyseTopology(tube.Faces, tube.vertexCount()).BoundaryLoops;
+  ASSERT_EQ(loops.size(), 2u);
+  loops.erase(loops.begin() + (loops[0][0] == 0 ? 1 : 0));
+  const FilledSurface filled = fillHoles(tube, loops);
+  EXPECT_EQ(filled.FilledHoles, 1);
+  EXPECT_NEAR(filled.FilledArea, 0.5 * n * std::sin(2.0 * Pi / n), 1e-12); // radius 1 at z = 0
+  const DerivedMesh& surface = filled.Surface;
+  const std::vector<int> boundary = requireDisk(surface.Mesh);
+  for (const int v : boundary)
+  {
+    EXPECT_EQ(surface.Mesh.Vertices(v, 2), 3.0);
+  }
+  // Old parts first and untouched; the patch is refined, flat, and made of its rim alone.
+  EXPECT_EQ(surface.Mesh.Vertices.topRows(tube.vertexCount()), tube.Vertices);
+  EXPECT_GT(surface.Mesh.vertexCount(), tube.vertexCount() + 20);
+  EXPECT_LT(weightError(surface.Vertices), 1e-14);
+  EXPECT_LT((surface.Vertices * tube.Vertices - surface.Mesh.Vertices).cwiseAbs().maxCoeff(), 1e-12);
+  for (int f = 0; f < surface.Mesh.faceCount(); ++f)
+  {
+    EXPECT_EQ(surface.Faces[f], f < tube.faceCount() ? f : -1);
+  }
+}
+
+TEST(HoleFilling, ClosesManyHolesOfASphere)
+{
+  const TriangleMesh whole = sphere(4);
+  // Faces far from each other; the last hole is of four faces and has the longest boundary.
+  const TriangleMesh pierced = withoutFaces(whole, { 0, 700, 1500, 2500, 4000, 4001, 4002, 4003 });
+  auto loops = analyseTopology(pierced.Faces, pierced.vertexCount()).BoundaryLoops;
+  ASSERT_EQ(loops.size(), 5u);
+  loops.erase(loops.begin()); // the one of most edges
+  const FilledSurface filled = fillHoles(pierced, loops);
+  EXPECT_EQ(filled.FilledHoles, 4);
+  EXPECT_EQ(requireDisk(filled.Surface.Mesh).size(), 6u);
+  const Eigen::VectorXd areas = faceAreas(whole.Vertices, whole.Faces);
+  EXPECT_NEAR(filled.FilledArea, areas[0] + areas[700] + areas[1500] + areas[2500], 1e-14);
+}
+
+TEST(IsotropicRemeshing, ReachesTheEdgeLengthAndTracesEveryVertex)
+{
+  const TriangleMesh old = cylinder(100, 30, 2.0);
+  constexpr double length = 0.1;
+  const DerivedMesh remeshed = remeshIsotropically(old, length);
+  const TriangleMesh& mesh = remeshed.Mesh;
+  // CGAL keeps edges between 4/5 and 4/3 of the length; few may be outside.
+  EXPECT_GT(meanEdgeLength(mesh), 0.8 * length);
+  EXPECT_LT(meanEdgeLength(mesh), 1.1 * length);
+  EXPECT_NEAR(totalArea(mesh), totalArea(old), 0.01 * totalArea(old));
+  const MeshTopology topology = analyseTopology(mesh.Faces, mesh.vertexCount());
+  EXPECT_EQ(topology.Components, 1);
+  EXPECT_EQ(topology.Genus, 0);
+  EXPECT_EQ(topology.BoundaryLoops.size(), 2u);
+  EXPECT_LT(weightError(remeshed.Vertices), 1e-14);
+  EXPECT_LT((remeshed.Vertices * old.Vertices - mesh.Vertices).cwiseAbs().maxCoeff(), 1e-12);
+  // A face's origin lies where the face does.
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    const auto centroid = [](const TriangleMesh& m, int face)
+    {
+      return ((m.Vertices.row(m.Faces(face, 0)) + m.Vertices.row(m.Faces(face, 1)) +
+                m.Vertices.row(m.Faces(face, 2))) /
+              3.0)
+        .eval();
+    };
+    EXPECT_LT((centroid(mesh, f) - centroid(old, remeshed.Faces[f])).norm(), 0.06) << f;
+  }
+}
+
+TEST(IsotropicRemeshing, RefusesLengthsThatMakeNoSense)
+{
+  const TriangleMesh mesh = sphere(2);
+  for (const double length : { -1.0, 0.0, double(INFINITY), double(NAN), 2.0 })
+  {
+    EXPECT_TRUE(contains(
+      messageOf<InvalidInput>([&] { remeshIsotropically(mesh, length); }), "target edge length"))
+      << length;
+  }
+}
+
+TEST(SurfaceToDisk, OpensAClosedSurface)
+{
+  const TriangleMesh closed = sphere(4);
+  const DiskSurface disk = surfaceToDisk(soupOf(closed));
+  EXPECT_NEAR(disk.Report.RemovedArea, 1e-3 * totalArea(closed), 1e-12);
+  EXPECT_GE(disk.Report.BoundaryVertices, 128);
+  EXPECT_EQ(requireDisk(disk.Surface.Mesh).size(), std::size_t(disk.Report.BoundaryVertices));
+  EXPECT_NEAR(disk.Report.BoundaryLength, 2.0 * Pi * std::sin(std::acos(1.0 - 2e-3)), 0.01 * 0.4);
+  EXPECT_NEAR(disk.Report.SurfaceArea, totalArea(disk.Surface.Mesh), 1e-12);
+}
+
+TEST(SurfaceToDisk, KeepsTheLongestBoundary)
+{
+  TriangleMesh tube = cylinder(60, 20, 3.0);
+  for (int v = 0; v < tube.vertexCount(); ++v)
+  {
+    tube.Vertices.row(v).head<2>() *= 1.0 + 0.1 * tube.Vertices(v, 2);
+  }
+  SurfaceToDiskOptions options;
+  options.FillLengthLimit = 7.0;
+  const DiskSurface disk = surfaceToDisk(tube, options);
+  EXPECT_EQ(disk.Report.FilledHoles, 1);
+  EXPECT_EQ(disk.Report.HoleRadius, 0.0);
+  EXPECT_NEAR(disk.Report.BoundaryLength, 1.3 * 120.0 * std::sin(Pi / 60), 1e-12);
+}
+
+// A missing triangle does not make a sphere a disk that can be flattened.
+TEST(SurfaceToDisk, WidensATinyBoundary)
+{
+  const TriangleMesh whole = sphere(5);
+  const DiskSurface disk = surfaceToDisk(withoutFaces(whole, { 4321, 99 }));
+  EXPECT_EQ(disk.Report.FilledHoles, 2);
+  EXPECT_NEAR(disk.Report.RemovedArea, 1e-3 * totalArea(whole), 1e-9);
+  EXPECT_GE(disk.Report.BoundaryVertices, 128);
+  const auto centroid = [&whole](int f)
+  {
+    return ((whole.Vertices.row(whole.Faces(f, 0)) + whole.Vertices.row(whole.Faces(f, 1)) +
+              whole.Vertices.row(whole.Faces(f, 2))) /
+            3.0)
+      .eval();
+  };
+  const double distance = std::min((centroid(4321) - disk.Report.HoleCentre.transpose()).norm(),
+    (centroid(99) - disk.Report.HoleCentre.transpose()).norm());
+  EXPECT_LT(distance, 1e-9);
+}
+
+// Of three vertices a polygon covers less than half of the disk.
+TEST(SurfaceToDisk, ABoundaryOfThreeVerticesIsRefined)
+{
+  const TriangleMesh pyramid = meshOf({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.3, 0.3, 1 } },
+    { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } });
+  SurfaceToDiskOptions options;
+  options.FlattenFolds = false; // or the tip would be
+  const DiskSurface disk = surfaceToDisk(pyramid, options);
+  EXPECT_GE(disk.Report.BoundaryVertices, 8);
+  EXPECT_LE(disk.Report.BoundaryVertices, 16);
+  EXPECT_NEAR(disk.Report.SurfaceArea, faceAreas(pyramid.Vertices, pyramid.Faces).sum(), 1e-12);
+  options.Hole.BoundaryVertices = 3;
+  EXPECT_EQ(surfaceToDisk(pyramid, options).Report.BoundaryVertices, 3);
+}
+
+TEST(SurfaceToDisk, NamesTheGenusIfHandlesAreErrors)
+{
+  SurfaceToDiskOptions options;
+  options.Handles = HandleMode::Error;
+  std::string message = messageOf<TopologyError>([&] { surfaceToDisk(torus(30, 12), options); });
+  EXPECT_TRUE(contains(message, "genus 1") && contains(message, "Remove or Cut")) << message;
+  // A torus with a hole in it has a boundary, and a handle all the same.
+  const TriangleMesh pierced = withoutFaces(torus(30, 12), { 0, 1, 2, 3 });
+  message = messageOf<TopologyError>([&] { surfaceToDisk(pierced, options); });
+  EXPECT_TRUE(contains(message, "genus 1")) << message;
+}
+
+TEST(SurfaceToDisk, RemovesAHandle)
+{
+  const TriangleMesh whole = torus(60, 24);
+  const DiskSurface disk = surfaceToDisk(whole);
+  EXPECT_EQ(disk.Report.Genus, 1);
+  EXPECT_EQ(disk.Report.Handles.Handles, 1);
+  ASSERT_EQ(disk.Report.Handles.LoopLengths.size(), 1u);
+  // What the pieces of the account sum up to.
+  const SurfaceToDiskReport& report = disk.Report;
+  EXPECT_NEAR(report.SurfaceArea,
+    totalArea(whole) - report.Handles.RemovedArea + report.Handles.AddedArea - report.RemovedArea,
+    1e-6 * totalArea(whole)); // the hole's boundary is conditioned
+  EXPECT_EQ(report.SelfIntersectionsBefore, 0);
+  EXPECT_EQ(report.SelfIntersections, 0);
+}
+
+TEST(SurfaceToDisk, CutsAHandleOpenAndLosesNothing)
+{
+  const TriangleMesh whole = torus(60, 24);
+  SurfaceToDiskOptions options;
+  options.Handles = HandleMode::Cut;
+  const DiskSurface disk = surfaceToDisk(whole, options);
+  EXPECT_EQ(disk.Report.Genus, 1);
+  EXPECT_EQ(disk.Report.Handles.Handles, 0);
+  EXPECT_NEAR(disk.Report.SurfaceArea, totalArea(whole), 1e-12 * totalArea(whole));
+  EXPECT_NEAR(disk.Report.SeamLength, 0.5 * disk.Report.BoundaryLength, 1e-12);
+  EXPECT_EQ(disk.Report.SelfIntersections, 0); // the two sides of the seam do not count
+  ASSERT_EQ(disk.Seam.size(), std::size_t(disk.Surface.Mesh.vertexCount()));
+  EXPECT_EQ(std::count(disk.Seam.begin(), disk.Seam.end(), 1), disk.Report.BoundaryVertices);
+  EXPECT_GE(disk.Report.BoundaryVertices, 128);
+}
+
+// Radii 2 and 0.5: the hole is cut on the outer equator, the seam is a third of the inner one.
+TEST(SurfaceToDisk, CutsHandlesAndTheHoleOrSeamAskedFor)
+{
+  const TriangleMesh whole = torus(90, 30);
+  const double area = totalArea(whole);
+  SurfaceToDiskOptions options;
+  options.Handles = HandleMode::Cut;
+  const double cutAlone = surfaceToDisk(whole, options).Report.SeamLength;
+
+  options.Hole.Centre = Eigen::Vector3d(0, 2.5, 0);
+  options.Hole.AreaFraction = 0.01;
+  const DiskSurface hole = surfaceToDisk(whole, options); // requireDisk is part of it
+  EXPECT_LT((hole.Report.HoleCentre - Eigen::Vector3d(0, 2.5, 0)).norm(), 0.05);
+  EXPECT_NEAR(hole.Report.RemovedArea, 0.01 * area, 1e-5 * area);
+  EXPECT_NEAR(hole.Report.SurfaceArea, 0.99 * area, 2e-5 * area);
+  const double round = 2.0 * std::sqrt(Pi * 0.01 * area);
+  EXPECT_NEAR(hole.Report.BoundaryLength, 2.0 * hole.Report.SeamLength + round, 0.05 * round);
+  EXPECT_GT(hole.Report.SeamLength, Pi * 0.98);
+
+  options.Hole = {};
+  options.Cut = CutMode::Seam;
+  EXPECT_EQ(surfaceToDisk(whole, options).Report.SeamLength, cutAlone); // no points, no further seam
+  const double third = 2.0 * Pi / 3.0;
+  options.SeamPoints = { { 1.5, 0, 0 }, { 1.5 * std::cos(third), 1.5 * std::sin(third), 0 } };
+  const DiskSurface seam = surfaceToDisk(whole, options);
+  EXPECT_NEAR(seam.Report.SurfaceArea, area, 1e-12 * area);
+  EXPECT_NEAR(seam.Report.SeamLength, 0.5 * seam.Report.BoundaryLength, 1e-12 * area);
+  EXPECT_EQ(seam.Report.RemovedArea, 0.0);
+  // Every boundary vertex is flagged, and so are the ends of the seam, and nothing else.
+  const std::vector<int> boundary = requireDisk(seam.Surface.Mesh);
+  std::vector<char> onBoundary(seam.Seam.size(), 0);
+  for (const int v : boundary)
+  {
+    onBoundary[v] = 1;
+  }
+  EXPECT_EQ(seam.Seam, onBoundary);
+  // The seam's third of the inner equator is part of it.
+  int onThird = 0;
+  for (const int v : boundary)
+  {
+    const Eigen::Vector3d x = seam.Surface.Mesh.Vertices.row(v);
+    const double angle = std::atan2(x.y(), x.x());
+    onThird += std::abs(x.head<2>().norm() - 1.5) < 0.01 && std::abs(x.z()) < 0.1 && angle > 0.01 &&
+                   angle < third - 0.01
+                 ? 1
+                 : 0;
+  }
+  EXPECT_GE(onThird, 120);
+}
+
+TEST(SurfaceToDisk, CountsTheRegionThatTheCutOfHandlesRunsThrough)
+{
+  const TriangleMesh whole = torus(60, 24);
+  SurfaceToDiskOptions options;
+  options.Handles = HandleMode::Cut;
+  const DiskSurface plain = surfaceToDisk(whole, options);
+  EXPECT_EQ(plain.Report.SeamRegionPoints, 0);
+  std::set<int> onCut; // vertices of the input
+  for (int v = 0; v < plain.Surface.Mesh.vertexCount(); ++v)
+  {
+    if (plain.Seam[v] && plain.Surface.Vertices.innerVector(v).nonZeros() == 1)
+    {
+      onCut.insert(static_cast<int>(VertexOrigins::InnerIterator(plain.Surface.Vertices, v).col()));
+    }
+  }
+  ASSERT_GT(onCut.size(), 40u);
+  options.RegionOfInterest.assign(whole.vertexCount(), 1);
+  EXPECT_EQ(surfaceToDisk(whole, options).Report.SeamRegionPoints, static_cast<int>(onCut.size()));
+  for (const int v : onCut)
+  {
+    options.RegionOfInterest[v] = 0;
+  }
+  EXPECT_EQ(surfaceToDisk(whole, options).Report.SeamRegionPoints, 0);
+}
+
+TEST(SurfaceToDisk, CutsAlongASeamOrAPlane)
+{
+  const TriangleMesh closed = sphere(4);
+  SurfaceToDiskOptions options;
+  options.Cut = CutMode::Seam;
+  options.SeamPoints = { { 1, 0, 0 }, { 0, 1, 0 } };
+  const DiskSurface seam = surfaceToDisk(closed, options);
+  EXPECT_NEAR(seam.Report.SeamLength, 0.5 * Pi, 2e-3);
+  EXPECT_NEAR(seam.Report.SurfaceArea, totalArea(closed), 1e-12 * totalArea(closed));
+  EXPECT_EQ(seam.Report.RemovedArea, 0.0);
+
+  options.Cut = CutMode::Plane;
+  options.Plane.Origin = { 0, 0, 0.5 };
+  options.Plane.Normal = { 0, 0, 3 };
+  const DiskSurface cap = surfaceToDisk(closed, options);
+  EXPECT_NEAR(cap.Report.SurfaceArea, Pi, 0.01 * Pi); // 2 pi (1 - 1/2)
+  EXPECT_NEAR(cap.Report.SurfaceArea + cap.Report.RemovedArea, totalArea(closed), 1e-3);
+  EXPECT_NEAR(cap.Report.BoundaryLength, 2.0 * Pi * std::sqrt(0.75), 0.01);
+}
+
+TEST(SurfaceToDisk, KeepsTheBoundaryAskedFor)
+{
+  TriangleMesh tube = cylinder(60, 20, 3.0);
+  for (int v = 0; v < tube.vertexCount(); ++v)
+  {
+    tube.Vertices.row(v).head<2>() *= 1.0 + 0.1 * tube.Vertices(v, 2);
+  }
+  SurfaceToDiskOptions options;
+  options.FillLengthLimit = 10.0;
+  options.Boundary.By = BoundaryChoice::Rule::ClosestToPoint;
+  options.Boundary.Point = { 0.5, 0, 0 };
+  EXPECT_NEAR(surfaceToDisk(tube, options).Report.BoundaryLength, 120.0 * std::sin(Pi / 60), 1e-12);
+  options.Boundary.By = BoundaryChoice::Rule::None;
+  const DiskSurface closed = surfaceToDisk(tube, options);
+  EXPECT_EQ(closed.Report.FilledHoles, 2);
+  EXPECT_GT(closed.Report.HoleRadius, 0.0);
+  options.FillLengthLimit = 7.0; // the loops are 6.3 and 8.2 long
+  const std::string message = messageOf<InvalidInput>([&] { surfaceToDisk(tube, options); });
+  EXPECT_TRUE(contains(message, "8.1")) << message;
+}
+
+TEST(SurfaceToDisk, NamesAOneSidedSurface)
+{
+  const std::string message = messageOf<TopologyError>([] { surfaceToDisk(moebiusStrip(12)); });
+  EXPECT_TRUE(contains(message, "one-sided") && contains(message, "Clip")) << message;
+}
+
+TEST(SurfaceToDisk, KeepsTheComponentAskedFor)
+{
+  TriangleMesh small = moved(sphere(2), 5, 0, 0);
+  TriangleMesh big = sphere(3);
+  big.Vertices *= 2.0;
+  const TriangleMesh two = both(small, big); // the smaller one first
+  const DiskSurface largest = surfaceToDisk(two);
+  EXPECT_EQ(largest.Report.Components, 2);
+  EXPECT_NEAR(largest.Report.SurfaceArea, 0.999 * totalArea(big), 1e-4 * totalArea(big));
+
+  SurfaceToDiskOptions options;
+  options.Component.By = ComponentChoice::Rule::ClosestToPoint;
+  options.Component.Point = Eigen::Vector3d(5, 0, 0);
+  const DiskSurface closest = surfaceToDisk(two, options);
+  EXPECT_NEAR(closest.Report.SurfaceArea, 0.999 * totalArea(small), 1e-4 * totalArea(small));
+  options.Component.Point = Eigen::Vector3d(2.9, 0, 0); // 0.9 from the big one, 1.1 from the small one
+  EXPECT_NEAR(surfaceToDisk(two, options).Report.SurfaceArea, largest.Report.SurfaceArea, 1e-12);
+
+  options.Component.By = ComponentChoice::Rule::ByIndex;
+  options.Component.Index = 1; // by area: the smaller one
+  EXPECT_EQ(surfaceToDisk(two, options).Report.SurfaceArea, closest.Report.SurfaceArea);
+  EXPECT_NEAR(closest.Report.DroppedComponentArea, totalArea(big), 1e-9);
+  options.Component.Index = 2;
+  const std::string message = messageOf<InvalidInput>([&] { surfaceToDisk(two, options); });
+  EXPECT_TRUE(contains(message, "component 2") && contains(message, "has 2")) << message;
+}
+
+// The hole is remeshed around, not with the rest: its boundary stays resolved.
+TEST(SurfaceToDisk, RemeshesBeforeItCuts)
+{
+  SurfaceToDiskOptions options;
+  options.Remesh = true;
+  options.TargetEdgeLength = 0.15;
+  const DiskSurface disk = surfaceToDisk(sphere(4), options);
+  EXPECT_GE(disk.Report.BoundaryVertices, 128);
+  EXPECT_EQ(disk.Report.RemeshEdgeLength, 0.15);
+  EXPECT_GT(disk.Report.SmallestAngle, 1.0);
+  options.TargetEdgeLength = 0.0;
+  options.RelativeEdgeLength = 1.5;
+  EXPECT_NEAR(
+    surfaceToDisk(sphere(4), options).Report.RemeshEdgeLength, 1.5 * meanEdgeLength(sphere(4)), 1e-12);
+}
+
+TEST(SurfaceToDisk, SlitsOfNonManifoldEdgesDoNotStay)
+{
+  // Two spheres that touch along an edge: that of one is moved onto the other's.
+  TriangleMesh a = sphere(3);
+  TriangleMesh b = moved(sphere(3), 0, 0, 2.5);
+  const int u = a.Faces(0, 0);
+  const int v = a.Faces(0, 1);
+  b.Vertices.row(u) = a.Vertices.row(u);
+  b.Vertices.row(v) = a.Vertices.row(v);
+  const DiskSurface disk = surfaceToDisk(both(a, b));
+  EXPECT_EQ(disk.Report.Repair.SplitPoints, 2);
+  EXPECT_EQ(disk.Report.Components, 2);
+  EXPECT_EQ(disk.Report.FilledHoles, 0);
+  EXPECT_GT(disk.Report.HoleRadius, 0.0);
+}
+
+TEST(SurfaceToDisk, GivesTheSameTwice)
+{
+  TriangleMesh cigar = sphere(4);
+  cigar.Vertices.col(2) *= 3.0;
+  SurfaceToDiskOptions options;
+  options.Remesh = true;
+  options.TargetEdgeLength = 0.1;
+  const DiskSurface one = surfaceToDisk(cigar, options);
+  const DiskSurface two = surfaceToDisk(cigar, options);
+  EXPECT_EQ(one.Surface.Mesh.Faces, two.Surface.Mesh.Faces);
+  EXPECT_EQ(one.Surface.Mesh.Vertices, two.Surface.Mesh.Vertices);
+}
+
+TEST(SurfaceToDisk, ReportsProgressThatNeverFallsAndStopsWhenTold)
+{
+  double last = 0.0;
+  SurfaceToDiskOptions options;
+  options.Remesh = true;
+  options.TargetEdgeLength = 0.15;
+  surfaceToDisk(sphere(4),
+    options,
+    [&last](double fraction, const char*)
+    {
+      EXPECT_GE(fraction, last);
+      last = fraction;
+      return true;
+    });
+  EXPECT_EQ(last, 1.0);
+  for (const double stop : { 0.0, 0.3, 0.6, 0.9 })
+  {
+    EXPECT_THROW(surfaceToDisk(
+                   sphere(4), options, [stop](double fraction, const char*) { return fraction < stop; }),
+      Cancelled);
+  }
+}
+
+TEST(SurfaceToDisk, RefusesOptionsThatMakeNoSense)
+{
+  SurfaceToDiskOptions options;
+  options.MergeTolerance = -1.0;
+  EXPECT_TRUE(
+    contains(messageOf<InvalidInput>([&] { surfaceToDisk(sphere(1), options); }), "merge tolerance"));
+  options.MergeTolerance = 10.0; // everything becomes one point
+  EXPECT_TRUE(
+    contains(messageOf<InvalidInput>([&] { surfaceToDisk(sphere(1), options); }), "zero area"));
+}
+
+} // namespace

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Handles/LoopCapping.h"
+#include "Support/SampleSurfaces.h"
+
+#include <Eigen/Geometry>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+using namespace flattening;
+using namespace flattening::samples;
+
+constexpr int LoopSize = 100;
+
+std::vector<Eigen::Vector3d> circle()
+{
+  std::vector<Eigen::Vector3d> loop;
+  for (int i = 0; i < LoopSize; ++i)
+  {
+    const double angle = 2.0 * Pi * i / LoopSize;
+    loop.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+  }
+  return loop;
+}
+
+struct Measured
+{
+  double Area = 0.0;
+  double LongestEdge = 0.0;
+  double WorstWeights = 0.0; // how far vertices lie from what their weights say, or weights from 1
+};
+
+Measured measure(const LoopCap& cap)
+{
+  const std::vector<Eigen::Vector3d> loop = circle();
+  std::vector<Eigen::Vector3d> points = loop;
+  points.insert(points.end(), cap.Inside.begin(), cap.Inside.end());
+  Measured result;
+  for (const auto& face : cap.Faces)
+  {
+    result.Area += // signed: the loop runs about +z
+      0.5 * (points[face[1]] - points[face[0]]).cross(points[face[2]] - points[face[0]]).z();
+    for (int k = 0; k < 3; ++k)
+    {
+      result.LongestEdge =
+        std::max(result.LongestEdge, (points[face[(k + 1) % 3]] - points[face[k]]).norm());
+    }
+  }
+  for (std::size_t i = 0; i < cap.Inside.size(); ++i)
+  {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double weights = 0.0;
+    for (const auto& [corner, weight] : cap.Weights[i])
+    {
+      sum += weight * loop[corner];
+      weights += weight;
+    }
+    result.WorstWeights =
+      std::max({ result.WorstWeights, std::abs(weights - 1.0), (sum - cap.Inside[i]).norm() });
+  }
+  return result;
+}
+
+// Faces as large as the loop let every search near them find half of the surface.
+TEST(LoopCap, HasVerticesAsCloseAsTheLoopsAre)
+{
+  const double side = 2.0 * std::sin(Pi / LoopSize);
+  const double area = 0.5 * LoopSize * std::sin(2.0 * Pi / LoopSize);
+  for (const auto& makeCap : { spanningCap, coneCap })
+  {
+    const LoopCap cap = makeCap(circle());
+    const Measured found = measure(cap);
+    EXPECT_NEAR(found.Area, area, 1e-12);
+    EXPECT_LT(found.LongestEdge, 4.0 * side);
+    EXPECT_LT(found.WorstWeights, 1e-9);
+    EXPECT_EQ(cap.Faces.size(), LoopSize - 2 + 2 * cap.Inside.size()); // a disk
+  }
+}
+
+// Isovalues that are values of the volume make such loops.
+TEST(LoopCap, OfALoopWithoutAreaIsADisk)
+{
+  const Eigen::Vector3d a(41.0, 32.0, 29.0);
+  const Eigen::Vector3d b(42.0, 32.0, 29.0);
+  for (const auto& loop : { std::vector<Eigen::Vector3d>(6, a),
+         std::vector<Eigen::Vector3d>{ a, b, 0.5 * (a + b) },
+         std::vector<Eigen::Vector3d>{ a, 0.25 * a + 0.75 * b, b, 0.5 * (a + b) } })
+  {
+    const LoopCap cap = coneCap(loop);
+    EXPECT_EQ(cap.Faces.size(), loop.size() - 2 + 2 * cap.Inside.size());
+    ASSERT_EQ(cap.Weights.size(), cap.Inside.size());
+    for (std::size_t i = 0; i < cap.Inside.size(); ++i)
+    {
+      EXPECT_NEAR((cap.Inside[i] - a).dot(b - a), 0.5, 0.5);
+      double weights = 0.0;
+      for (const auto& [corner, weight] : cap.Weights[i])
+      {
+        weights += weight;
+      }
+      EXPECT_NEAR(weights, 1.0, 1e-12);
+    }
+    const LoopCap spanning = spanningCap(loop); // may be empty
+    EXPECT_EQ(
+      spanning.Faces.empty() ? 0 : loop.size() - 2 + 2 * spanning.Inside.size(), spanning.Faces.size());
+  }
+}
+
+} // namespace

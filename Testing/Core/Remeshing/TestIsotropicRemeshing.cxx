@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Base/Errors.h"
+#include "Mesh/ClosestPointTree.h"
+#include "Mesh/ClosestPointWalk.h"
+#include "Mesh/MeshTopology.h"
+#include "Mesh/SelfIntersections.h"
+#include "Remeshing/IsotropicRemeshing.h"
+#include "Remeshing/SliverRemoval.h"
+#include "Support/SampleSurfaces.h"
+
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace
+{
+
+using namespace flattening;
+using namespace flattening::samples;
+
+// Every fourth face split at a point next to a corner or an edge: needles and caps.
+TriangleMesh sphereWithSlivers()
+{
+  TriangleMesh mesh = sphere(4);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  const int faces = mesh.faceCount();
+  const int vertices = mesh.vertexCount();
+  mesh.Vertices.conservativeResize(vertices + faces / 4, 3);
+  mesh.Faces.conservativeResize(faces + 2 * (faces / 4), 3);
+  for (int i = 0; i < faces / 4; ++i)
+  {
+    const int f = 4 * i;
+    const Eigen::RowVector3i t = mesh.Faces.row(f);
+    const double s = 1e-5 + 0.2 * share(random); // near a corner or an edge: needles and caps
+    const double r = i % 2 ? 1e-5 : 0.4;
+    mesh.Vertices.row(vertices + i) = (1.0 - s - r) * mesh.Vertices.row(t[0]) +
+                                      s * mesh.Vertices.row(t[1]) + r * mesh.Vertices.row(t[2]);
+    mesh.Faces.row(f) << t[0], t[1], vertices + i;
+    mesh.Faces.row(faces + 2 * i) << t[1], t[2], vertices + i;
+    mesh.Faces.row(faces + 2 * i + 1) << t[2], t[0], vertices + i;
+  }
+  return mesh;
+}
+
+double greatestDistance(const TriangleMesh& from, const TriangleMesh& to)
+{
+  const SurfaceProjection projection(to);
+  double greatest = 0.0;
+  for (int v = 0; v < from.vertexCount(); ++v)
+  {
+    const Eigen::Vector3d point = from.Vertices.row(v);
+    greatest = std::max(greatest, (projection.closest(point).Position - point).norm());
+  }
+  return greatest;
+}
+
+TEST(SmallAngles, SmallestAngleOfKnownTriangles)
+{
+  EXPECT_NEAR(smallestAngle(tetrahedron()), 45.0, 1e-12);
+  EXPECT_NEAR(smallestAngle(icosahedron()), 60.0, 1e-12);
+  const double angle = 1e-7;
+  const TriangleMesh needle =
+    meshOf({ { 0, 0, 0 }, { 1e9, 0, 0 }, { 1e9, 1e9 * angle, 0 } }, { { 0, 1, 2 } });
+  EXPECT_NEAR(smallestAngle(needle) / (angle * 180.0 / Pi), 1.0, 1e-9);
+}
+
+TEST(IsotropicRemeshing, SliversBecomeNearlyEquilateral)
+{
+  const TriangleMesh input = sphereWithSlivers();
+  ASSERT_LT(smallestAngle(input), 0.01);
+  const double length = meanEdgeLength(sphere(4));
+  const DerivedMesh remeshed = remeshIsotropically(input, length);
+  const MeshTopology topology = analyseTopology(remeshed.Mesh.Faces, remeshed.Mesh.vertexCount());
+  EXPECT_EQ(topology.eulerCharacteristic(), 2);
+  EXPECT_TRUE(topology.BoundaryLoops.empty());
+  EXPECT_GT(smallestAngle(remeshed.Mesh), 15.0);
+  EXPECT_NEAR(meanEdgeLength(remeshed.Mesh) / length, 1.0, 0.1);
+  EXPECT_NEAR(totalArea(remeshed.Mesh) / totalArea(input), 1.0, 1e-3);
+  EXPECT_LT(greatestDistance(remeshed.Mesh, input), 1e-12); // vertices are on the surface
+  EXPECT_LT(greatestDistance(input, remeshed.Mesh), 0.4 * length * length); // sagitta of a face
+  EXPECT_TRUE(selfIntersections(remeshed.Mesh).empty());
+  const Points3 traced = remeshed.Vertices * input.Vertices;
+  EXPECT_LT((traced - remeshed.Mesh.Vertices).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_EQ(*std::min_element(remeshed.Faces.begin(), remeshed.Faces.end()) >= 0, true);
+}
+
+TEST(SmallAngles, AreOpenedAndTheRestStays)
+{
+  const TriangleMesh input = sphereWithSlivers();
+  const DerivedMesh opened = withoutSmallAngles(input, 5.0);
+  EXPECT_GT(smallestAngle(opened.Mesh), 5.0);
+  EXPECT_EQ(analyseTopology(opened.Mesh.Faces, opened.Mesh.vertexCount()).eulerCharacteristic(), 2);
+  EXPECT_NEAR(totalArea(opened.Mesh) / totalArea(input), 1.0, 1e-3);
+
+  const TriangleMesh sound = sphere(3);
+  const DerivedMesh same = withoutSmallAngles(sound, 30.0);
+  EXPECT_EQ(same.Mesh.Faces.rows(), sound.Faces.rows());
+  EXPECT_EQ(same.Mesh.Vertices, sound.Vertices);
+  for (int f = 0; f < sound.faceCount(); ++f)
+  {
+    EXPECT_EQ(same.Faces[f], f);
+  }
+}
+
+TEST(IsotropicRemeshing, KeepsTheBoundary)
+{
+  const TriangleMesh input = cylinder(200, 5, 1.0); // long narrow faces
+  const DerivedMesh remeshed = remeshIsotropically(input, 0.1);
+  const MeshTopology topology = analyseTopology(remeshed.Mesh.Faces, remeshed.Mesh.vertexCount());
+  EXPECT_EQ(topology.Genus, 0);
+  ASSERT_EQ(topology.BoundaryLoops.size(), 2u);
+  for (const std::vector<int>& loop : topology.BoundaryLoops)
+  {
+    for (const int v : loop)
+    {
+      const Eigen::RowVector3d p = remeshed.Mesh.Vertices.row(v);
+      EXPECT_TRUE(p[2] == 0.0 || p[2] == 1.0);
+      EXPECT_NEAR(p.head<2>().norm(), 1.0, 0.005);
+    }
+  }
+  EXPECT_GT(smallestAngle(remeshed.Mesh), 10.0);
+  EXPECT_NEAR(totalArea(remeshed.Mesh) / totalArea(input), 1.0, 5e-3);
+}
+
+TEST(IsotropicRemeshing, KeepsHandles)
+{
+  const DerivedMesh remeshed = remeshIsotropically(torus(60, 20), 0.2);
+  const MeshTopology topology = analyseTopology(remeshed.Mesh.Faces, remeshed.Mesh.vertexCount());
+  EXPECT_EQ(topology.eulerCharacteristic(), 0);
+  EXPECT_GT(smallestAngle(remeshed.Mesh), 15.0);
+}
+
+TEST(IsotropicRemeshing, TheResultDoesNotDependOnThreadsAndScale)
+{
+  const TriangleMesh input = sphereWithSlivers();
+  const double length = meanEdgeLength(input);
+  const DerivedMesh many = remeshIsotropically(input, length);
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const DerivedMesh single = remeshIsotropically(input, length);
+  EXPECT_EQ(single.Mesh.Faces, many.Mesh.Faces);
+  EXPECT_EQ(single.Mesh.Vertices, many.Mesh.Vertices);
+  EXPECT_EQ(single.Faces, many.Faces);
+  for (const double scale : { std::ldexp(1.0, -30), std::ldexp(1.0, 30) }) // exact in binary
+  {
+    TriangleMesh scaled = input;
+    scaled.Vertices *= scale;
+    const DerivedMesh other = remeshIsotropically(scaled, scale * length);
+    EXPECT_EQ(other.Mesh.Faces, many.Mesh.Faces) << scale;
+    EXPECT_EQ(other.Mesh.Vertices, Points3(scale * many.Mesh.Vertices)) << scale;
+  }
+}
+
+// Two sheets so close that chords of one cut the other: fold of a paraboloid over a copy of itself.
+TEST(IsotropicRemeshing, SheetsThatNearlyTouchStayApart)
+{
+  TriangleMesh outer = sphere(5);
+  TriangleMesh inner = sphere(4);
+  inner.Vertices *= 0.997;
+  inner.Faces.col(1).swap(inner.Faces.col(2));
+  const TriangleMesh input = both(outer, inner);
+  ASSERT_TRUE(selfIntersections(input).empty());
+  const DerivedMesh remeshed = remeshIsotropically(input, 0.12);
+  EXPECT_TRUE(selfIntersections(remeshed.Mesh).empty());
+  EXPECT_GT(smallestAngle(remeshed.Mesh), 5.0);
+}
+
+TEST(SelfIntersections, CountsPairs)
+{
+  EXPECT_TRUE(selfIntersections(sphere(3)).empty());
+  const TriangleMesh crossed = both(tetrahedron(), moved(tetrahedron(), 0.2, 0.2, 0.2));
+  const auto pairs = selfIntersections(crossed);
+  ASSERT_FALSE(pairs.empty());
+  for (const auto& [i, j] : pairs)
+  {
+    EXPECT_EQ(i, 3); // the slanted face of the first alone meets the second
+    EXPECT_GE(j, 4);
+  }
+  EXPECT_EQ(pairs.size(), 3u);
+  // Two faces folded onto each other over their common edge.
+  EXPECT_EQ(selfIntersections(meshOf({ { 0, 0, 0 }, { 1, 0, 0 }, { 0.3, 1, 0 }, { 0.5, 0.4, 0 } },
+                                { { 0, 1, 2 }, { 1, 0, 3 } }))
+              .size(),
+    1u);
+}
+
+TEST(SurfaceWalk, FindsWhatTheSearchOfTheWholeFinds)
+{
+  const TriangleMesh mesh = sphere(4);
+  const SurfaceProjection projection(mesh);
+  const SurfaceWalk walk(mesh);
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> coordinate(-1.2, 1.2);
+  for (int i = 0; i < 200; ++i)
+  {
+    const Eigen::Vector3d point(coordinate(random), coordinate(random), coordinate(random));
+    const double expected = (projection.closest(point).Position - point).norm();
+    const SurfacePoint found =
+      walk.closest(point, projection.closest(point * 0.5 + Eigen::Vector3d(0.1, 0.2, 0.05)).Face);
+    EXPECT_NEAR((found.Position - point).norm(), expected, 1e-3);
+    EXPECT_NEAR(found.Weights[0] + found.Weights[1] + found.Weights[2], 1.0, 1e-12);
+  }
+}
+
+TEST(IsotropicRemeshing, CanBeCancelledAndNamesABadLength)
+{
+  const TriangleMesh input = sphere(3);
+  EXPECT_THROW(
+    remeshIsotropically(input, 0.1, 3, [](double fraction, const char*) { return fraction < 0.4; }),
+    Cancelled);
+  EXPECT_TRUE(contains(messageOf<InvalidInput>([&] { remeshIsotropically(input, -1.0); }), "positive"));
+  EXPECT_TRUE(
+    contains(messageOf<InvalidInput>([&] { remeshIsotropically(input, 10.0); }), "set it below"));
+}
+
+} // namespace

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Base/Errors.h"
+#include "Mesh/MeshTopology.h"
+#include "Remeshing/RegionPreservingDecimation.h"
+#include "Support/SampleSurfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace
+{
+
+using namespace flattening;
+using namespace flattening::samples;
+
+// A sphere of radius 1, open below z = -0.8.
+TriangleMesh openSphere()
+{
+  const TriangleMesh whole = sphere(5);
+  std::vector<int> kept;
+  for (int f = 0; f < whole.faceCount(); ++f)
+  {
+    if (whole.Vertices(whole.Faces(f, 0), 2) > -0.8)
+    {
+      kept.push_back(f);
+    }
+  }
+  return extractFaces(whole, kept).Mesh;
+}
+
+// Two caps.
+std::vector<char> regionsOf(const TriangleMesh& mesh)
+{
+  std::vector<char> inRegion(mesh.vertexCount());
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    inRegion[v] = mesh.Vertices(v, 2) > 0.95 || mesh.Vertices(v, 0) > 0.97 ? 1 : 0;
+  }
+  return inRegion;
+}
+
+int originalVertex(const DerivedMesh& derived, int v)
+{
+  const VertexOrigins::InnerIterator first(derived.Vertices, v);
+  return first.value() == 1.0 ? static_cast<int>(first.col()) : -1;
+}
+
+TEST(ContextCoarsening, RegionsStayBitForBitWithTheirFaces)
+{
+  const TriangleMesh mesh = openSphere();
+  const std::vector<char> inRegion = regionsOf(mesh);
+  const DerivedMesh coarse = coarsenContext(mesh, inRegion, 500);
+  std::set<int> vertices;
+  for (int v = 0; v < coarse.Mesh.vertexCount(); ++v)
+  {
+    const int original = originalVertex(coarse, v);
+    if (original >= 0 && inRegion[original])
+    {
+      EXPECT_EQ(coarse.Mesh.Vertices.row(v), mesh.Vertices.row(original));
+      EXPECT_TRUE(vertices.insert(original).second) << original << " is there twice";
+    }
+  }
+  EXPECT_EQ(static_cast<long>(vertices.size()), std::count(inRegion.begin(), inRegion.end(), 1));
+
+  // Every face with a corner in a region is still there, and is its own origin.
+  std::set<int> faces;
+  for (int f = 0; f < coarse.Mesh.faceCount(); ++f)
+  {
+    std::multiset<int> corners;
+    for (int k = 0; k < 3; ++k)
+    {
+      corners.insert(originalVertex(coarse, coarse.Mesh.Faces(f, k)));
+    }
+    const int from = coarse.Faces[f];
+    const std::multiset<int> before{ mesh.Faces(from, 0), mesh.Faces(from, 1), mesh.Faces(from, 2) };
+    if (corners == before)
+    {
+      faces.insert(from);
+    }
+  }
+  int context = coarse.Mesh.faceCount();
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    if (inRegion[mesh.Faces(f, 0)] || inRegion[mesh.Faces(f, 1)] || inRegion[mesh.Faces(f, 2)])
+    {
+      EXPECT_TRUE(faces.count(f)) << f;
+      --context;
+    }
+  }
+  EXPECT_NEAR(context, 500, 50);
+}
+
+TEST(ContextCoarsening, TheSurfaceKeepsItsShapeAndTopology)
+{
+  const TriangleMesh mesh = openSphere();
+  const DerivedMesh coarse = coarsenContext(mesh, regionsOf(mesh), 1000);
+  const MeshTopology before = analyseTopology(mesh.Faces, mesh.vertexCount());
+  const MeshTopology after = analyseTopology(coarse.Mesh.Faces, coarse.Mesh.vertexCount());
+  EXPECT_EQ(after.BoundaryLoops.size(), before.BoundaryLoops.size());
+  EXPECT_EQ(after.Genus, before.Genus);
+  EXPECT_NEAR(totalArea(coarse.Mesh), totalArea(mesh), 0.01 * totalArea(mesh));
+  double greatest = 0.0;
+  for (int v = 0; v < coarse.Mesh.vertexCount(); ++v)
+  {
+    greatest = std::max(greatest, std::abs(coarse.Mesh.Vertices.row(v).norm() - 1.0));
+    double sum = 0.0;
+    Eigen::RowVector3d from = Eigen::RowVector3d::Zero();
+    for (VertexOrigins::InnerIterator weight(coarse.Vertices, v); weight; ++weight)
+    {
+      sum += weight.value();
+      from += weight.value() * mesh.Vertices.row(weight.col());
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-12);
+    EXPECT_LT((from - coarse.Mesh.Vertices.row(v)).norm(), 0.02);
+  }
+  EXPECT_LT(greatest, 0.02);
+}
+
+TEST(ContextCoarsening, AContextThatIsCoarseStaysAsItIs)
+{
+  const TriangleMesh mesh = openSphere();
+  const DerivedMesh same = coarsenContext(mesh, regionsOf(mesh), 1000000);
+  EXPECT_TRUE(same.Mesh.Vertices == mesh.Vertices);
+  EXPECT_TRUE(same.Mesh.Faces == mesh.Faces);
+}
+
+TEST(ContextCoarsening, GivesTheSameBitsEveryTime)
+{
+  const TriangleMesh mesh = openSphere();
+  const DerivedMesh first = coarsenContext(mesh, regionsOf(mesh), 700);
+  const DerivedMesh second = coarsenContext(mesh, regionsOf(mesh), 700);
+  EXPECT_TRUE(first.Mesh.Vertices == second.Mesh.Vertices);
+  EXPECT_TRUE(first.Mesh.Faces == second.Mesh.Faces);
+}
+
+TEST(ContextCoarsening, NamesWhatIsWrong)
+{
+  TriangleMesh mesh = openSphere();
+  const std::vector<char> none(mesh.vertexCount(), 0);
+  EXPECT_TRUE(contains(
+    messageOf<InvalidInput>([&] { coarsenContext(mesh, none, 100); }), "no point is in a region"));
+  EXPECT_TRUE(contains(
+    messageOf<InvalidInput>([&] { coarsenContext(mesh, regionsOf(mesh), 0); }), "positive number"));
+  EXPECT_TRUE(contains(messageOf<InvalidInput>(
+                         [&] {
+                           coarsenContext(mesh, { 1, 0 }, 100);
+                         }),
+    "2 flags"));
+  EXPECT_THROW(
+    coarsenContext(
+      mesh, regionsOf(mesh), 100, [](double fraction, const char*) { return fraction < 0.3; }),
+    Cancelled);
+  const std::vector<char> regions = regionsOf(mesh);
+  mesh.Vertices(7, 1) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(
+    contains(messageOf<InvalidInput>([&] { coarsenContext(mesh, regions, 100); }), "not finite"));
+}
+
+} // namespace

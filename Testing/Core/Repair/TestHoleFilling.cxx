@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Base/Errors.h"
+#include "Mesh/MeshTopology.h"
+#include "Mesh/SelfIntersections.h"
+#include "Mesh/SurfaceComponents.h"
+#include "Repair/HoleFilling.h"
+#include "Support/SampleSurfaces.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace flattening;
+using namespace flattening::samples;
+
+std::vector<std::vector<int>> loopsOf(const TriangleMesh& mesh)
+{
+  return analyseTopology(mesh.Faces, mesh.vertexCount()).BoundaryLoops;
+}
+
+TEST(HoleFilling, CapsACylinder)
+{
+  const TriangleMesh open = cylinder(64, 10, 2.0);
+  const FilledSurface filled = fillHoles(open, loopsOf(open));
+  const TriangleMesh& mesh = filled.Surface.Mesh;
+  EXPECT_TRUE(loopsOf(mesh).empty());
+  EXPECT_EQ(filled.FilledHoles, 2);
+  EXPECT_EQ(filled.PiercingPatches, 0);
+  const double polygon = 0.5 * 64 * std::sin(2.0 * Pi / 64);
+  EXPECT_NEAR(filled.FilledArea, 2.0 * polygon, 1e-12);
+  EXPECT_NEAR(enclosedVolume(mesh), 2.0 * polygon, 1e-12);
+}
+
+TEST(HoleFilling, RefusesALoopThatIsTooLong)
+{
+  const TriangleMesh open = moved(cylinder(64, 10, 2.0), 5.0, 0.0, 0.0);
+  const double length = 64 * 2.0 * std::sin(Pi / 64);
+  HoleFillingOptions options;
+  options.LongestLoop = 1.001 * length;
+  EXPECT_EQ(fillHoles(open, loopsOf(open), options).FilledHoles, 2);
+  options.LongestLoop = 0.999 * length;
+  const std::string message = messageOf<InvalidInput>([&] { fillHoles(open, loopsOf(open), options); });
+  EXPECT_TRUE(contains(message, "(5, ")) << message;
+  EXPECT_TRUE(contains(message, "6.28")) << message;
+  EXPECT_TRUE(contains(message, "raise the limit")) << message;
+}
+
+// A spike through the opening: the flat patch would cut it, no patch can do without. A second spike
+// beside the opening's plane must not matter.
+TEST(HoleFilling, CountsPatchesThatCutTheSurface)
+{
+  const TriangleMesh open = cylinder(64, 10, 2.0);
+  TriangleMesh spike = sphere(2);
+  spike.Vertices *= 0.2;
+  const TriangleMesh pierced = both(open, moved(spike, 0.0, 0.0, 2.0));
+  const FilledSurface filled = fillHoles(pierced, loopsOf(pierced));
+  EXPECT_TRUE(loopsOf(filled.Surface.Mesh).empty());
+  EXPECT_FALSE(selfIntersections(filled.Surface.Mesh).empty());
+  EXPECT_EQ(filled.PiercingPatches, 1);
+  const TriangleMesh beside = both(open, moved(spike, 0.0, 0.0, 2.5));
+  EXPECT_EQ(fillHoles(beside, loopsOf(beside)).PiercingPatches, 0);
+}
+
+ComponentChoice byIndex(int index)
+{
+  ComponentChoice choice;
+  choice.By = ComponentChoice::Rule::ByIndex;
+  choice.Index = index;
+  return choice;
+}
+
+TEST(SurfaceComponents, AreRankedByArea)
+{
+  TriangleMesh large = sphere(3);
+  large.Vertices *= 2.0;
+  const TriangleMesh mesh = both(both(moved(tetrahedron(), 9, 0, 0), moved(sphere(2), -9, 0, 0)), large);
+  const SurfaceComponents components = connectedComponents(mesh);
+  ASSERT_EQ(components.Count, 3);
+  EXPECT_EQ(chooseComponent(mesh, components, byIndex(0)), 2);
+  EXPECT_EQ(chooseComponent(mesh, components, byIndex(1)), 1);
+  EXPECT_EQ(chooseComponent(mesh, components, byIndex(2)), 0);
+  EXPECT_NEAR(componentAreas(mesh, components)[0], 1.5 + std::sqrt(3.0) / 2.0, 1e-14);
+  EXPECT_EQ(componentsAbove(mesh, components, 0.0), 3);
+  EXPECT_EQ(componentsAbove(mesh, components, 0.1), 2);
+  EXPECT_EQ(componentsAbove(mesh, components, 0.5), 1);
+  const std::string message =
+    messageOf<InvalidInput>([&] { chooseComponent(mesh, components, byIndex(3)); });
+  EXPECT_TRUE(contains(message, "has 3")) << message;
+  EXPECT_THROW(chooseComponent(mesh, components, byIndex(-1)), InvalidInput);
+}
+
+} // namespace

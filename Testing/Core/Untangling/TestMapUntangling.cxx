@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Flat maps with flipped faces made by hand.
+#include "AnalyticSurfaces.h"
+#include "Mesh/FaceOrientation.h"
+#include "Mesh/MeshTopology.h"
+#include "Support/RandomNumbers.h"
+#include "Untangling/MapUntangling.h"
+#include "Untangling/PatchUntangling.h"
+
+#include <Eigen/LU>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace
+{
+
+using namespace flattening;
+using namespace flattening::analytic;
+
+// A disk of 1,000 vertices in hexagonal rings about vertex 0: its own perfect map.
+TriangleMesh ringDisk()
+{
+  return ringMesh(flatDisk(), 1000).Mesh;
+}
+
+Points2 planar(const TriangleMesh& mesh)
+{
+  return mesh.Vertices.leftCols<2>();
+}
+
+// The part within radius is turned by an angle (radians).
+Points2 twisted(const TriangleMesh& mesh, double radius, double angle)
+{
+  Points2 positions = planar(mesh);
+  Eigen::Matrix2d turn;
+  turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (positions.row(v).norm() < radius)
+    {
+      positions.row(v) = (positions.row(v) * turn.transpose()).eval();
+    }
+  }
+  return positions;
+}
+
+std::vector<int> movedVertices(const Points2& before, const Points2& after)
+{
+  std::vector<int> moved;
+  for (int v = 0; v < before.rows(); ++v)
+  {
+    if (before.row(v) != after.row(v))
+    {
+      moved.push_back(v);
+    }
+  }
+  return moved;
+}
+
+// One vertex beyond the opposite side of one of its faces: it alone moves, no further than back.
+TEST(FlippedFaceRepair, MovesOneVertexIfThatIsEnough)
+{
+  const TriangleMesh mesh = ringDisk();
+  const Points2 perfect = planar(mesh);
+  Points2 positions = perfect;
+  const double edge = (perfect.row(1) - perfect.row(0)).norm();
+  positions.row(0) += 1.1 * (perfect.row(1) - perfect.row(0));
+  const Points2 before = positions;
+  ASSERT_EQ(countFlippedFaces(positions, mesh.Faces), 2);
+  const FlippedFaceReport report = repairFlippedFaces(mesh, requireDisk(mesh), positions);
+  EXPECT_EQ(countFlippedFaces(positions, mesh.Faces), 0);
+  EXPECT_EQ(report.RepairedFaces, 2);
+  EXPECT_EQ(report.FlippedFaces, 0);
+  EXPECT_EQ(report.MovedVertices, 1);
+  EXPECT_EQ(movedVertices(before, positions).size(), 1u);
+  EXPECT_GT(report.GreatestMove, 0.1);
+  EXPECT_LT((positions - before).rowwise().norm().maxCoeff(), 1.1 * edge);
+}
+
+class Twist : public testing::TestWithParam<double>
+{
+};
+
+// Rings turned against the next ring, wherever in the plane and however small: only they and what is
+// near them move.
+TEST_P(Twist, IsUndoneWhereItIs)
+{
+  const double size = GetParam();
+  const TriangleMesh mesh = ringDisk();
+  const double ring = (mesh.Vertices.row(1) - mesh.Vertices.row(0)).norm();
+  for (const int rings : { 1, 2, 3 })
+  {
+    for (const double angle : { 2.0, 3.1 })
+    {
+      Points2 positions = size * twisted(mesh, (rings + 0.5) * ring, angle);
+      positions.rowwise() += Eigen::RowVector2d(0.6, -0.3);
+      const Points2 before = positions;
+      const int flipped = countFlippedFaces(positions, mesh.Faces);
+      ASSERT_GT(flipped, 0) << rings << ' ' << angle;
+      const FlippedFaceReport report = repairFlippedFaces(mesh, requireDisk(mesh), positions);
+      EXPECT_EQ(countFlippedFaces(positions, mesh.Faces), 0) << rings << ' ' << angle;
+      EXPECT_EQ(report.RepairedFaces, flipped);
+      EXPECT_EQ(report.FlippedFaces, 0);
+      const std::vector<int> moved = movedVertices(before, positions);
+      EXPECT_EQ(report.MovedVertices, static_cast<int>(moved.size()));
+      for (const int v : moved)
+      {
+        EXPECT_LT(mesh.Vertices.row(v).norm(), (rings + 5.5) * ring) << rings << ' ' << angle;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(FlippedFaceRepair, Twist, testing::Values(1.0, 1e-9));
+
+// Every inner vertex off its place by up to an edge each way: clusters of flipped faces everywhere,
+// which touch.
+Points2 noisy(const TriangleMesh& mesh, const std::vector<int>& loop)
+{
+  const double edge = (mesh.Vertices.row(1) - mesh.Vertices.row(0)).norm();
+  std::vector<char> onBoundary(mesh.vertexCount(), 0);
+  for (const int v : loop)
+  {
+    onBoundary[v] = 1;
+  }
+  samples::RandomNumbers random(9);
+  Points2 positions = planar(mesh);
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    const Eigen::RowVector2d noise = edge * random.point(-1.0, 1.0).head<2>();
+    if (!onBoundary[v])
+    {
+      positions.row(v) += noise;
+    }
+  }
+  return positions;
+}
+
+TEST(FlippedFaceRepair, TurnsFacesOverInNoise)
+{
+  const TriangleMesh mesh = ringMesh(flatDisk(), 5000).Mesh;
+  const std::vector<int> loop = requireDisk(mesh);
+  Points2 positions = noisy(mesh, loop);
+  ASSERT_GT(countFlippedFaces(positions, mesh.Faces), mesh.faceCount() / 10);
+  const FlippedFaceReport report = repairFlippedFaces(mesh, loop, positions);
+  EXPECT_EQ(report.FlippedFaces, 0);
+  EXPECT_EQ(countFlippedFaces(positions, mesh.Faces), 0);
+  EXPECT_LT(report.MovedVertices, mesh.vertexCount() / 2) << "most have no flipped face that needs them";
+}
+
+// The same among needles, as in the necks of horns. Stretching flips nothing, and so should not change
+// what can be repaired.
+TEST(FlippedFaceRepair, TurnsFacesOverAmongNeedles)
+{
+  const TriangleMesh mesh = ringMesh(flatDisk(), 5000).Mesh;
+  const std::vector<int> loop = requireDisk(mesh);
+  Eigen::Matrix2d stretch; // by 30 and 1 / 30, along no axis
+  stretch << 10.0, 14.0, 14.0, 19.7;
+  stretch /= std::sqrt(stretch.determinant());
+  Points2 positions = noisy(mesh, loop) * stretch;
+  ASSERT_GT(countFlippedFaces(positions, mesh.Faces), mesh.faceCount() / 10);
+  const TargetTriangles targets =
+    trianglesOfArea(mesh, Eigen::VectorXd::Constant(mesh.faceCount(), 3.14 / mesh.faceCount()));
+  std::vector<char> fixed(mesh.vertexCount(), 0);
+  for (const int v : loop)
+  {
+    fixed[v] = 1;
+  }
+  const FlippedFaceReport report = repairFlippedFaces(mesh.Faces, fixed, targets, positions);
+  EXPECT_EQ(report.FlippedFaces, 0);
+  EXPECT_EQ(countFlippedFaces(positions, mesh.Faces), 0);
+}
+
+// Fixed vertices that have changed places: what hangs on them stays flipped, is counted, and nothing
+// moves in vain.
+TEST(FlippedFaceRepair, SaysWhatCannotBeRepaired)
+{
+  const TriangleMesh mesh = ringDisk();
+  const std::vector<int> loop = requireDisk(mesh);
+  Points2 positions = planar(mesh);
+  positions.row(loop[0]).swap(positions.row(loop[10]));
+  const Points2 before = positions;
+  const int flipped = countFlippedFaces(positions, mesh.Faces);
+  ASSERT_GT(flipped, 0);
+  const FlippedFaceReport report = repairFlippedFaces(mesh, loop, positions);
+  EXPECT_GT(report.FlippedFaces, 0);
+  EXPECT_EQ(report.FlippedFaces, countFlippedFaces(positions, mesh.Faces));
+  EXPECT_EQ(report.RepairedFaces, flipped - report.FlippedFaces);
+  for (const int v : loop)
+  {
+    EXPECT_EQ(positions.row(v), before.row(v)) << v;
+  }
+  EXPECT_EQ(report.MovedVertices, static_cast<int>(movedVertices(before, positions).size()));
+}
+
+// A flipped face far away is repaired all the same.
+TEST(FlippedFaceRepair, RepairsWhatItCan)
+{
+  const TriangleMesh mesh = ringDisk();
+  const std::vector<int> loop = requireDisk(mesh);
+  Points2 positions = planar(mesh);
+  positions.row(loop[0]).swap(positions.row(loop[10]));
+  positions.row(0) += 1.1 * (positions.row(1) - positions.row(0));
+  const int flipped = countFlippedFaces(positions, mesh.Faces);
+  const FlippedFaceReport report = repairFlippedFaces(mesh, loop, positions);
+  EXPECT_GT(report.FlippedFaces, 0);
+  EXPECT_GE(report.RepairedFaces, 2);
+  EXPECT_EQ(report.RepairedFaces, flipped - report.FlippedFaces);
+}
+
+// All of the map must go into the lens between a short arc and its chord, far from where it is: as a
+// piece of the surface must that an edge between two boundary vertices cuts off.
+TEST(FlippedFaceRepair, FitsIntoTheLensOfAChord)
+{
+  const TriangleMesh mesh = ringDisk();
+  const std::vector<int> loop = requireDisk(mesh);
+  Points2 positions = planar(mesh);
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const double angle = 0.02 * static_cast<double>(i) / loop.size();
+    positions.row(loop[i]) << std::cos(angle), std::sin(angle);
+  }
+  const int flipped = countFlippedFaces(positions, mesh.Faces);
+  ASSERT_GT(flipped, 0);
+  const FlippedFaceReport report = repairFlippedFaces(mesh, loop, positions);
+  EXPECT_EQ(report.FlippedFaces, 0);
+  EXPECT_EQ(countFlippedFaces(positions, mesh.Faces), 0);
+}
+
+// Nothing is changed where nothing is flipped.
+TEST(FlippedFaceRepair, LeavesAGoodMapAlone)
+{
+  const TriangleMesh mesh = sunflowerMesh(gaussianBump(1.0, 0.3), 2000).Mesh;
+  const Points2 before = planar(mesh);
+  Points2 positions = before;
+  const FlippedFaceReport report = repairFlippedFaces(mesh, requireDisk(mesh), positions);
+  EXPECT_EQ(positions, before);
+  EXPECT_EQ(report.RepairedFaces + report.FlippedFaces + report.MovedVertices, 0);
+  EXPECT_EQ(report.GreatestMove, 0.0);
+}
+
+TEST(FlippedFaceRepair, CanBeCancelled)
+{
+  const TriangleMesh mesh = ringDisk();
+  const double ring = (mesh.Vertices.row(1) - mesh.Vertices.row(0)).norm();
+  Points2 positions = twisted(mesh, 3.5 * ring, 3.1);
+  EXPECT_THROW(
+    repairFlippedFaces(mesh, requireDisk(mesh), positions, [](double, const char*) { return false; }),
+    Cancelled);
+}
+
+// The whole disk as a patch, its faces as they are for targets.
+FlatPatch patchOf(const TriangleMesh& mesh, const Points2& positions)
+{
+  FlatPatch patch;
+  patch.Positions = positions;
+  patch.FreeVertices = mesh.vertexCount() - static_cast<int>(requireDisk(mesh).size());
+  patch.Faces = mesh.Faces;
+  const Points2 perfect = planar(mesh);
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    const Eigen::RowVector2d first = perfect.row(mesh.Faces(f, 0));
+    patch.Targets.push_back({ (perfect.row(mesh.Faces(f, 1)) - first).transpose(),
+      (perfect.row(mesh.Faces(f, 2)) - first).transpose() });
+  }
+  return patch;
+}
+
+// Where all faces can have their targets' shapes and areas they get them.
+TEST(PatchRepair, FindsTheTargets)
+{
+  const TriangleMesh mesh = ringMesh(flatDisk(), 400).Mesh;
+  const double ring = (mesh.Vertices.row(1) - mesh.Vertices.row(0)).norm();
+  for (const double areaWeight : { 0.0, 0.1, 10.0 })
+  {
+    FlatPatch patch = patchOf(mesh, twisted(mesh, 3.5 * ring, 2.0));
+    const PatchRepairResult result = repairPatch(patch, areaWeight);
+    EXPECT_TRUE(result.Positive) << areaWeight;
+    EXPECT_GT(result.Steps, 3);
+    EXPECT_LT((patch.Positions - planar(mesh)).rowwise().norm().maxCoeff(), 0.05 * ring) << areaWeight;
+  }
+}
+
+// Targets need not be similar to what the map has: faces within half the radius are asked to have twice
+// the area.
+TEST(PatchRepair, AreasFollowTheirTargets)
+{
+  const TriangleMesh mesh = ringMesh(flatDisk(), 400).Mesh;
+  const Points2 start = planar(mesh);
+  const auto isWithin = [&](int f) { return start.row(mesh.Faces(f, 0)).norm() < 0.5; };
+  const auto areaWithin = [&](const Points2& positions)
+  {
+    const Eigen::VectorXd areas = signedFaceAreas(positions, mesh.Faces);
+    double sum = 0.0;
+    for (int f = 0; f < mesh.faceCount(); ++f)
+    {
+      sum += isWithin(f) ? areas[f] : 0.0;
+    }
+    return sum;
+  };
+  const double within = areaWithin(start);
+  const double all = signedFaceAreas(start, mesh.Faces).sum();
+  double last = within;
+  for (const double areaWeight : { 1.0, 10.0, 100.0 })
+  {
+    FlatPatch patch = patchOf(mesh, start);
+    for (int f = 0; f < mesh.faceCount(); ++f)
+    {
+      const double stretch = std::sqrt(isWithin(f) ? 2.0 : (all - 2.0 * within) / (all - within));
+      patch.Targets[f].Second *= stretch;
+      patch.Targets[f].Third *= stretch;
+    }
+    EXPECT_TRUE(repairPatch(patch, areaWeight).Positive);
+    EXPECT_GT(areaWithin(patch.Positions), last) << areaWeight;
+    last = areaWithin(patch.Positions);
+  }
+  EXPECT_NEAR(last, 2.0 * within, 0.02 * last);
+}
+
+TEST(PatchRepair, SpringsInAConvexRimFlipNothing)
+{
+  const TriangleMesh mesh = ringMesh(flatDisk(), 400).Mesh;
+  FlatPatch patch = patchOf(mesh, Points2::Zero(mesh.vertexCount(), 2));
+  patch.Positions.bottomRows(mesh.vertexCount() - patch.FreeVertices) =
+    planar(mesh).bottomRows(mesh.vertexCount() - patch.FreeVertices);
+  relaxPatch(patch);
+  EXPECT_EQ(countFlippedFaces(patch.Positions, patch.Faces), 0);
+}
+
+} // namespace
