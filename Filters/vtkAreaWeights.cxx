@@ -89,9 +89,9 @@ void setRegionFigures(vtkFieldData* figures,
       flatArea += scale * weights[v] * surfaceAreas[v];
     }
   }
-  flattening::setFigure(figures, "RegionPoints", count);
-  flattening::setFigure(figures, "RegionArea", area);
-  flattening::setFigure(figures, "RegionFlatArea", flatArea);
+  flattening::setDatum(figures, "RegionPoints", count);
+  flattening::setDatum(figures, "RegionArea", area);
+  flattening::setDatum(figures, "RegionFlatArea", flatArea);
 }
 
 } // namespace
@@ -327,8 +327,8 @@ void vtkAreaWeights::Execute(vtkInformationVector** inputVector, vtkInformationV
     setRegionFigures(figures, regions, areas, weights);
   }
   const auto range = flattening::magnificationRange(areas, weights);
-  flattening::setFigure(figures, "SmallestMagnification", range.Smallest);
-  flattening::setFigure(figures, "GreatestMagnification", range.Greatest);
+  flattening::setDatum(figures, "SmallestMagnification", range.Smallest);
+  flattening::setDatum(figures, "GreatestMagnification", range.Greatest);
   flattening::report(flattening::progressOf(this), 1.0, "Done");
 }
 

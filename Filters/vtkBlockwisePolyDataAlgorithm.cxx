@@ -50,7 +50,7 @@ void addBlockErrors(vtkFieldData* figures, const std::vector<std::string>& error
   {
     all->InsertNextValue(error);
   }
-  flattening::setFigure(figures, "FailedBlocks", static_cast<long long>(all->GetNumberOfValues()));
+  flattening::setDatum(figures, "FailedBlocks", static_cast<long long>(all->GetNumberOfValues()));
   if (all->GetNumberOfValues() > 0)
   {
     figures->AddArray(all);

@@ -154,12 +154,12 @@ void removeFigures(vtkFieldData* figures)
 void setFigures(vtkFieldData* figures, const flattening::ConformalDiskMap& map, int method)
 {
   const auto count = [figures](const char* name, int value)
-  { flattening::setFigure(figures, name, static_cast<long long>(value)); };
+  { flattening::setDatum(figures, name, static_cast<long long>(value)); };
   if (method == vtkConformalDiskFilter::RICCI_FLOW)
   {
     count("NewtonIterations", map.NewtonIterations);
-    flattening::setFigure(figures, "MaxCurvatureError", map.MaxCurvatureError);
-    flattening::setFigure(figures, "LayoutError", map.LayoutError);
+    flattening::setDatum(figures, "MaxCurvatureError", map.MaxCurvatureError);
+    flattening::setDatum(figures, "LayoutError", map.LayoutError);
     count("InsertedBoundaryPoints", map.InsertedBoundaryPoints);
   }
   if (method != vtkConformalDiskFilter::MEAN_VALUE)
@@ -171,10 +171,10 @@ void setFigures(vtkFieldData* figures, const flattening::ConformalDiskMap& map, 
     count("BoundaryIterations", map.BoundaryIterations);
   }
   count("IntrinsicFlips", map.Flips);
-  flattening::setFigure(figures, "AddedLength", map.AddedLength);
+  flattening::setDatum(figures, "AddedLength", map.AddedLength);
   count("RepairedFaces", map.Repair.RepairedFaces);
   count("MovedPoints", map.Repair.MovedVertices);
-  flattening::setFigure(figures, "GreatestMove", map.Repair.GreatestMove);
+  flattening::setDatum(figures, "GreatestMove", map.Repair.GreatestMove);
   count("FlippedFaces", map.FlippedFaces);
 }
 
@@ -200,7 +200,7 @@ void vtkConformalDiskFilter::Execute(vtkInformationVector** inputVector,
       mesh, rectangleOptions(this, input, mesh, loop), flattening::progressOf(this));
     map = std::move(rectangle.Map);
     domainArea = rectangle.Modulus;
-    flattening::setFigure(figures, "Modulus", rectangle.Modulus);
+    flattening::setDatum(figures, "Modulus", rectangle.Modulus);
     flattening::setIds(figures, "CornerPointIds", rectangle.Corners);
   }
   else
@@ -230,7 +230,7 @@ void vtkConformalDiskFilter::Execute(vtkInformationVector** inputVector,
              : "set Method to Ricci Flow, which moves apart what lies too close together"));
   }
   const double anisotropy = boundaryAnisotropy(mesh, loop);
-  flattening::setFigure(figures, "BoundaryAnisotropy", anisotropy);
+  flattening::setDatum(figures, "BoundaryAnisotropy", anisotropy);
   if (this->Domain == DISK && map.SpreadVertices > SpreadShare * mesh.vertexCount())
   {
     vtkWarningMacro(<< this->GetBlockPrefix() << map.SpreadVertices << " of " << mesh.vertexCount()

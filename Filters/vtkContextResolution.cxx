@@ -46,14 +46,14 @@ void vtkContextResolution::Execute(vtkInformationVector** inputVector,
   }
   const std::vector<char> inRegion = flattening::pointsWhereNotZero(input, regions);
   const flattening::DerivedMesh coarse =
-    flattening::coarsenContext(mesh, inRegion, this->ContextFaces, flattening::progressOf(this));
-  flattening::setPart(output, input, coarse);
+    flattening::decimateContext(mesh, inRegion, this->ContextFaces, flattening::progressOf(this));
+  flattening::setRegion(output, input, coarse);
   const long long kept = cellsAround(mesh, inRegion);
   vtkFieldData* figures = output->GetFieldData();
-  flattening::setFigure(
+  flattening::setDatum(
     figures, "RegionPoints", static_cast<long long>(std::count(inRegion.begin(), inRegion.end(), 1)));
-  flattening::setFigure(figures, "KeptCells", kept);
-  flattening::setFigure(figures, "ContextCells", coarse.Mesh.faceCount() - kept);
+  flattening::setDatum(figures, "KeptCells", kept);
+  flattening::setDatum(figures, "ContextCells", coarse.Mesh.faceCount() - kept);
 }
 
 void vtkContextResolution::PrintSelf(ostream& os, vtkIndent indent)

@@ -152,11 +152,11 @@ void forEachFigure(const DistortionSummary& summary, const Visit& visit)
 
 void setFigures(vtkFieldData* fieldData, const DistortionSummary& total)
 {
-  flattening::setFigure(fieldData, "FlippedFaces", static_cast<long long>(total.FlippedFaces));
-  flattening::setFigure(fieldData, "DegenerateFaces", static_cast<long long>(total.DegenerateFaces));
+  flattening::setDatum(fieldData, "FlippedFaces", static_cast<long long>(total.FlippedFaces));
+  flattening::setDatum(fieldData, "DegenerateFaces", static_cast<long long>(total.DegenerateFaces));
   forEachFigure(total,
     [fieldData](const std::string& name, double value)
-    { flattening::setFigure(fieldData, name.c_str(), value); });
+    { flattening::setDatum(fieldData, name.c_str(), value); });
 }
 
 struct Row

@@ -208,8 +208,8 @@ void vtkFlatMapImage::Execute(vtkInformationVector** inputVector, vtkInformation
   flattening::report(progress, 0.9, "Sampling the arrays");
   setNoNumber(pixels, places);
   const long long count = addInverse(places, pixels);
-  flattening::setFigure(output->GetFieldData(), "PixelLength", grid.Length);
-  flattening::setFigure(output->GetFieldData(), "PixelsInMap", count);
+  flattening::setDatum(output->GetFieldData(), "PixelLength", grid.Length);
+  flattening::setDatum(output->GetFieldData(), "PixelsInMap", count);
   flattening::report(progress, 1.0, "Done");
 }
 

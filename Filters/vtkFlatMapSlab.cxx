@@ -205,7 +205,7 @@ void vtkFlatMapSlab::Execute(vtkInformationVector** inputVector, vtkInformationV
                        "the same coordinates");
   }
   flattening::setDepths(output, this->Depths);
-  flattening::setFigure(output->GetFieldData(), "OutsideSamples", outside);
+  flattening::setDatum(output->GetFieldData(), "OutsideSamples", outside);
 
   vtkImageData* stack = vtkImageData::GetData(outputVector, 1);
   if (this->StackSize > 1)

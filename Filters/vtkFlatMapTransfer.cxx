@@ -78,18 +78,18 @@ void vtkFlatMapTransfer::Execute(vtkInformationVector** inputVector, vtkInformat
   const DerivedMesh part = survivingPart(surface, map);
   const flattening::Points2 positions = positionsOf(part, map);
 
-  flattening::setFlatPart(output, original, part, positions);
+  flattening::setFlatRegion(output, original, part, positions);
 
   const auto flipped = (flattening::signedFaceAreas(positions, part.Mesh.Faces).array() <= 0.0).count();
   vtkFieldData* figures = output->GetFieldData();
   const auto count = [figures](const char* name, vtkIdType value)
-  { flattening::setFigure(figures, name, static_cast<long long>(value)); };
+  { flattening::setDatum(figures, name, static_cast<long long>(value)); };
   count("TransferredPoints", part.Mesh.vertexCount());
   count("LostPoints", surface.vertexCount() - part.Mesh.vertexCount());
   count("LostCells", surface.faceCount() - part.Mesh.faceCount());
   count("FlippedFaces", flipped);
-  flattening::setFigure(figures, "LargestDistance", map.LargestDistance);
-  flattening::setFigure(figures, "Tolerance", map.Tolerance);
+  flattening::setDatum(figures, "LargestDistance", map.LargestDistance);
+  flattening::setDatum(figures, "Tolerance", map.Tolerance);
 }
 
 void vtkFlatMapTransfer::PrintSelf(ostream& os, vtkIndent indent)

@@ -207,9 +207,9 @@ void vtkFlattenRegion::Execute(vtkInformationVector** inputVector, vtkInformatio
   const double scale = std::sqrt(flattening::faceAreas(disk.Vertices, disk.Faces).sum() / EIGEN_PI);
   const flattening::Points2 positions = scale * flat.Map.Positions;
 
-  const flattening::RegionMeasures measures =
+  const flattening::RegionReport measures =
     flattening::measureRegion(region, positions, flattening::subrange(progress, 0.7, 1.0));
-  flattening::setFlatPart(output, input, region.Disk, positions);
+  flattening::setFlatRegion(output, input, region.Disk, positions);
   addRegionFlags(output, region.InRegion);
   flattening::fillMeasures(
     vtkTable::GetData(outputVector, 1), measures, this->LengthUnit, output->GetFieldData());
@@ -217,15 +217,15 @@ void vtkFlattenRegion::Execute(vtkInformationVector** inputVector, vtkInformatio
 
   vtkFieldData* figures = output->GetFieldData();
   const auto count = [figures](const char* name, long long value)
-  { flattening::setFigure(figures, name, value); };
+  { flattening::setDatum(figures, name, value); };
   count("RegionPieces", region.Pieces);
   count("FilledHoles", region.FilledHoles);
   count("FlippedFaces", flat.Map.FlippedFaces);
   count("Bijective", flat.Map.Bijective ? 1 : 0);
-  flattening::setFigure(figures, "Margin", margin);
-  flattening::setFigure(figures, "DroppedArea", region.DroppedArea);
-  flattening::setFigure(figures, "FilledArea", region.FilledArea);
-  flattening::setFigure(figures, "MaxCellAreaError", flat.Map.MaxCellError);
+  flattening::setDatum(figures, "Margin", margin);
+  flattening::setDatum(figures, "DroppedArea", region.DroppedArea);
+  flattening::setDatum(figures, "FilledArea", region.FilledArea);
+  flattening::setDatum(figures, "MaxCellAreaError", flat.Map.MaxCellError);
   flattening::report(progress, 1.0, "Done");
 }
 

@@ -49,7 +49,7 @@ void addRegions(vtkPolyData* output, const TriangleMesh& mesh, const std::vector
     }
   }
   output->GetPointData()->AddArray(labels);
-  flattening::setFigure(output->GetFieldData(), "SaliencyRegions", static_cast<long long>(count));
+  flattening::setDatum(output->GetFieldData(), "SaliencyRegions", static_cast<long long>(count));
   if (count > 0)
   {
     output->GetFieldData()->AddArray(regionAreas);
@@ -82,7 +82,7 @@ void vtkMeshSaliency::Execute(vtkInformationVector** inputVector, vtkInformation
   output->ShallowCopy(input);
   flattening::addPointArray(output, "Saliency", saliency.Saliency);
   output->GetPointData()->SetActiveScalars("Saliency");
-  flattening::setFigure(output->GetFieldData(), "SaliencyUnit", saliency.Unit);
+  flattening::setDatum(output->GetFieldData(), "SaliencyUnit", saliency.Unit);
   if (this->PerScaleArrays)
   {
     flattening::addPointArray(output, "MeanCurvature", saliency.MeanCurvature);
@@ -103,7 +103,7 @@ void vtkMeshSaliency::Execute(vtkInformationVector** inputVector, vtkInformation
     addRegions(output,
       mesh,
       flattening::salientRegions(mesh, saliency.Saliency, threshold, this->MinimumRegionArea, largest));
-    flattening::setFigure(output->GetFieldData(), "SaliencyThreshold", threshold);
+    flattening::setDatum(output->GetFieldData(), "SaliencyThreshold", threshold);
   }
   flattening::report(flattening::progressOf(this), 1.0, "Done");
 }

@@ -289,16 +289,16 @@ void vtkOMTAreaPreservingFilter::Execute(vtkInformationVector** inputVector,
   {
     flattening::setIds(figures, "CornerPointIds", map.CornerVertices);
   }
-  flattening::setFigure(figures, "NewtonIterations", static_cast<long long>(map.NewtonIterations));
-  flattening::setFigure(figures, "Sites", static_cast<long long>(map.Sites));
-  flattening::setFigure(figures, "PowerDiagrams", static_cast<long long>(map.PowerDiagrams));
-  flattening::setFigure(figures, "MaxCellAreaError", map.MaxCellError);
-  flattening::setFigure(figures, "CoincidentPoints", static_cast<long long>(map.CoincidentVertices));
-  flattening::setFigure(figures, "FlippedFaces", static_cast<long long>(map.FlippedFaces));
-  flattening::setFigure(figures, "Bijective", static_cast<long long>(map.Bijective ? 1 : 0));
-  flattening::setFigure(figures, "WarmStart", static_cast<long long>(map.IsContinued ? 1 : 0));
-  flattening::setFigure(figures, "RefinementRounds", static_cast<long long>(map.RefinementRounds));
-  flattening::setFigure(figures, "RefinementRepairs", static_cast<long long>(map.RepairedFaces));
+  flattening::setDatum(figures, "NewtonIterations", static_cast<long long>(map.NewtonIterations));
+  flattening::setDatum(figures, "Sites", static_cast<long long>(map.Sites));
+  flattening::setDatum(figures, "PowerDiagrams", static_cast<long long>(map.PowerDiagrams));
+  flattening::setDatum(figures, "MaxCellAreaError", map.MaxCellError);
+  flattening::setDatum(figures, "CoincidentPoints", static_cast<long long>(map.CoincidentVertices));
+  flattening::setDatum(figures, "FlippedFaces", static_cast<long long>(map.FlippedFaces));
+  flattening::setDatum(figures, "Bijective", static_cast<long long>(map.Bijective ? 1 : 0));
+  flattening::setDatum(figures, "WarmStart", static_cast<long long>(map.IsContinued ? 1 : 0));
+  flattening::setDatum(figures, "RefinementRounds", static_cast<long long>(map.RefinementRounds));
+  flattening::setDatum(figures, "RefinementRepairs", static_cast<long long>(map.RepairedFaces));
   if (this->FaceRefinement && !map.Bijective)
   {
     vtkWarningMacro(<< this->GetBlockPrefix() << map.FlippedFaces

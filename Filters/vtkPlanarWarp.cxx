@@ -112,18 +112,18 @@ void vtkPlanarWarp::Execute(vtkInformationVector** inputVector, vtkInformationVe
                        "Generate Surface Normals");
   }
   const auto ofCarrying = flattening::subrange(progress, 0.2, 1.0);
-  const flattening::CarryRules rules{ warp,
+  const flattening::WarpRules rules{ warp,
     this->OutsidePoints == REMOVE,
     segmentLength(this->SubdivideLines, this->MaximumSegmentLength, warp.meanSide()),
     ofCarrying };
   flattening::CarryCounts counts;
   if (auto* lines = vtkPolyData::SafeDownCast(data))
   {
-    counts = flattening::carryPolyData(lines, rules, vtkPolyData::SafeDownCast(output));
+    counts = flattening::warpPolyData(lines, rules, vtkPolyData::SafeDownCast(output));
   }
   else if (auto* graph = vtkGraph::SafeDownCast(data))
   {
-    counts = flattening::carryGraph(graph, rules, vtkGraph::SafeDownCast(output));
+    counts = flattening::warpGraph(graph, rules, vtkGraph::SafeDownCast(output));
   }
   else if (auto* textured = vtkPolyData::SafeDownCast(output))
   {
@@ -141,7 +141,7 @@ void vtkPlanarWarp::Execute(vtkInformationVector** inputVector, vtkInformationVe
                          std::to_string(chosen[1]) +
                          " pixels: set both numbers from 2 to 65535, or both to 0");
     }
-    counts.Outside = flattening::resampleImage(image,
+    counts.Outside = flattening::warpImage(image,
       flat,
       { warp,
         this->OutsidePoints == LEAVE_UNMOVED,
@@ -150,8 +150,8 @@ void vtkPlanarWarp::Execute(vtkInformationVector** inputVector, vtkInformationVe
         ofCarrying },
       vtkImageData::SafeDownCast(output));
   }
-  flattening::setFigure(output->GetFieldData(), "OutsidePoints", counts.Outside);
-  flattening::setFigure(output->GetFieldData(), "InsertedPoints", counts.Inserted);
+  flattening::setDatum(output->GetFieldData(), "OutsidePoints", counts.Outside);
+  flattening::setDatum(output->GetFieldData(), "InsertedPoints", counts.Inserted);
 }
 
 void vtkPlanarWarp::PrintSelf(ostream& os, vtkIndent indent)

@@ -165,8 +165,8 @@ void setReport(vtkPolyData* output, const SurfaceToDiskReport& report, vtkIdType
 {
   vtkFieldData* figures = output->GetFieldData();
   const auto count = [figures](const char* name, vtkIdType value)
-  { setFigure(figures, name, static_cast<long long>(value)); };
-  const auto measure = [figures](const char* name, double value) { setFigure(figures, name, value); };
+  { setDatum(figures, name, static_cast<long long>(value)); };
+  const auto measure = [figures](const char* name, double value) { setDatum(figures, name, value); };
   count("DroppedCells", droppedCells);
   count("MergedPoints", report.Repair.MergedPoints);
   count("UnusedPoints", report.Repair.UnusedPoints);

@@ -198,7 +198,7 @@ void addPointArray(vtkPolyData* output, const char* name, const Eigen::VectorXd&
   output->GetPointData()->AddArray(array);
 }
 
-void setFigure(vtkFieldData* fieldData, const char* name, double value)
+void setDatum(vtkFieldData* fieldData, const char* name, double value)
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
@@ -206,7 +206,7 @@ void setFigure(vtkFieldData* fieldData, const char* name, double value)
   fieldData->AddArray(array);
 }
 
-void setFigure(vtkFieldData* fieldData, const char* name, long long value)
+void setDatum(vtkFieldData* fieldData, const char* name, long long value)
 {
   vtkNew<vtkIdTypeArray> array;
   array->SetName(name);
@@ -225,7 +225,7 @@ void setIds(vtkFieldData* fieldData, const char* name, const std::vector<int>& i
   fieldData->AddArray(array);
 }
 
-void setFigure(vtkFieldData* fieldData, const char* name, const std::string& value)
+void setDatum(vtkFieldData* fieldData, const char* name, const std::string& value)
 {
   vtkNew<vtkStringArray> array;
   array->SetName(name);

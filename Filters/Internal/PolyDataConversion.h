@@ -50,9 +50,9 @@ void addSurfacePoints(vtkPolyData* output, const Points3& surface);
 void addPointArray(vtkPolyData* output, const char* name, const Eigen::VectorXd& values);
 
 /// One-tuple arrays in field data, so that figures survive composite data sets and client/server.
-void setFigure(vtkFieldData* fieldData, const char* name, double value);
-void setFigure(vtkFieldData* fieldData, const char* name, long long value);
-void setFigure(vtkFieldData* fieldData, const char* name, const std::string& value);
+void setDatum(vtkFieldData* fieldData, const char* name, double value);
+void setDatum(vtkFieldData* fieldData, const char* name, long long value);
+void setDatum(vtkFieldData* fieldData, const char* name, const std::string& value);
 
 /// An array of point ids in field data.
 void setIds(vtkFieldData* fieldData, const char* name, const std::vector<int>& ids);

@@ -55,7 +55,7 @@ vtkIdType originalPoint(const VertexOrigins& origins, int v)
 
 } // namespace
 
-void setPart(vtkPolyData* output, vtkPolyData* original, const DerivedMesh& part)
+void setRegion(vtkPolyData* output, vtkPolyData* original, const DerivedMesh& part)
 {
   output->SetPoints(pointsOf(part.Mesh));
   output->SetPolys(cellsOf(part.Mesh));
@@ -79,12 +79,12 @@ void setPart(vtkPolyData* output, vtkPolyData* original, const DerivedMesh& part
   output->GetCellData()->AddArray(cellIds);
 }
 
-void setFlatPart(vtkPolyData* output,
+void setFlatRegion(vtkPolyData* output,
   vtkPolyData* original,
   const DerivedMesh& part,
   const Points2& positions)
 {
-  setPart(output, original, part);
+  setRegion(output, original, part);
   output->SetPoints(vtk::TakeSmartPointer(newPlanarPoints(positions)));
   addSurfacePoints(output, part.Mesh.Vertices);
   keepSurfaceTextureCoordinates(output);

@@ -28,7 +28,7 @@ struct NamedCurve
   const SurfaceCurve* Curve;
 };
 
-std::vector<NamedCurve> curvesOf(const RegionMeasures& measures)
+std::vector<NamedCurve> curvesOf(const RegionReport& measures)
 {
   return { { "GreatestDiameter", &measures.Extent.Diameter },
     { "ExtentAcross", &measures.Extent.Across },
@@ -66,7 +66,7 @@ std::vector<int> loopOf(const SurfaceCurve& outline)
 
 } // namespace
 
-RegionMeasures measureRegion(const RegionDisk& region,
+RegionReport measureRegion(const RegionDisk& region,
   const Points2& positions,
   const ProgressCallback& progress)
 {
@@ -79,7 +79,7 @@ RegionMeasures measureRegion(const RegionDisk& region,
     }
   }
   const TriangleMesh& disk = region.Disk.Mesh;
-  RegionMeasures measures;
+  RegionReport measures;
   measures.Area = faceAreas(disk.Vertices, disk.Faces)(faces).sum();
   measures.FlatArea = signedFaceAreas(positions, disk.Faces)(faces).sum();
   const DerivedMesh part = extractFaces(disk, faces);
@@ -104,7 +104,7 @@ RegionMeasures measureRegion(const RegionDisk& region,
 }
 
 void fillMeasures(vtkTable* table,
-  const RegionMeasures& measures,
+  const RegionReport& measures,
   const std::string& unit,
   vtkFieldData* figures)
 {
@@ -126,14 +126,14 @@ void fillMeasures(vtkTable* table,
     onMap->InsertNextValue(flat);
     errors->InsertNextValue(error);
     units->InsertNextValue(itsUnit);
-    setFigure(figures, name, value);
+    setDatum(figures, name, value);
   };
   const RegionExtent& extent = measures.Extent;
   add("Area", measures.Area, measures.AreaError, measures.FlatArea, unit + "^2");
   add("GreatestDiameter", extent.Diameter.Length, measures.LengthError, measures.FlatDiameter, unit);
   add("ExtentAcross", extent.Across.Length, measures.LengthError, measures.FlatAcross, unit);
   add("Perimeter", extent.Perimeter, extent.PerimeterError, measures.FlatPerimeter, unit);
-  setFigure(figures, "FlatArea", measures.FlatArea);
+  setDatum(figures, "FlatArea", measures.FlatArea);
   for (vtkAbstractArray* column : std::initializer_list<vtkAbstractArray*>{
          names.Get(), onSurface.Get(), errors.Get(), onMap.Get(), units.Get() })
   {
@@ -142,7 +142,7 @@ void fillMeasures(vtkTable* table,
 }
 
 void fillCurves(vtkPolyData* output,
-  const RegionMeasures& measures,
+  const RegionReport& measures,
   const TriangleMesh& disk,
   const Points2& positions)
 {

@@ -15,7 +15,7 @@ class vtkTable;
 namespace flattening
 {
 
-struct RegionMeasures
+struct RegionReport
 {
   double Area = 0.0;     ///< in space (input units squared)
   double FlatArea = 0.0; ///< on the map
@@ -29,19 +29,19 @@ struct RegionMeasures
 
 /// @param positions n x 2, the flat positions of the disk's vertices.
 /// @throws as regionExtent.
-RegionMeasures measureRegion(const RegionDisk& region,
+RegionReport measureRegion(const RegionDisk& region,
   const Points2& positions,
   const ProgressCallback& progress);
 
 /// A row per measure, and one-tuple arrays in @p figures.
 void fillMeasures(vtkTable* table,
-  const RegionMeasures& measures,
+  const RegionReport& measures,
   const std::string& unit,
   vtkFieldData* figures);
 
 /// The two diameters and the outline as polylines on the map.
 void fillCurves(vtkPolyData* output,
-  const RegionMeasures& measures,
+  const RegionReport& measures,
   const TriangleMesh& disk,
   const Points2& positions);
 

@@ -40,7 +40,7 @@ Points3 positionsOf(vtkGraph* graph)
 std::vector<Eigen::Vector3d> polylineOf(vtkGraph* graph,
   vtkIdType edge,
   const Points3& vertices,
-  const CarryRules& rules,
+  const WarpRules& rules,
   CarryCounts& counts)
 {
   std::vector<Eigen::Vector3d> corners{ vertices.row(graph->GetSourceVertex(edge)) };
@@ -64,14 +64,14 @@ std::vector<Eigen::Vector3d> polylineOf(vtkGraph* graph,
 }
 
 // x, y, z of the carried points between the ends of an edge.
-std::vector<double> carriedEdgePoints(const std::vector<Eigen::Vector3d>& line, const CarryRules& rules)
+std::vector<double> carriedEdgePoints(const std::vector<Eigen::Vector3d>& line, const WarpRules& rules)
 {
   Points3 between(static_cast<Eigen::Index>(line.size()) - 2, 3);
   for (Eigen::Index k = 0; k < between.rows(); ++k)
   {
     between.row(k) = line[k + 1];
   }
-  CarryRules silent = rules;
+  WarpRules silent = rules;
   silent.Progress = {};
   const CarriedInSpace carried = carryInSpace(between, silent);
   std::vector<double> points;
@@ -87,7 +87,7 @@ std::vector<double> carriedEdgePoints(const std::vector<Eigen::Vector3d>& line, 
 }
 
 template <typename Builder>
-CarryCounts carry(vtkGraph* input, const CarryRules& rules, vtkGraph* output)
+CarryCounts carry(vtkGraph* input, const WarpRules& rules, vtkGraph* output)
 {
   CarryCounts counts;
   const Points3 before = positionsOf(input);
@@ -153,7 +153,7 @@ CarryCounts carry(vtkGraph* input, const CarryRules& rules, vtkGraph* output)
 
 } // namespace
 
-CarryCounts carryGraph(vtkGraph* input, const CarryRules& rules, vtkGraph* output)
+CarryCounts warpGraph(vtkGraph* input, const WarpRules& rules, vtkGraph* output)
 {
   return vtkDirectedGraph::SafeDownCast(input) ? carry<vtkMutableDirectedGraph>(input, rules, output)
                                                : carry<vtkMutableUndirectedGraph>(input, rules, output);

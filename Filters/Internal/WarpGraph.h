@@ -12,6 +12,6 @@ namespace flattening
 /// Fills @p output, a vtkDirectedGraph or vtkUndirectedGraph as @p input is directed or not, with what
 /// is carried of it: edges that lose a vertex go; edge points outside the mesh go from their edge alone.
 /// @throws InvalidInput as requireSomeInside and segmentParts, and if the vertices have no positions.
-CarryCounts carryGraph(vtkGraph* input, const CarryRules& rules, vtkGraph* output);
+CarryCounts warpGraph(vtkGraph* input, const WarpRules& rules, vtkGraph* output);
 
 } // namespace flattening

@@ -135,7 +135,7 @@ vtkSmartPointer<vtkPointData> interpolated(vtkImageData* input, vtkPoints* place
 
 } // namespace
 
-long long resampleImage(vtkImageData* input,
+long long warpImage(vtkImageData* input,
   vtkPolyData* flat,
   const ResamplingRules& rules,
   vtkImageData* output)

@@ -23,7 +23,7 @@ struct ResamplingRules
 /// @return how many pixels of the flat map lie outside the image.
 /// @throws InvalidInput if the image has several slices, one row, or no arrays, or lies nowhere on the
 /// mesh.
-long long resampleImage(vtkImageData* input,
+long long warpImage(vtkImageData* input,
   vtkPolyData* flat,
   const ResamplingRules& rules,
   vtkImageData* output);
@@ -31,7 +31,7 @@ long long resampleImage(vtkImageData* input,
 /// Adds to @p flat texture coordinates for an image on the undeformed mesh, whose points are @p before,
 /// and InMap, 1 where these lie on the image.
 /// @return how many do not.
-/// @throws InvalidInput as resampleImage.
+/// @throws InvalidInput as warpImage.
 long long addTextureCoordinates(vtkImageData* image, const Points3& before, vtkPolyData* flat);
 
 } // namespace flattening

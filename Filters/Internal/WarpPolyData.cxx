@@ -51,7 +51,7 @@ std::vector<Cell> cellsOf(vtkCellArray* array)
 class Carrier
 {
 public:
-  Carrier(vtkPolyData* input, const CarryRules& rules)
+  Carrier(vtkPolyData* input, const WarpRules& rules)
     : Input(input)
     , Rules(rules)
   {
@@ -79,7 +79,7 @@ private:
   VertexOrigins keptOrigins() const;
 
   vtkPolyData* Input;
-  const CarryRules& Rules;
+  const WarpRules& Rules;
   Points3 Before;
   std::vector<Origin> Origins;
   std::vector<Cell> Lines;
@@ -242,7 +242,7 @@ CarryCounts Carrier::write(vtkPolyData* output)
 
 } // namespace
 
-CarryCounts carryPolyData(vtkPolyData* input, const CarryRules& rules, vtkPolyData* output)
+CarryCounts warpPolyData(vtkPolyData* input, const WarpRules& rules, vtkPolyData* output)
 {
   Carrier carrier(input, rules);
   carrier.subdivideLines();

@@ -11,6 +11,6 @@ namespace flattening
 
 /// Fills @p output with what is carried of @p input, its arrays, SurfacePoints and InMap.
 /// @throws InvalidInput as requireSomeInside and segmentParts.
-CarryCounts carryPolyData(vtkPolyData* input, const CarryRules& rules, vtkPolyData* output);
+CarryCounts warpPolyData(vtkPolyData* input, const WarpRules& rules, vtkPolyData* output);
 
 } // namespace flattening

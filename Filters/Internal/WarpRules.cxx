@@ -17,7 +17,7 @@ constexpr double MostParts = 1e6;
 
 } // namespace
 
-CarriedInSpace carryInSpace(const Points3& points, const CarryRules& rules)
+CarriedInSpace carryInSpace(const Points3& points, const WarpRules& rules)
 {
   const CarriedPoints carried = rules.Warp.carry(points.leftCols(2), rules.Progress);
   CarriedInSpace result;
@@ -28,7 +28,7 @@ CarriedInSpace carryInSpace(const Points3& points, const CarryRules& rules)
   return result;
 }
 
-int segmentParts(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const CarryRules& rules)
+int segmentParts(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const WarpRules& rules)
 {
   const double length = (b - a).head<2>().norm();
   if (!(rules.MaximalSegment > 0.0) || !std::isfinite(length))

@@ -12,7 +12,7 @@ namespace flattening
 /// Name of the array (unsigned char) that is 1 for what lies on the mesh.
 inline constexpr const char* InMapName = "InMap";
 
-struct CarryRules
+struct WarpRules
 {
   const PlanarWarp& Warp;
   bool RemoveOutside;    ///< or leave unmoved
@@ -33,12 +33,12 @@ struct CarriedInSpace
   std::vector<char> Inside;
 };
 
-CarriedInSpace carryInSpace(const Points3& points, const CarryRules& rules);
+CarriedInSpace carryInSpace(const Points3& points, const WarpRules& rules);
 
 /// Into how many parts of at most rules.MaximalSegment the segment between two points is divided, 1 or
 /// more.
 /// @throws InvalidInput if there are more than a million.
-int segmentParts(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const CarryRules& rules);
+int segmentParts(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const WarpRules& rules);
 
 /// @throws InvalidInput if nothing lies on the mesh; says where both are.
 void requireSomeInside(const CarriedInSpace& carried, const Points3& points);

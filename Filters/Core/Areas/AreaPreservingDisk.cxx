@@ -211,8 +211,8 @@ AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
   {
     std::vector<double> places =
       corners.Members.empty()
-        ? boundaryPlaces(cells, loop, sites.SiteOfVertex)
-        : boundaryPlaces(cells, loop, sites.SiteOfVertex, corners.Members, corners.Places);
+        ? boundaryParameters(cells, loop, sites.SiteOfVertex)
+        : boundaryParameters(cells, loop, sites.SiteOfVertex, corners.Members, corners.Places);
     SiteImages images = siteImages(cells, siteTargets, sites, loop, places);
     return { std::move(images), std::move(places) };
   };
@@ -230,7 +230,7 @@ AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
   {
     if (options.RefineFaces)
     {
-      map.Positions = transportField(sites, present.Images, conformal, *target.Domain);
+      map.Positions = interpolateTransport(sites, present.Images, conformal, *target.Domain);
     }
     for (std::size_t k = 0; k < loop.size(); ++k)
     {
@@ -242,7 +242,7 @@ AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
     map.CornerVertices.push_back(loop[member]);
   }
   map.FlippedFaces = countFlippedFaces(map.Positions, mesh.Faces);
-  map.Bijective = map.FlippedFaces == 0; // boundaryPlaces() are in order
+  map.Bijective = map.FlippedFaces == 0; // boundaryParameters() are in order
   if (options.RefineFaces)
   {
     refine(map,

@@ -60,8 +60,8 @@ struct AreaPreservingResult
 /// Optimal transport of the surface's area, concentrated at @p conformal (n x 2, unit disk, the boundary
 /// on the circle), to the uniform measure of the disk. Without refinement interior vertices go to the
 /// centroids of their power cells and boundary vertices to the circle. With it the transport's sites are
-/// small groups of vertices, which follow the smooth map through the centroids (transportField); from
-/// there they are moved until the faces are exact.
+/// small groups of vertices, which follow the smooth map through the centroids (interpolateTransport);
+/// from there they are moved until the faces are exact.
 /// @throws InvalidInput, TopologyError (see requireDisk, targetAreas), InvalidInput if @p conformal is
 /// not such a map, ConvergenceError, Cancelled.
 AreaPreservingResult areaPreservingDiskMap(const TriangleMesh& mesh,

@@ -14,7 +14,7 @@ constexpr int VerticesPerTask = 4096;
 
 } // namespace
 
-FlatUnknowns::FlatUnknowns(int vertexCount,
+DegreesOfFreedom::DegreesOfFreedom(int vertexCount,
   std::shared_ptr<const ConvexDomain> domain,
   std::vector<int> loop,
   const std::vector<int>& corners)
@@ -29,7 +29,7 @@ FlatUnknowns::FlatUnknowns(int vertexCount,
   this->number(stays);
 }
 
-FlatUnknowns::FlatUnknowns(std::shared_ptr<const ConvexDomain> domain,
+DegreesOfFreedom::DegreesOfFreedom(std::shared_ptr<const ConvexDomain> domain,
   std::vector<int> members,
   const std::vector<char>& stays)
   : Domain(std::move(domain))
@@ -38,7 +38,7 @@ FlatUnknowns::FlatUnknowns(std::shared_ptr<const ConvexDomain> domain,
   this->number(stays);
 }
 
-void FlatUnknowns::number(const std::vector<char>& stays)
+void DegreesOfFreedom::number(const std::vector<char>& stays)
 {
   const std::size_t vertices = stays.size();
   this->Member.assign(vertices, -1);
@@ -54,13 +54,13 @@ void FlatUnknowns::number(const std::vector<char>& stays)
   }
 }
 
-int FlatUnknowns::unknownOfMember(int member) const
+int DegreesOfFreedom::unknownOfMember(int member) const
 {
   const int v = this->Loop[member];
   return this->countOf(v) > 0 ? this->first(v) : -1;
 }
 
-Eigen::Matrix2d FlatUnknowns::directions(const FlatState& state, int vertex) const
+Eigen::Matrix2d DegreesOfFreedom::directions(const FlatState& state, int vertex) const
 {
   if (this->countOf(vertex) == 2)
   {
@@ -74,7 +74,9 @@ Eigen::Matrix2d FlatUnknowns::directions(const FlatState& state, int vertex) con
   return result;
 }
 
-FlatState FlatUnknowns::moved(const FlatState& state, const Eigen::VectorXd& step, double length) const
+FlatState DegreesOfFreedom::moved(const FlatState& state,
+  const Eigen::VectorXd& step,
+  double length) const
 {
   FlatState result = state;
   const int n = static_cast<int>(state.Positions.rows());

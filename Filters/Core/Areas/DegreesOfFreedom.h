@@ -20,17 +20,17 @@ struct FlatState
 
 /// The unknowns are both coordinates of an interior vertex, the place on the boundary of a boundary
 /// vertex, and nothing of a vertex that stays.
-class FlatUnknowns
+class DegreesOfFreedom
 {
 public:
   /// @p loop counter-clockwise; its members @p corners stay.
-  FlatUnknowns(int vertexCount,
+  DegreesOfFreedom(int vertexCount,
     std::shared_ptr<const ConvexDomain> domain,
     std::vector<int> loop,
     const std::vector<int>& corners);
   /// Of a part of a map: @p members are those of its vertices that lie on the boundary, in order, and
   /// @p stays says of each of its vertices (1) that it does not move.
-  FlatUnknowns(std::shared_ptr<const ConvexDomain> domain,
+  DegreesOfFreedom(std::shared_ptr<const ConvexDomain> domain,
     std::vector<int> members,
     const std::vector<char>& stays);
 

@@ -202,7 +202,7 @@ private:
   // Leaves the state as it was if faces remain flipped.
   bool turnOver(FlatState& state, PatchSizes patches, const ProgressCallback& progress)
   {
-    FlippedFaceOptions options;
+    UntanglingOptions options;
     options.AreaWeight = RepairAreaWeight;
     if (patches == PatchSizes::Large)
     {
@@ -211,7 +211,7 @@ private:
       options.WorkPerVertex = RepairWork;
     }
     Points2 positions = state.Positions;
-    const FlippedFaceReport report = repairFlippedFaces(this->Surface.Faces,
+    const UntanglingReport report = untangleMap(this->Surface.Faces,
       this->OnBoundary,
       trianglesOfArea(this->Surface, this->Targets),
       positions,
@@ -260,7 +260,7 @@ private:
   const TriangleMesh& Surface;
   const TransportedMap& Map;
   VertexFaces FacesOf;
-  FlatUnknowns Unknowns;
+  DegreesOfFreedom Unknowns;
   Eigen::VectorXd Targets;
   RefinementTerms Terms;
   RefinementRounds Rounds;

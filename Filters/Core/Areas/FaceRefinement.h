@@ -50,7 +50,7 @@ struct FaceRefinementResult
 /// Minimises the energy (RefinementEnergy) in patches of the mesh (RefinementPatches), and where whole
 /// regions have too much area or too little, in steps of the whole mesh as well (RefinementDescent). In
 /// the first stage faces are free to flip, which converges fast. Then the few flipped faces are turned
-/// over (repairFlippedFaces); the second stage ends every step before a face flips. Should faces be left
+/// over (untangleMap); the second stage ends every step before a face flips. Should faces be left
 /// that cannot be turned over, the second stage starts from as far along the way from the conformal map
 /// as no face is flipped.
 /// @p faceTargets (m, >= 0) are the areas that the faces should have, up to a common factor. The errors

@@ -37,7 +37,7 @@ constexpr int PerTask = 4096;
 
 // The mesh's own order, found on one unknown per vertex and expanded, in a quarter of the time.
 EliminationOrder expandedOrder(const FaceMatrix& faces,
-  const FlatUnknowns& unknowns,
+  const DegreesOfFreedom& unknowns,
   SparseCholesky::Ordering ordering,
   const ProgressCallback& progress)
 {
@@ -106,7 +106,7 @@ double crossProduct(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 } // namespace
 
 RefinementDescent::RefinementDescent(RefinementEnergy& energy,
-  const FlatUnknowns& unknowns,
+  const DegreesOfFreedom& unknowns,
   const FaceMatrix& faces,
   SparseCholesky::Kernel kernel,
   const ProgressCallback& progress)

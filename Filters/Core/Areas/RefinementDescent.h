@@ -20,7 +20,7 @@ class RefinementDescent
 public:
   /// Finds an order of elimination. @throws Cancelled.
   RefinementDescent(RefinementEnergy& energy,
-    const FlatUnknowns& unknowns,
+    const DegreesOfFreedom& unknowns,
     const FaceMatrix& faces,
     SparseCholesky::Kernel kernel = SparseCholesky::Kernel::Blocks,
     const ProgressCallback& progress = {});
@@ -42,7 +42,7 @@ private:
   double lengthToFlip(const FlatState& state, const Eigen::VectorXd& step) const;
 
   RefinementEnergy& Energy;
-  const FlatUnknowns& Unknowns;
+  const DegreesOfFreedom& Unknowns;
   const FaceMatrix& Faces;
   std::shared_ptr<SparseCholesky> Cholesky; // a factorization that is abandoned has it, too
   bool Analysed = false;

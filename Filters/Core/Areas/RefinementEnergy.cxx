@@ -62,7 +62,7 @@ struct RefinementEnergy::FlatFace
 
 RefinementEnergy::RefinementEnergy(const RefinementTerms& terms,
   const VertexFaces& facesOf,
-  const FlatUnknowns& unknowns)
+  const DegreesOfFreedom& unknowns)
   : Terms(terms)
   , FacesOf(facesOf)
   , Unknowns(unknowns)

@@ -22,7 +22,7 @@ public:
   /// @p facesOf of the terms' faces. The arguments must live as long as this does.
   RefinementEnergy(const RefinementTerms& terms,
     const VertexFaces& facesOf,
-    const FlatUnknowns& unknowns);
+    const DegreesOfFreedom& unknowns);
 
   /// @p targets (m, > 0) sum up to what the boundary is taken to enclose; see setEnclosed().
   void setTargets(const Eigen::VectorXd& targets) { this->Targets = targets; }
@@ -58,7 +58,7 @@ private:
 
   const RefinementTerms& Terms;
   const VertexFaces& FacesOf;
-  const FlatUnknowns& Unknowns;
+  const DegreesOfFreedom& Unknowns;
   FaceAreaEnergy Energy;
   Eigen::VectorXd Targets;
   double Scale = 1.0;

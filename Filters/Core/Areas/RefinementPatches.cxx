@@ -76,7 +76,7 @@ public:
     {
       stays[i] = i >= this->Free || this->Whole.Unknowns.countOf(this->Vertices[i]) == 0;
     }
-    const FlatUnknowns unknowns(this->Whole.Unknowns.sharedDomain(), localMembers, stays);
+    const DegreesOfFreedom unknowns(this->Whole.Unknowns.sharedDomain(), localMembers, stays);
     const RefinementTerms terms = this->terms(members);
     const VertexFaces facesOf(terms.Faces, static_cast<int>(this->Vertices.size()));
     RefinementEnergy energy(terms, facesOf, unknowns);
@@ -232,7 +232,7 @@ private:
 
 RefinementPatches::RefinementPatches(const RefinementTerms& terms,
   const VertexFaces& facesOf,
-  const FlatUnknowns& unknowns)
+  const DegreesOfFreedom& unknowns)
   : Terms(terms)
   , FacesOf(facesOf)
   , Unknowns(unknowns)
@@ -242,7 +242,7 @@ RefinementPatches::RefinementPatches(const RefinementTerms& terms,
 int RefinementPatches::run(const Pass& pass, FlatState& state, const ProgressCallback& progress)
 {
   const std::vector<std::vector<int>> parts =
-    planarParts(state.Positions, LargestPatch, Turn * this->Passes++);
+    recursiveBisection(state.Positions, LargestPatch, Turn * this->Passes++);
   std::vector<int> partOf(state.Positions.rows());
   for (std::size_t p = 0; p < parts.size(); ++p)
   {

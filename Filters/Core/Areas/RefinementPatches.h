@@ -28,7 +28,7 @@ public:
   /// The arguments must live as long as this does.
   RefinementPatches(const RefinementTerms& terms,
     const VertexFaces& facesOf,
-    const FlatUnknowns& unknowns);
+    const DegreesOfFreedom& unknowns);
 
   struct Pass
   {
@@ -46,7 +46,7 @@ private:
 
   const RefinementTerms& Terms;
   const VertexFaces& FacesOf;
-  const FlatUnknowns& Unknowns;
+  const DegreesOfFreedom& Unknowns;
   int Passes = 0;
 };
 

@@ -43,7 +43,7 @@ struct RefinementRounds::WrongFaces
 RefinementRounds::RefinementRounds(const TriangleMesh& surface,
   const RefinementTerms& terms,
   const VertexFaces& facesOf,
-  const FlatUnknowns& unknowns,
+  const DegreesOfFreedom& unknowns,
   Start start)
   : Surface(surface)
   , Unknowns(unknowns)
@@ -106,7 +106,7 @@ double RefinementRounds::imbalance(const FlatState& state, const Eigen::VectorXd
   const Eigen::VectorXd wanted = vertexAreas(faces, targets, n);
   double largest = 0.0;
   for (const std::vector<int>& region :
-    planarParts(state.Positions, RefinementPatches::LargestPatch, RegionAngle))
+    recursiveBisection(state.Positions, RefinementPatches::LargestPatch, RegionAngle))
   {
     double has = 0.0;
     double wants = 0.0;

@@ -41,7 +41,7 @@ public:
   RefinementRounds(const TriangleMesh& surface,
     const RefinementTerms& terms,
     const VertexFaces& facesOf,
-    const FlatUnknowns& unknowns,
+    const DegreesOfFreedom& unknowns,
     Start start);
 
   /// @p targets (m, > 0) in sum the area of the domain. @p epsilon as in FaceAreaEnergy: 0 keeps all
@@ -68,7 +68,7 @@ private:
   double imbalance(const FlatState& state, const Eigen::VectorXd& targets) const;
 
   const TriangleMesh& Surface;
-  const FlatUnknowns& Unknowns;
+  const DegreesOfFreedom& Unknowns;
   RefinementEnergy Energy;
   RefinementPatches Patches;
   std::optional<RefinementDescent> Descent; // of the whole mesh

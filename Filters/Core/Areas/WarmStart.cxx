@@ -72,7 +72,7 @@ Points2 carriedMap(const Points2& positions,
   const ConvexDomain& domain)
 {
   const TransportSites moved{ before.Images.Positions, sites.SiteOfVertex };
-  Points2 result = transportField(moved, after.Images, positions, domain);
+  Points2 result = interpolateTransport(moved, after.Images, positions, domain);
 
   const double turn = domain.perimeter();
   std::vector<double> from = fromTheFirst(before.Places, turn);

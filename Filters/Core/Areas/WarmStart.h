@@ -30,9 +30,9 @@ bool isRefinedMap(const Points2& positions,
   const std::vector<double>& cornerPlaces);
 
 /// A refined map @p positions of the transport @p before, carried on to the transport @p after: between
-/// the two, which differ little, sites move by a smooth field (transportField), and what refinement
-/// had corrected within a site stays corrected. Boundary vertices move as the places of the transports,
-/// linearly in between.
+/// the two, which differ little, sites move by a smooth field (interpolateTransport), and what
+/// refinement had corrected within a site stays corrected. Boundary vertices move as the places of the
+/// transports, linearly in between.
 Points2 carriedMap(const Points2& positions,
   const TransportSites& sites,
   const TransportedSites& before,

@@ -20,7 +20,7 @@ constexpr const char* SolutionStage = "Solution";
 
 } // namespace
 
-bool StaleFactorSolver::factor(const SparseMatrix& lower, const ProgressCallback& progress)
+bool LaggedCholeskySolver::factor(const SparseMatrix& lower, const ProgressCallback& progress)
 {
   this->takeNewOrder();
   const auto owned = std::make_shared<const SparseMatrix>(lower);
@@ -32,13 +32,13 @@ bool StaleFactorSolver::factor(const SparseMatrix& lower, const ProgressCallback
   return this->Size >= 0;
 }
 
-void StaleFactorSolver::renewOrder(const SparseMatrix& lower)
+void LaggedCholeskySolver::renewOrder(const SparseMatrix& lower)
 {
   this->NewOrder = std::async(std::launch::async,
     [lower]() { return SparseCholesky::orderOf(lower, SparseCholesky::Ordering::Quick); });
 }
 
-void StaleFactorSolver::takeNewOrder()
+void LaggedCholeskySolver::takeNewOrder()
 {
   if (this->NewOrder.valid())
   {
@@ -46,13 +46,13 @@ void StaleFactorSolver::takeNewOrder()
   }
 }
 
-const EliminationOrder& StaleFactorSolver::order()
+const EliminationOrder& LaggedCholeskySolver::order()
 {
   this->takeNewOrder();
   return this->Factor->order();
 }
 
-bool StaleFactorSolver::iterate(const SparseMatrix& lower,
+bool LaggedCholeskySolver::iterate(const SparseMatrix& lower,
   const Eigen::VectorXd& rightSide,
   double tolerance,
   Eigen::VectorXd& solution,
@@ -88,12 +88,12 @@ bool StaleFactorSolver::iterate(const SparseMatrix& lower,
   return false;
 }
 
-double StaleFactorSolver::iterationsFor(double reduction) const
+double LaggedCholeskySolver::iterationsFor(double reduction) const
 {
   return std::log(reduction) / this->LogReduction;
 }
 
-bool StaleFactorSolver::solve(const SparseMatrix& lower,
+bool LaggedCholeskySolver::solve(const SparseMatrix& lower,
   const Eigen::VectorXd& rightSide,
   double tolerance,
   Eigen::VectorXd& solution,

@@ -14,7 +14,7 @@ namespace flattening
 /// Conjugate gradients with the Cholesky factor of an earlier matrix of the sequence as preconditioner:
 /// a solution with a known factor costs a twentieth of a new factor. A new one is made when the
 /// iterations become too many.
-class StaleFactorSolver
+class LaggedCholeskySolver
 {
 public:
   /// Solves A x = b up to a residual of @p tolerance times b, in the Euclidean norm. @p lower is the

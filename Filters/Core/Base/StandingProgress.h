@@ -8,7 +8,7 @@ namespace flattening
 {
 
 /// Whatever the step reports becomes @p fraction and @p stage.
-inline ProgressCallback standing(const ProgressCallback& progress, double fraction, const char* stage)
+inline ProgressCallback atFraction(const ProgressCallback& progress, double fraction, const char* stage)
 {
   if (!progress)
   {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Conformal/BoundaryAngles.h"
 
+#include "Mesh/ComplexPositions.h"
+
 #include <cmath>
 #include <limits>
 

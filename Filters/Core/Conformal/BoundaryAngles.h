@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Conformal/DiskNormalisation.h"
+#include "Mesh/ComplexPositions.h"
 #include "Mesh/TriangleMesh.h"
 
 #include <vector>

@@ -10,6 +10,8 @@
 #include "Conformal/CotangentWeights.h"
 #include "Conformal/ProtrusionSpreading.h"
 #include "Intrinsic/IntrinsicTriangulation.h"
+#include "Mesh/ComplexPositions.h"
+#include "Mesh/GraphLaplacian.h"
 
 #include <algorithm>
 #include <cmath>
@@ -221,13 +223,13 @@ ConformalDiskMap boundaryFirstDisk(const TriangleMesh& mesh,
   const Eigen::VectorXd lengths = loopLengths(mesh, loop, map.AddedLength);
   const Eigen::VectorXd angles =
     boundaryAngles(equation, lengths, map.BoundaryIterations, subrange(progress, 0.4, 0.7));
-  const ProgressCallback extension = standing(progress, 0.7, "Harmonic extension");
+  const ProgressCallback extension = atFraction(progress, 0.7, "Harmonic extension");
   report(extension, 0.0, "");
   ComplexVector disk = convexCombinationDisk(
     cotangentWeights(triangulation), WeightSymmetry::Symmetric, loop, angles, centring, extension);
   report(extension, 1.0, "");
   const double area = faceAreas(mesh.Vertices, mesh.Faces).sum();
-  map.SpreadVertices = spreadHornsInOwnMetric(
+  map.SpreadVertices = spreadProtrusionsInOwnMetric(
     triangulation, logFactorsOf(equation, lengths, loop, disk), 0.5 * std::log(EIGEN_PI / area), disk);
   map.Positions = pointsOf(disk);
   return map;

@@ -8,6 +8,7 @@
 #include "Conformal/DiskNormalisation.h"
 #include "Conformal/MeanValueDisk.h"
 #include "Conformal/RicciFlowDisk.h"
+#include "Mesh/ComplexPositions.h"
 #include "Mesh/MeshTopology.h"
 #include "Untangling/MapUntangling.h"
 
@@ -105,11 +106,11 @@ ConformalDiskMap conformalDiskMap(const TriangleMesh& mesh,
   }
   map.Positions = pointsOf(disk);
   map.Repair =
-    repairFlippedFaces(mesh, fixedVertices(loop, options), map.Positions, subrange(progress, 0.95, 1.0));
+    untangleMap(mesh, fixedVertices(loop, options), map.Positions, subrange(progress, 0.95, 1.0));
   map.FlippedFaces = map.Repair.FlippedFaces;
   if (options.Method != ConformalMethod::RicciFlow)
   {
-    map.LogFactors = logLengthRatios(mesh, map.Positions, map.AddedLength);
+    map.LogFactors = logConformalFactors(mesh, map.Positions, map.AddedLength);
   }
   report(progress, 1.0, "Conformal disk");
   return map;

@@ -29,7 +29,7 @@ struct ConformalDiskOptions
 
 /// Maps @p mesh to the unit disk. The methods have their centring and rotation in common. They work on
 /// other triangles than the surface's: faces of the surface that they leave flipped are turned over
-/// (repairFlippedFaces) by moves of a few vertices, not of those on the boundary and the centre vertex.
+/// (untangleMap) by moves of a few vertices, not of those on the boundary and the centre vertex.
 /// @throws InvalidInput, TopologyError (see requireDisk), InvalidInput if CenterVertex is not an
 /// interior or BoundaryVertex not a boundary vertex, ConvergenceError, Cancelled.
 ConformalDiskMap conformalDiskMap(const TriangleMesh& mesh,

@@ -31,7 +31,9 @@ std::vector<std::pair<int, int>> edgesOf(const FaceMatrix& faces)
 
 } // namespace
 
-Eigen::VectorXd logLengthRatios(const TriangleMesh& mesh, const Points2& positions, double addedLength)
+Eigen::VectorXd logConformalFactors(const TriangleMesh& mesh,
+  const Points2& positions,
+  double addedLength)
 {
   const int n = mesh.vertexCount();
   Eigen::VectorXd flat = Eigen::VectorXd::Zero(n);

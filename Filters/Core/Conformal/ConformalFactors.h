@@ -12,6 +12,8 @@ namespace flattening
 /// it is the scale at the vertex up to the square of the edge length; on the boundary, where the edges
 /// lie to one side, up to the edge length. Flat sums below 1e-16, which positions in the unit disk do
 /// not resolve, count as that.
-Eigen::VectorXd logLengthRatios(const TriangleMesh& mesh, const Points2& positions, double addedLength);
+Eigen::VectorXd logConformalFactors(const TriangleMesh& mesh,
+  const Points2& positions,
+  double addedLength);
 
 } // namespace flattening

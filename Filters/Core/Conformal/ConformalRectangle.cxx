@@ -6,6 +6,8 @@
 #include "Conformal/HalfPlaneEmbedding.h"
 #include "Conformal/PointAtInfinity.h"
 #include "Conformal/ProtrusionSpreading.h"
+#include "Mesh/ComplexPositions.h"
+#include "Mesh/GraphLaplacian.h"
 #include "Mesh/MeshTopology.h"
 #include "Untangling/MapUntangling.h"
 
@@ -87,10 +89,10 @@ std::vector<BoundaryPlace> placesOnSides(const IntrinsicTriangulation& t,
       lengths[side++] = along;
       along = 0.0;
     }
-    const MirrorCell cell = t.scaledMirrorCell(b, u);
+    const SymmetricTrapezoid cell = t.scaledTrapezoid(b, u);
     places.push_back(
       { boundary[b].Origin, side, along, 0.5 * std::exp(static_cast<double>(cell.LogAtOrigin)) });
-    along += mirrorCellShape(cell).Extent * std::exp(static_cast<double>(cell.LogEdge));
+    along += trapezoidShape(cell).Extent * std::exp(static_cast<double>(cell.LogEdge));
     b = boundary[b].Next;
   } while (b != first);
   lengths[3] = along;
@@ -193,8 +195,8 @@ ConformalRectangleMap conformalRectangleMap(const TriangleMesh& mesh,
   requireLayout(result.Map.LayoutError);
   result.Modulus = rectangle.Width / rectangle.Height;
   const double area = faceAreas(mesh.Vertices, mesh.Faces).sum();
-  result.Map.SpreadVertices =
-    spreadHorns(t, flow.LogFactors, 0.5 * std::log(rectangle.Width * rectangle.Height / area), position);
+  result.Map.SpreadVertices = spreadProtrusions(
+    t, flow.LogFactors, 0.5 * std::log(rectangle.Width * rectangle.Height / area), position);
   result.Map.Positions = pointsOf(position) / rectangle.Height;
   for (const int v : loop)
   {
@@ -202,8 +204,7 @@ ConformalRectangleMap conformalRectangleMap(const TriangleMesh& mesh,
     result.Map.Positions(v, 1) = std::clamp(result.Map.Positions(v, 1), 0.0, 1.0);
   }
   result.Map.LogFactors = flow.LogFactors.cast<double>().array() - std::log(rectangle.Height);
-  result.Map.Repair =
-    repairFlippedFaces(mesh, loop, result.Map.Positions, subrange(progress, 0.95, 1.0));
+  result.Map.Repair = untangleMap(mesh, loop, result.Map.Positions, subrange(progress, 0.95, 1.0));
   result.Map.FlippedFaces = result.Map.Repair.FlippedFaces;
   report(progress, 1.0, "Conformal rectangle");
   return result;

@@ -5,6 +5,7 @@
 #include "Base/InterruptibleCall.h"
 #include "Base/SparseLu.h"
 #include "Conformal/BoundaryAngles.h"
+#include "Mesh/ComplexPositions.h"
 
 #include <cmath>
 #include <memory>

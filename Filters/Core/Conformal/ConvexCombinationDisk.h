@@ -4,6 +4,7 @@
 
 #include "Base/Progress.h"
 #include "Conformal/DiskCentring.h"
+#include "Mesh/ComplexPositions.h"
 
 #include <vector>
 

@@ -73,7 +73,7 @@ void CurvatureSystem::evaluate(const IntrinsicTriangulation::Factors& u)
   {
     if (boundary[b].Origin >= 0 && !boundary[b].AtInfinity)
     {
-      const MirrorCellShape cell = mirrorCellShape(t.scaledMirrorCell(b, u));
+      const TrapezoidShape cell = trapezoidShape(t.scaledTrapezoid(b, u));
       this->DegenerateFaces += cell.Degenerate;
       this->BoundaryCotangents[b] = cell.Cotangent;
       this->subtract(boundary[b].Origin, cell.AngleAtOrigin);

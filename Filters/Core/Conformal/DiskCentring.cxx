@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Conformal/DiskCentring.h"
 
+#include "Mesh/ComplexPositions.h"
+
 namespace flattening
 {
 

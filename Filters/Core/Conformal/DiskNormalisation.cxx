@@ -2,6 +2,7 @@
 #include "Conformal/DiskNormalisation.h"
 
 #include "Base/Errors.h"
+#include "Mesh/ComplexPositions.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -57,26 +58,6 @@ Moments moments(const ComplexVector& disk, const Eigen::VectorXd& masses)
 }
 
 } // namespace
-
-Points2 pointsOf(const ComplexVector& positions)
-{
-  Points2 points(positions.size(), 2);
-  for (std::size_t i = 0; i < positions.size(); ++i)
-  {
-    points.row(i) << positions[i].real(), positions[i].imag();
-  }
-  return points;
-}
-
-ComplexVector complexOf(const Points2& positions)
-{
-  ComplexVector numbers(positions.rows());
-  for (Eigen::Index i = 0; i < positions.rows(); ++i)
-  {
-    numbers[i] = Complex(positions(i, 0), positions(i, 1));
-  }
-  return numbers;
-}
 
 ComplexVector cayley(const ComplexVector& halfPlane, Complex centre)
 {

@@ -2,18 +2,10 @@
 /// From the half-plane to the disk, and which of the disk's Moebius images to take.
 #pragma once
 
-#include "Mesh/TriangleMesh.h"
-
-#include <complex>
-#include <vector>
+#include "Mesh/ComplexPositions.h"
 
 namespace flattening
 {
-
-using ComplexVector = std::vector<std::complex<double>>;
-
-Points2 pointsOf(const ComplexVector& positions);
-ComplexVector complexOf(const Points2& positions);
 
 /// (z - centre) / (z - conj(centre)): the upper half-plane onto the unit disk, centre to 0 and infinity
 /// to 1. Infinite entries of @p halfPlane are allowed.

@@ -3,6 +3,8 @@
 
 #include "Base/Errors.h"
 #include "Conformal/CotangentWeights.h"
+#include "Mesh/ComplexPositions.h"
+#include "Mesh/GraphLaplacian.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
@@ -61,8 +63,8 @@ std::vector<char> layOutBoundary(const IntrinsicTriangulation& t,
   double along = 0.0;
   for (; !boundary[b].AtInfinity; b = boundary[b].Next)
   {
-    const MirrorCell cell = t.scaledMirrorCell(b, u);
-    const MirrorCellShape shape = mirrorCellShape(cell);
+    const SymmetricTrapezoid cell = t.scaledTrapezoid(b, u);
+    const TrapezoidShape shape = trapezoidShape(cell);
     position[boundary[b].Origin] = Complex(along, 0.5 * std::exp(static_cast<double>(cell.LogAtOrigin)));
     placed[boundary[b].Origin] = 1;
     angle[boundary[b].Origin] += shape.AngleAtOrigin;

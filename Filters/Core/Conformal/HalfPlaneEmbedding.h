@@ -6,6 +6,7 @@
 #include "Base/SparseFactorization.h"
 #include "Conformal/DiskNormalisation.h"
 #include "Intrinsic/IntrinsicTriangulation.h"
+#include "Mesh/ComplexPositions.h"
 
 namespace flattening
 {

@@ -4,6 +4,7 @@
 #include "Conformal/BoundaryAngles.h"
 #include "Conformal/ConvexCombinationDisk.h"
 #include "Intrinsic/IntrinsicTriangulation.h"
+#include "Mesh/ComplexPositions.h"
 
 #include <cmath>
 #include <limits>

@@ -2,7 +2,9 @@
 #include "Conformal/ProtrusionSpreading.h"
 
 #include "Conformal/CotangentWeights.h"
+#include "Mesh/ComplexPositions.h"
 #include "Mesh/FaceOrientation.h"
+#include "Mesh/GraphLaplacian.h"
 
 #include <algorithm>
 #include <cmath>
@@ -122,7 +124,7 @@ int spread(const IntrinsicTriangulation& t,
 
 } // namespace
 
-int spreadHorns(const IntrinsicTriangulation& t,
+int spreadProtrusions(const IntrinsicTriangulation& t,
   const IntrinsicTriangulation::Factors& logFactors,
   double logMeanFactor,
   ComplexVector& disk)
@@ -130,7 +132,7 @@ int spreadHorns(const IntrinsicTriangulation& t,
   return spread(t, logFactors, logFactors, logMeanFactor, disk);
 }
 
-int spreadHornsInOwnMetric(const IntrinsicTriangulation& t,
+int spreadProtrusionsInOwnMetric(const IntrinsicTriangulation& t,
   const IntrinsicTriangulation::Factors& logFactors,
   double logMeanFactor,
   ComplexVector& disk)

@@ -4,6 +4,7 @@
 
 #include "Conformal/DiskNormalisation.h"
 #include "Intrinsic/IntrinsicTriangulation.h"
+#include "Mesh/ComplexPositions.h"
 
 namespace flattening
 {
@@ -18,14 +19,14 @@ namespace flattening
 /// stay.
 /// @returns how many vertices lie in horns; with 0 nothing is moved.
 /// @throws ConvergenceError as relaxSprings
-int spreadHorns(const IntrinsicTriangulation& triangulation,
+int spreadProtrusions(const IntrinsicTriangulation& triangulation,
   const IntrinsicTriangulation::Factors& logFactors,
   double logMeanFactor,
   ComplexVector& disk);
 
 /// The same with the springs' cotangents in the triangulation's own metric: for factors that do not make
 /// it flat to rounding, and under which a triangle may degenerate.
-int spreadHornsInOwnMetric(const IntrinsicTriangulation& triangulation,
+int spreadProtrusionsInOwnMetric(const IntrinsicTriangulation& triangulation,
   const IntrinsicTriangulation::Factors& logFactors,
   double logMeanFactor,
   ComplexVector& disk);

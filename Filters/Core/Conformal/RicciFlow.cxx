@@ -195,7 +195,7 @@ private:
     Eigen::VectorXd step;
     const char* stage = this->Solver.hasFactor() ? "Ricci flow: solution" : "Ricci flow: factorization";
     if (!this->Solver.solve(
-          hessian, -this->System.gradient(), tolerance, step, standing(progress, 0.0, stage)))
+          hessian, -this->System.gradient(), tolerance, step, atFraction(progress, 0.0, stage)))
     {
       throw ConvergenceError("the Ricci flow's Hessian could not be factored after " +
                              std::to_string(this->Result.NewtonIterations) +
@@ -304,7 +304,7 @@ private:
   const RicciFlowOptions& Options;
   std::vector<char> Settled;
   CurvatureSystem System;
-  StaleFactorSolver Solver;
+  LaggedCholeskySolver Solver;
   RicciFlowResult Result;
   int OrderedAtFlips = 0;
 };

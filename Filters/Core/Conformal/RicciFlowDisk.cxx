@@ -6,6 +6,7 @@
 #include "Conformal/HalfPlaneEmbedding.h"
 #include "Conformal/PointAtInfinity.h"
 #include "Conformal/ProtrusionSpreading.h"
+#include "Mesh/ComplexPositions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -212,7 +213,7 @@ ConformalDiskMap ricciFlowDisk(const TriangleMesh& mesh,
   map.LogFactors = logFactors.head(n).cast<double>();
   const double area = faceAreas(mesh.Vertices, mesh.Faces).sum();
   map.SpreadVertices =
-    spreadHorns(half.Triangulation, logFactors, 0.5 * std::log(EIGEN_PI / area), disk);
+    spreadProtrusions(half.Triangulation, logFactors, 0.5 * std::log(EIGEN_PI / area), disk);
   map.Positions = pointsOf(firstOf(disk, n));
   return map;
 }

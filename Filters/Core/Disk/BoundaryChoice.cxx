@@ -2,6 +2,7 @@
 #include "Disk/BoundaryChoice.h"
 
 #include "Base/Errors.h"
+#include "Mesh/MeshMeasures.h"
 #include "Repair/HoleFilling.h"
 
 #include <algorithm>

@@ -8,6 +8,7 @@
 #include "Disk/SeamPlacement.h"
 #include "Disk/TubeSeam.h"
 #include "Handles/HandleLoops.h"
+#include "Mesh/MeshMeasures.h"
 #include "Mesh/MeshTopology.h"
 #include "Remeshing/BoundaryRefinement.h"
 #include "Repair/HoleFilling.h"

@@ -91,7 +91,7 @@ private:
     if (this->Options.Centre)
     {
       const SurfacePoint nearest = pickOnSurface(
-        this->Closed, SurfaceProjection(this->Closed), *this->Options.Centre, "the hole's point");
+        this->Closed, ClosestPointTree(this->Closed), *this->Options.Centre, "the hole's point");
       this->Centre = nearest.Position;
       this->CentreFace = nearest.Face;
     }

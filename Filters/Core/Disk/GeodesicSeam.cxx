@@ -99,7 +99,7 @@ private:
   // Makes the points vertices, in faces small enough for a seam with enough edges.
   void placePoints()
   {
-    const SurfaceProjection projection(this->Original);
+    const ClosestPointTree projection(this->Original);
     std::vector<SurfacePoint> picked;
     for (std::size_t i = 0; i < this->Options.Points.size(); ++i)
     {

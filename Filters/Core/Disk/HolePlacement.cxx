@@ -52,7 +52,7 @@ int geodesicCentre(const TriangleMesh& mesh,
   Eigen::MatrixXd squared(mesh.vertexCount(), Samples);
   Eigen::VectorXd nearest = Eigen::VectorXd::Constant(mesh.vertexCount(), HUGE_VAL);
   std::vector<int> nearestSample(mesh.vertexCount(), 0);
-  const EdgeDistances distances(surface);
+  const DijkstraDistances distances(surface);
   int sample = indexOfLargest(distances.from({ Vertex(0) }));
   for (int i = 0; i < Samples; ++i)
   {

@@ -39,7 +39,7 @@ std::array<double, 3> weightsOf(const SurfaceMesh& mesh, Face face, const Eigen:
     const Kernel::Point_3& p = mesh.point(mesh.target(h));
     triangle.Vertices.row(k++) << p.x(), p.y(), p.z();
   }
-  return SurfaceProjection(triangle).closest(position).Weights;
+  return ClosestPointTree(triangle).closest(position).Weights;
 }
 
 bool ends(const SurfaceMesh& mesh, Halfedge edge, Vertex v)

@@ -80,7 +80,7 @@ private:
   // -1 where no way leads.
   Eigen::VectorXd distancesFrom(Vertex source) const
   {
-    const Eigen::VectorXd distances = EdgeDistances(this->Surface, this->Blocked).from({ source });
+    const Eigen::VectorXd distances = DijkstraDistances(this->Surface, this->Blocked).from({ source });
     return distances.array().isFinite().select(distances, -1.0);
   }
 

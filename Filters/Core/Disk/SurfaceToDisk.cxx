@@ -5,6 +5,7 @@
 #include "Disk/DiskOpening.h"
 #include "Disk/PlaneCut.h"
 #include "Disk/TubeSeam.h"
+#include "Mesh/MeshMeasures.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/SelfIntersections.h"
 #include "Remeshing/FaceConditioning.h"

@@ -4,6 +4,7 @@
 #include "Geodesics/DijkstraDistance.h"
 #include "Geodesics/GeodesicPath.h"
 #include "Mesh/EditableSurface.h"
+#include "Mesh/MeshMeasures.h"
 #include "Repair/HoleFilling.h"
 
 #include <algorithm>
@@ -107,7 +108,7 @@ private:
   // At the ends of the shortest path along edges.
   void start()
   {
-    const EdgeDistances distances(this->Surface.mesh());
+    const DijkstraDistances distances(this->Surface.mesh());
     std::vector<Vertex> sources;
     for (int k = 0; k < this->Loops[0].size(); ++k)
     {

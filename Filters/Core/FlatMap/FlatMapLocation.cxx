@@ -86,7 +86,7 @@ FlatMapLocation::Searched::Searched(TriangleMesh whole, const ProgressCallback& 
   this->Mesh.Faces.conservativeResize(static_cast<Eigen::Index>(this->Faces.size()), 3);
   this->Diagonal =
     (this->Mesh.Vertices.colwise().maxCoeff() - this->Mesh.Vertices.colwise().minCoeff()).norm();
-  this->Projection = std::make_unique<SurfaceProjection>(this->Mesh, progress);
+  this->Projection = std::make_unique<ClosestPointTree>(this->Mesh, progress);
 }
 
 MapPlace FlatMapLocation::Searched::nearest(const Eigen::RowVector3d& point) const

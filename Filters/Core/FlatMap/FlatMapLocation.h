@@ -76,13 +76,13 @@ private:
     std::vector<int> Faces;
     std::vector<int> NumberOf; // the other way round; -1: has no area
     double Diagonal;
-    std::unique_ptr<SurfaceProjection> Projection;
+    std::unique_ptr<ClosestPointTree> Projection;
   };
 
   TriangleMesh Surface;
   Points2 Positions;
   Searched Map;
-  SurfaceWalk MapWalk;
+  ClosestPointWalk MapWalk;
   mutable std::once_flag SpaceSearched; // most look up on the map alone
   mutable std::unique_ptr<Searched> Space;
 };

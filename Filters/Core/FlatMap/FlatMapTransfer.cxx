@@ -3,8 +3,8 @@
 
 #include "Base/Errors.h"
 #include "Mesh/ClosestPointWalk.h"
+#include "Mesh/MeshMeasures.h"
 #include "Mesh/MeshTopology.h"
-#include "Remeshing/IsotropicRemeshing.h"
 
 #include <tbb/parallel_for.h>
 
@@ -102,7 +102,7 @@ private:
   const TriangleMesh& Target;
   TransferredMap& Map;
   Points3 Normals;
-  SurfaceWalk Walk;
+  ClosestPointWalk Walk;
   double MeanEdge;
   std::set<std::pair<int, int>> BoundaryEdges;
   std::vector<char> OnBoundary;
@@ -134,7 +134,7 @@ bool MapTransfer::accepts(int v, const SurfacePoint& at) const
 
 void MapTransfer::projectAll(const ProgressCallback& progress)
 {
-  const SurfaceProjection projection(this->Flattened.Surface, subrange(progress, 0.0, 0.4));
+  const ClosestPointTree projection(this->Flattened.Surface, subrange(progress, 0.0, 0.4));
   const int vertexCount = this->Target.vertexCount();
   std::vector<double> agreement(vertexCount, 0.0);
   for (int begin = 0; begin < vertexCount; begin += Batch)

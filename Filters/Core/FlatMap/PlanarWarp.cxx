@@ -3,7 +3,7 @@
 
 #include "Base/Errors.h"
 #include "Mesh/FaceOrientation.h"
-#include "Remeshing/IsotropicRemeshing.h"
+#include "Mesh/MeshMeasures.h"
 
 #include <tbb/parallel_for.h>
 

@@ -15,7 +15,7 @@ namespace flattening
 using Vertex = SurfaceMesh::Vertex_index;
 using Halfedge = SurfaceMesh::Halfedge_index;
 
-struct EdgeDistances::Graph
+struct DijkstraDistances::Graph
 {
   struct Edge
   {
@@ -32,7 +32,7 @@ struct EdgeDistances::Graph
   Directed Edges; // every edge of the surface in both directions
 };
 
-EdgeDistances::EdgeDistances(const SurfaceMesh& mesh, const std::vector<char>& blocked)
+DijkstraDistances::DijkstraDistances(const SurfaceMesh& mesh, const std::vector<char>& blocked)
 {
   std::vector<std::pair<std::size_t, std::size_t>> ends;
   std::vector<Graph::Edge> lengths;
@@ -51,9 +51,9 @@ EdgeDistances::EdgeDistances(const SurfaceMesh& mesh, const std::vector<char>& b
   this->Edges = std::make_unique<Graph>(ends, lengths, mesh.number_of_vertices());
 }
 
-EdgeDistances::~EdgeDistances() = default;
+DijkstraDistances::~DijkstraDistances() = default;
 
-Eigen::VectorXd EdgeDistances::from(const std::vector<Vertex>& sources) const
+Eigen::VectorXd DijkstraDistances::from(const std::vector<Vertex>& sources) const
 {
   const Graph::Directed& graph = this->Edges->Edges;
   const std::vector<std::size_t> starts(sources.begin(), sources.end());
@@ -86,7 +86,7 @@ Eigen::VectorXd distancesFromFlagged(const SurfaceMesh& mesh, const std::vector<
     }
   }
   return sources.empty() ? Eigen::VectorXd::Constant(mesh.number_of_vertices(), HUGE_VAL).eval()
-                         : EdgeDistances(mesh).from(sources);
+                         : DijkstraDistances(mesh).from(sources);
 }
 
 int indexOfLargest(const Eigen::VectorXd& values)

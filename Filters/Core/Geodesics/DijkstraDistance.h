@@ -14,12 +14,12 @@ namespace flattening
 {
 
 /// Searches from several places over the same surface (Dijkstra, Boost).
-class EdgeDistances
+class DijkstraDistances
 {
 public:
   /// @param blocked one flag per vertex: not 0 where no path may run; none: anywhere.
-  explicit EdgeDistances(const SurfaceMesh& mesh, const std::vector<char>& blocked = {});
-  ~EdgeDistances();
+  explicit DijkstraDistances(const SurfaceMesh& mesh, const std::vector<char>& blocked = {});
+  ~DijkstraDistances();
 
   /// Of every vertex from the nearest source (input units); infinite where there is no way.
   Eigen::VectorXd from(const std::vector<SurfaceMesh::Vertex_index>& sources) const;

@@ -189,7 +189,7 @@ private:
       this->RefusedFrom[loop.Seed].insert(hash);
       this->Refused.add(loop, intersections > fewest ? std::numeric_limits<int>::max() : intersections);
       this->addAttempt(hash, intersections);
-      if (isFirst && intersections > RefusedLoops::Few)
+      if (isFirst && intersections > RejectedLoops::Few)
       {
         for (SurfaceLoop& other : this->Loops.findBeside(loop, this->Refused.limit()))
         {
@@ -203,7 +203,7 @@ private:
   {
     ClassAttempts& attempts = this->Attempts[hash];
     attempts.Fewest = std::min(attempts.Fewest, intersections);
-    if (++attempts.Count == TriesPerClass || intersections > RefusedLoops::Few)
+    if (++attempts.Count == TriesPerClass || intersections > RejectedLoops::Few)
     {
       this->Known.insert(hash);
     }
@@ -219,7 +219,7 @@ private:
       { this->addAttempt(this->Loops.classHash(loop), intersections); });
   }
 
-  // Takes the best of the refused loops, see RefusedLoops::due.
+  // Takes the best of the refused loops, see RejectedLoops::due.
   void cutRefused(double searched, double tried)
   {
     while (true)
@@ -295,7 +295,7 @@ private:
   int HandlesLabelled;
   std::vector<double> Lengths;
   Queue Found; // in this search
-  RefusedLoops Refused;
+  RejectedLoops Refused;
   std::map<std::uint64_t, ClassAttempts> Attempts;    // of the refused loops
   std::set<std::uint64_t> Known;                      // classes whose loops were found already
   std::map<int, std::set<std::uint64_t>> RefusedFrom; // a seed in this search: classes

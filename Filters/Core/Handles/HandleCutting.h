@@ -25,7 +25,7 @@ using CutAlong = std::function<CutOutcome(const SurfaceLoop& loop, int tolerated
 
 /// Cuts until the genus is 0, shortest loops first: among all loops up to some length, then up to a
 /// longer one. No cut disconnects. Where the cut along a loop would make faces intersect, other loops of
-/// its class and of other classes are tried; if it would for all of them, RefusedLoops chooses.
+/// its class and of other classes are tried; if it would for all of them, RejectedLoops chooses.
 ///
 /// Loops avoid the boundary and what was left open. Where this is not possible, edges that join boundary
 /// vertices across the surface are split in the middle, which leaves the surface as it is.

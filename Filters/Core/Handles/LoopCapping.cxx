@@ -125,7 +125,7 @@ LoopCap capOf(const SurfaceMesh& mesh, const TriangleMesh& coarse, std::size_t l
   {
     return cap;
   }
-  const SurfaceProjection projection(coarse);
+  const ClosestPointTree projection(coarse);
   for (int v = n; v < fine.vertexCount(); ++v)
   {
     cap.Inside.push_back(fine.Vertices.row(v).transpose());

@@ -14,36 +14,36 @@ constexpr double Patience = 1.5;
 
 } // namespace
 
-RefusedLoops::RefusedLoops(double longestDetour)
+RejectedLoops::RejectedLoops(double longestDetour)
   : LongestDetour(longestDetour)
 {
 }
 
-double RefusedLoops::longestInstead(const Refused& refused) const
+double RejectedLoops::longestInstead(const Refused& refused) const
 {
   const double length = refused.Loop.Length;
   return refused.Intersections > Few ? std::min(Patience * length, length + this->LongestDetour)
                                      : length;
 }
 
-double RefusedLoops::Refused::cost() const
+double RejectedLoops::Refused::cost() const
 {
   return this->Intersections * this->Loop.Length;
 }
 
-void RefusedLoops::add(SurfaceLoop loop, int intersections)
+void RejectedLoops::add(SurfaceLoop loop, int intersections)
 {
   this->All.push_back({ std::move(loop), intersections });
 }
 
-bool RefusedLoops::contains(const SurfaceLoop& loop) const
+bool RejectedLoops::contains(const SurfaceLoop& loop) const
 {
   return std::any_of(this->All.begin(),
     this->All.end(),
     [&loop](const Refused& refused) { return refused.Loop.Halfedges == loop.Halfedges; });
 }
 
-void RefusedLoops::keepIf(const std::function<bool(const SurfaceLoop&)>& stillCuttable)
+void RejectedLoops::keepIf(const std::function<bool(const SurfaceLoop&)>& stillCuttable)
 {
   this->All.erase(std::remove_if(this->All.begin(),
                     this->All.end(),
@@ -51,7 +51,7 @@ void RefusedLoops::keepIf(const std::function<bool(const SurfaceLoop&)>& stillCu
     this->All.end());
 }
 
-void RefusedLoops::visit(const std::function<void(const SurfaceLoop&, int intersections)>& visit) const
+void RejectedLoops::visit(const std::function<void(const SurfaceLoop&, int intersections)>& visit) const
 {
   for (const Refused& refused : this->All)
   {
@@ -59,7 +59,7 @@ void RefusedLoops::visit(const std::function<void(const SurfaceLoop&, int inters
   }
 }
 
-double RefusedLoops::shortest() const
+double RejectedLoops::shortest() const
 {
   const auto shortest = std::min_element(this->All.begin(),
     this->All.end(),
@@ -67,7 +67,7 @@ double RefusedLoops::shortest() const
   return shortest == this->All.end() ? 0.0 : shortest->Loop.Length;
 }
 
-double RefusedLoops::limit() const
+double RejectedLoops::limit() const
 {
   double least = std::numeric_limits<double>::infinity();
   for (const Refused& refused : this->All)
@@ -80,7 +80,7 @@ double RefusedLoops::limit() const
   return least;
 }
 
-const SurfaceLoop* RefusedLoops::due(double searched, double tried) const
+const SurfaceLoop* RejectedLoops::due(double searched, double tried) const
 {
   double longest = std::numeric_limits<double>::infinity();
   for (const Refused& refused : this->All)

@@ -10,13 +10,13 @@
 namespace flattening
 {
 
-class RefusedLoops
+class RejectedLoops
 {
 public:
   static constexpr int Few = 32; ///< pairs of faces that intersect; smoothing takes them apart
 
   /// @param longestDetour see due(), input units.
-  explicit RefusedLoops(double longestDetour);
+  explicit RejectedLoops(double longestDetour);
 
   /// @p intersections: pairs of faces that would intersect.
   void add(SurfaceLoop loop, int intersections);

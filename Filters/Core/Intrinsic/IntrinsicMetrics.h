@@ -54,8 +54,8 @@ struct ConformalMetric
       t.scaledLogLength(t.next(h), this->U),
       t.scaledLogLength(t.previous(h), this->U));
   }
-  MirrorCell cell(int b) const { return this->Triangulation.scaledMirrorCell(b, this->U); }
-  MirrorCell unscaledCell(int b) const
+  SymmetricTrapezoid cell(int b) const { return this->Triangulation.scaledTrapezoid(b, this->U); }
+  SymmetricTrapezoid unscaledCell(int b) const
   {
     const auto& edges = this->Triangulation.boundaryEdges();
     return { edges[b].LogLength, edges[b].LogCrossing, edges[edges[b].Next].LogCrossing };
@@ -109,7 +109,7 @@ struct DoubledMetric : ConformalMetric
   long double opened(int b) const
   {
     const IntrinsicTriangulation& t = this->Triangulation;
-    const MirrorCell cell = this->unscaledCell(b);
+    const SymmetricTrapezoid cell = this->unscaledCell(b);
     const int h = t.boundaryEdges()[b].Inner;
     const auto inEdges = [&cell](long double logLength)
     { return std::exp(static_cast<double>(logLength - cell.LogEdge)); };
@@ -119,17 +119,18 @@ struct DoubledMetric : ConformalMetric
     const double across = std::sqrt(std::max(0.0, (p - along) * (p + along)));
     const double above = inEdges(cell.LogAtOrigin) +
                          along * (inEdges(cell.LogAtTip) - inEdges(cell.LogAtOrigin)) +
-                         2.0 * across * mirrorCellShape(cell).Extent;
+                         2.0 * across * trapezoidShape(cell).Extent;
     return cell.LogEdge + std::log(above);
   }
   long double closed(int b) const
   {
-    const MirrorCell after = this->unscaledCell(b);
-    const MirrorCell before = this->unscaledCell(this->Triangulation.boundaryEdges()[b].Previous);
+    const SymmetricTrapezoid after = this->unscaledCell(b);
+    const SymmetricTrapezoid before =
+      this->unscaledCell(this->Triangulation.boundaryEdges()[b].Previous);
     const auto inEdges = [&after](long double logLength)
     { return std::exp(static_cast<double>(logLength - after.LogEdge)); };
     const double x =
-      mirrorCellShape(after).Extent + inEdges(before.LogEdge) * mirrorCellShape(before).Extent;
+      trapezoidShape(after).Extent + inEdges(before.LogEdge) * trapezoidShape(before).Extent;
     const double y = 0.5 * (inEdges(after.LogAtTip) - inEdges(before.LogAtOrigin));
     return after.LogEdge + std::log(std::hypot(x, y));
   }

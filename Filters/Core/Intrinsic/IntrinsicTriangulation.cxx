@@ -98,7 +98,7 @@ IntrinsicTriangulation::IntrinsicTriangulation(const TriangleMesh& mesh)
   }
 }
 
-MirrorCell IntrinsicTriangulation::scaledMirrorCell(int b, const Factors& u) const
+SymmetricTrapezoid IntrinsicTriangulation::scaledTrapezoid(int b, const Factors& u) const
 {
   const BoundaryEdge& edge = this->Boundary[b];
   const BoundaryEdge& next = this->Boundary[edge.Next];

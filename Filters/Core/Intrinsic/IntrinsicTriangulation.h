@@ -81,7 +81,7 @@ public:
   };
   const std::vector<BoundaryEdge>& boundaryEdges() const { return this->Boundary; }
   int tipOfBoundaryEdge(int b) const { return this->Boundary[this->Boundary[b].Next].Origin; }
-  MirrorCell scaledMirrorCell(int b, const Factors& u) const;
+  SymmetricTrapezoid scaledTrapezoid(int b, const Factors& u) const;
 
   /// Flips inner edges until the triangulation is Delaunay in its own flat metric, which it keeps.
   /// Returns the number of flips.

@@ -26,7 +26,7 @@ struct Halves
   long double Difference; // Origin - Tip, without cancellation
 };
 
-Halves halves(const MirrorCell& cell)
+Halves halves(const SymmetricTrapezoid& cell)
 {
   const long double origin = 0.5L * std::exp(cell.LogAtOrigin - cell.LogEdge);
   const long double tip = 0.5L * std::exp(cell.LogAtTip - cell.LogEdge);
@@ -51,19 +51,19 @@ long double logSum(std::initializer_list<long double> logs)
 }
 
 // Of the trapezoid's diagonal: d^2 = e^2 + h h'.
-long double logDiagonal(const MirrorCell& cell)
+long double logDiagonal(const SymmetricTrapezoid& cell)
 {
   return 0.5L * logSum({ 2.0L * cell.LogEdge, cell.LogAtOrigin + cell.LogAtTip });
 }
 
 } // namespace
 
-MirrorCellShape mirrorCellShape(const MirrorCell& cell)
+TrapezoidShape trapezoidShape(const SymmetricTrapezoid& cell)
 {
   const Halves h = halves(cell);
   const long double cosine = std::clamp(h.Difference, -1.0L, 1.0L);
   const long double sine = std::sqrt((1.0L - cosine) * (1.0L + cosine));
-  MirrorCellShape shape;
+  TrapezoidShape shape;
   shape.Degenerate = !(sine > 0.0L);
   // Measured from the crossing edge, or on the mirror from the mirror line.
   const auto slant = static_cast<double>(std::asin(cosine));
@@ -74,20 +74,22 @@ MirrorCellShape mirrorCellShape(const MirrorCell& cell)
   return shape;
 }
 
-double cosineOppositeEdge(const MirrorCell& cell)
+double cosineOppositeEdge(const SymmetricTrapezoid& cell)
 {
   const Halves h = halves(cell);
   return static_cast<double>((h.Origin + h.Tip) / std::sqrt(1.0L + 4.0L * h.Origin * h.Tip));
 }
 
-double cosineOppositeCrossing(const MirrorCell& cell)
+double cosineOppositeCrossing(const SymmetricTrapezoid& cell)
 {
   const Halves h = halves(cell);
   return static_cast<double>(
     (1.0L - 2.0L * h.Origin * h.Difference) / std::sqrt(1.0L + 4.0L * h.Origin * h.Tip));
 }
 
-long double crossingAtApex(const MirrorCell& cell, long double logOriginApex, long double logTipApex)
+long double crossingAtApex(const SymmetricTrapezoid& cell,
+  long double logOriginApex,
+  long double logTipApex)
 {
   return logSum({ 2.0L * logOriginApex + cell.LogAtTip,
            std::log(2.0L) + logOriginApex + logTipApex + logDiagonal(cell),
@@ -95,7 +97,7 @@ long double crossingAtApex(const MirrorCell& cell, long double logOriginApex, lo
          2.0L * cell.LogEdge;
 }
 
-long double edgeAcross(const MirrorCell& before, const MirrorCell& after)
+long double edgeAcross(const SymmetricTrapezoid& before, const SymmetricTrapezoid& after)
 {
   return logSum({ before.LogEdge + logDiagonal(after), after.LogEdge + logDiagonal(before) }) -
          before.LogAtTip;

@@ -12,16 +12,16 @@ namespace flattening
 /// edges from each end to its image are the bases. Half of it, the part on this side of the mirror, is a
 /// mirror cell. The crossing length of a vertex on the mirror is 0, and an edge on the mirror has a cell
 /// without area.
-struct MirrorCell
+struct SymmetricTrapezoid
 {
   long double LogEdge;     ///< logarithm of the edge's length
   long double LogAtOrigin; ///< of the crossing length at its origin; minus infinity on the mirror
   long double LogAtTip;    ///< of the crossing length at its tip; minus infinity on the mirror
 
-  MirrorCell reversed() const { return { this->LogEdge, this->LogAtTip, this->LogAtOrigin }; }
+  SymmetricTrapezoid reversed() const { return { this->LogEdge, this->LogAtTip, this->LogAtOrigin }; }
 };
 
-struct MirrorCellShape
+struct TrapezoidShape
 {
   double AngleAtOrigin; ///< radians, of the half on this side of the mirror
   double AngleAtTip;
@@ -29,22 +29,24 @@ struct MirrorCellShape
   double Extent;    ///< length along the mirror, in units of the edge
   bool Degenerate;  ///< no such trapezoid: the crossing lengths differ by more than two edges
 };
-MirrorCellShape mirrorCellShape(const MirrorCell& cell);
+TrapezoidShape trapezoidShape(const SymmetricTrapezoid& cell);
 
 /// Cosine of the angle under which the edge is seen from the other points of the cell's circle.
-double cosineOppositeEdge(const MirrorCell& cell);
+double cosineOppositeEdge(const SymmetricTrapezoid& cell);
 
 /// Cosine of the angle under which the crossing edge at the origin is seen from the tip; below -1 where
 /// the cell is degenerate.
-double cosineOppositeCrossing(const MirrorCell& cell);
+double cosineOppositeCrossing(const SymmetricTrapezoid& cell);
 
 /// Logarithm of the crossing length of the apex f of a triangle whose side is the edge of @p cell, from
 /// Ptolemy's relations between the six points f, origin, tip and their images; @p logOriginApex and
 /// @p logTipApex are those of the other two sides.
-long double crossingAtApex(const MirrorCell& cell, long double logOriginApex, long double logTipApex);
+long double crossingAtApex(const SymmetricTrapezoid& cell,
+  long double logOriginApex,
+  long double logTipApex);
 
 /// Its inverse: the logarithm of the distance between the origin of @p before and the tip of @p after,
 /// two cells next to each other, when the vertex between them leaves the mirror.
-long double edgeAcross(const MirrorCell& before, const MirrorCell& after);
+long double edgeAcross(const SymmetricTrapezoid& before, const SymmetricTrapezoid& after);
 
 } // namespace flattening

@@ -51,13 +51,13 @@ std::array<double, 3> barycentric(const Eigen::Matrix3d& corners, const Eigen::V
 
 } // namespace
 
-struct SurfaceProjection::Tree
+struct ClosestPointTree::Tree
 {
   Triangles Faces;
   CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> Boxes;
 };
 
-SurfaceProjection::SurfaceProjection(const TriangleMesh& mesh, const ProgressCallback& progress)
+ClosestPointTree::ClosestPointTree(const TriangleMesh& mesh, const ProgressCallback& progress)
   : Mesh(mesh)
   , Boxes(std::make_shared<Tree>())
 {
@@ -84,9 +84,9 @@ SurfaceProjection::SurfaceProjection(const TriangleMesh& mesh, const ProgressCal
     "Building the search tree");
 }
 
-SurfaceProjection::~SurfaceProjection() = default;
+ClosestPointTree::~ClosestPointTree() = default;
 
-SurfacePoint SurfaceProjection::closest(const Eigen::Vector3d& point) const
+SurfacePoint ClosestPointTree::closest(const Eigen::Vector3d& point) const
 {
   const auto [position, primitive] =
     this->Boxes->Boxes.closest_point_and_primitive({ point.x(), point.y(), point.z() });

@@ -22,15 +22,15 @@ struct SurfacePoint
 };
 
 /// Answers closest-point queries with a tree of boxes (CGAL AABB tree); the mesh must outlive it.
-class SurfaceProjection
+class ClosestPointTree
 {
 public:
   /// With @p progress the tree is built at once, which an abort does not wait for; else by the first
   /// query.
-  explicit SurfaceProjection(const TriangleMesh& mesh, const ProgressCallback& progress = {});
-  ~SurfaceProjection();
-  SurfaceProjection(const SurfaceProjection&) = delete;
-  SurfaceProjection& operator=(const SurfaceProjection&) = delete;
+  explicit ClosestPointTree(const TriangleMesh& mesh, const ProgressCallback& progress = {});
+  ~ClosestPointTree();
+  ClosestPointTree(const ClosestPointTree&) = delete;
+  ClosestPointTree& operator=(const ClosestPointTree&) = delete;
 
   SurfacePoint closest(const Eigen::Vector3d& point) const;
 

@@ -108,7 +108,7 @@ Points3 vertexNormals(const TriangleMesh& mesh)
   return normals;
 }
 
-SurfaceWalk::SurfaceWalk(const TriangleMesh& mesh)
+ClosestPointWalk::ClosestPointWalk(const TriangleMesh& mesh)
   : Mesh(mesh)
   , FirstCorner(mesh.vertexCount() + 1, 0)
   , FaceOfCorner(3 * static_cast<std::size_t>(mesh.faceCount()))
@@ -132,7 +132,7 @@ SurfaceWalk::SurfaceWalk(const TriangleMesh& mesh)
   }
 }
 
-SurfacePoint SurfaceWalk::closest(const Eigen::Vector3d& point, int startFace) const
+SurfacePoint ClosestPointWalk::closest(const Eigen::Vector3d& point, int startFace) const
 {
   SurfacePoint best = closestOnTriangle(cornersOf(this->Mesh, startFace), point);
   best.Face = startFace;
@@ -173,7 +173,7 @@ SurfacePoint SurfaceWalk::closest(const Eigen::Vector3d& point, int startFace) c
   return best;
 }
 
-Eigen::Vector3d SurfaceWalk::normal(const SurfacePoint& at) const
+Eigen::Vector3d ClosestPointWalk::normal(const SurfacePoint& at) const
 {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (int k = 0; k < 3; ++k)

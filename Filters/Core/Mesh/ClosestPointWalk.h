@@ -23,10 +23,10 @@ Points3 vertexNormals(const TriangleMesh& mesh);
 /// Answers closest-point queries for points of which a nearby face is known: walks from that face to
 /// ever closer ones. Ten times faster than a search of the whole surface, and where two folds nearly
 /// touch it stays on the fold where it began. The mesh must outlive it.
-class SurfaceWalk
+class ClosestPointWalk
 {
 public:
-  explicit SurfaceWalk(const TriangleMesh& mesh);
+  explicit ClosestPointWalk(const TriangleMesh& mesh);
 
   /// A locally closest point: no face around the one it lies on is closer.
   SurfacePoint closest(const Eigen::Vector3d& point, int startFace) const;

@@ -65,7 +65,7 @@ private:
 
 } // namespace
 
-std::vector<std::vector<int>> planarParts(const Points2& points, int largest, double angle)
+std::vector<std::vector<int>> recursiveBisection(const Points2& points, int largest, double angle)
 {
   return Halving(points, std::max(1, largest), angle).Parts;
 }

@@ -103,7 +103,7 @@ int closestComponent(const TriangleMesh& mesh,
   const SurfaceComponents& components,
   const Eigen::Vector3d& point)
 {
-  return components.OfFace[SurfaceProjection(mesh).closest(point).Face];
+  return components.OfFace[ClosestPointTree(mesh).closest(point).Face];
 }
 
 } // namespace flattening

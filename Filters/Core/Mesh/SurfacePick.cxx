@@ -15,7 +15,7 @@ constexpr double GreatestShareOfDiagonal = 0.05;
 } // namespace
 
 SurfacePoint pickOnSurface(const TriangleMesh& mesh,
-  const SurfaceProjection& surface,
+  const ClosestPointTree& surface,
   const Eigen::Vector3d& picked,
   const std::string& what)
 {

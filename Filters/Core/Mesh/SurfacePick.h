@@ -17,7 +17,7 @@ namespace flattening
 /// @throws InvalidInput if a coordinate is not finite or the surface is farther away than 5 % of the
 /// diagonal of its bounding box: then the point was meant for another surface or never set.
 SurfacePoint pickOnSurface(const TriangleMesh& mesh,
-  const SurfaceProjection& surface,
+  const ClosestPointTree& surface,
   const Eigen::Vector3d& picked,
   const std::string& what);
 

@@ -140,7 +140,7 @@ public:
         const double done = 0.4 * (start + static_cast<double>(sweep) / Sweeps) / Starts;
         Eigen::Index to = 0;
         const double length =
-          geodesicDistances(this->Region, from, standing(progress, done, DiameterStage)).maxCoeff(&to);
+          geodesicDistances(this->Region, from, atFraction(progress, done, DiameterStage)).maxCoeff(&to);
         if (length <= before)
         {
           break;
@@ -154,7 +154,7 @@ public:
     SurfaceCurve longest;
     for (const auto& [from, to] : pairs)
     {
-      SurfaceCurve curve = this->path(from, to, standing(progress, 0.4, DiameterStage));
+      SurfaceCurve curve = this->path(from, to, atFraction(progress, 0.4, DiameterStage));
       if (curve.Length > longest.Length)
       {
         longest = std::move(curve);
@@ -167,7 +167,7 @@ public:
   // After the diameter.
   SurfaceCurve across(const ProgressCallback& progress) const
   {
-    const ProgressCallback atFirst = standing(progress, 0.0, AcrossStage);
+    const ProgressCallback atFirst = atFraction(progress, 0.0, AcrossStage);
     const Eigen::VectorXd fromFirst = geodesicDistances(this->Region, this->Ends.first, atFirst);
     const Eigen::VectorXd fromSecond = geodesicDistances(this->Region, this->Ends.second, atFirst);
     const Eigen::VectorXd along = fromFirst - fromSecond;
@@ -191,7 +191,7 @@ public:
           [&](int a, int b) { return std::abs(along[a] - value) < std::abs(along[b] - value); });
       };
       SurfaceCurve curve =
-        this->path(nearest(sides[0]), nearest(sides[1]), standing(progress, done, AcrossStage));
+        this->path(nearest(sides[0]), nearest(sides[1]), atFraction(progress, done, AcrossStage));
       const bool isLonger = curve.Length > longest.Length;
       longest = isLonger ? std::move(curve) : longest;
       return isLonger;
@@ -237,7 +237,8 @@ private:
           SurfaceCurve curve =
             this->Ends.first == this->Ends.second
               ? SurfaceCurve()
-              : this->path(this->Ends.first, this->Ends.second, standing(progress, done, DiameterStage));
+              : this->path(
+                  this->Ends.first, this->Ends.second, atFraction(progress, done, DiameterStage));
           if (curve.Length > longest.Length)
           {
             longest = std::move(curve);

@@ -2,9 +2,9 @@
 #include "Remeshing/BoundaryRefinement.h"
 
 #include "Mesh/EditableSurface.h"
+#include "Mesh/MeshMeasures.h"
 #include "Mesh/MeshTopology.h"
 #include "Remeshing/LongestEdgeBisection.h"
-#include "Repair/HoleFilling.h"
 
 #include <algorithm>
 #include <vector>

@@ -10,8 +10,8 @@ namespace flattening
 
 DerivedMesh conditionFaces(const TriangleMesh& mesh, double degrees, const ProgressCallback& progress)
 {
-  ResampledSurface surface(mesh);
-  removeSmallAngles(surface, degrees, subrange(progress, 0.0, 0.5));
+  MeshOnSurface surface(mesh);
+  removeSlivers(surface, degrees, subrange(progress, 0.0, 0.5));
   removeSelfIntersections(surface, subrange(progress, 0.5, 1.0));
   return surface.derived();
 }

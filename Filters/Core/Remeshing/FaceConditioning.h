@@ -8,7 +8,7 @@
 namespace flattening
 {
 
-/// Opens angles below @p degrees (removeSmallAngles; 0: none), then takes faces that intersect apart
+/// Opens angles below @p degrees (removeSlivers; 0: none), then takes faces that intersect apart
 /// (removeSelfIntersections). All vertices and faces elsewhere stay as they are and are traced to
 /// themselves, the changed ones to the nearest places of @p mesh. Topology and boundary stay.
 /// @throws TopologyError if the mesh is no oriented manifold or has unused vertices.

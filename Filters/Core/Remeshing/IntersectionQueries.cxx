@@ -8,10 +8,10 @@ namespace flattening
 namespace
 {
 
-using Vertex = ResampledSurface::Vertex;
-using Face = ResampledSurface::Face;
+using Vertex = MeshOnSurface::Vertex;
+using Face = MeshOnSurface::Face;
 
-std::vector<PlacedTriangle> placed(const ResampledSurface& surface, const std::vector<Face>& faces)
+std::vector<PlacedTriangle> placed(const MeshOnSurface& surface, const std::vector<Face>& faces)
 {
   std::vector<PlacedTriangle> result;
   result.reserve(faces.size());
@@ -22,7 +22,7 @@ std::vector<PlacedTriangle> placed(const ResampledSurface& surface, const std::v
   return result;
 }
 
-std::vector<Face> allFaces(const ResampledSurface& surface)
+std::vector<Face> allFaces(const MeshOnSurface& surface)
 {
   return { surface.mesh().faces().begin(), surface.mesh().faces().end() };
 }
@@ -40,12 +40,12 @@ PlacedTriangle placed(const CornerTriangle& triangle)
   return result;
 }
 
-FacePairs intersectingFaces(const ResampledSurface& surface, const ProgressCallback& progress)
+FacePairs intersectingFaces(const MeshOnSurface& surface, const ProgressCallback& progress)
 {
   return intersectingFaces(surface, allFaces(surface), progress);
 }
 
-FacePairs intersectingFaces(const ResampledSurface& surface,
+FacePairs intersectingFaces(const MeshOnSurface& surface,
   const std::vector<Face>& faces,
   const ProgressCallback& progress)
 {
@@ -57,7 +57,7 @@ FacePairs intersectingFaces(const ResampledSurface& surface,
   return pairs;
 }
 
-int countIntersections(const ResampledSurface& surface,
+int countIntersections(const MeshOnSurface& surface,
   const std::vector<Face>& some,
   const std::vector<Face>& near)
 {
@@ -84,7 +84,7 @@ std::vector<Face> unitedFaces(const std::vector<std::vector<Face>>& lists)
   return all;
 }
 
-std::vector<std::vector<Face>> facesNear(const ResampledSurface& surface,
+std::vector<std::vector<Face>> facesNear(const MeshOnSurface& surface,
   const std::vector<std::vector<Vertex>>& groups)
 {
   std::vector<PlacedTriangle> boxes; // each as a triangle with its corners at two of the box's

@@ -11,8 +11,8 @@ namespace flattening
 namespace
 {
 
-using Vertex = ResampledSurface::Vertex;
-using Face = ResampledSurface::Face;
+using Vertex = MeshOnSurface::Vertex;
+using Face = MeshOnSurface::Face;
 
 constexpr int Sizes = 4; // in edges
 constexpr int RoundsPerEdge = 4;
@@ -20,11 +20,11 @@ constexpr int RoundsPerEdge = 4;
 constexpr double LeastSines[] = { 0.0872, 0.0175 };
 
 // Inner vertices up to so many edges away from a pair, ascending.
-std::vector<Vertex> regionAround(const ResampledSurface& surface,
+std::vector<Vertex> regionAround(const MeshOnSurface& surface,
   const std::pair<Face, Face>& pair,
   int size)
 {
-  const ResampledSurface::Mesh& mesh = surface.mesh();
+  const MeshOnSurface::Mesh& mesh = surface.mesh();
   std::set<Vertex> region;
   for (const Face f : { pair.first, pair.second })
   {
@@ -53,15 +53,15 @@ std::vector<Vertex> regionAround(const ResampledSurface& surface,
 }
 
 // The faces around the vertices, ascending.
-std::vector<Face> facesOf(const ResampledSurface& surface, const std::vector<Vertex>& region)
+std::vector<Face> facesOf(const MeshOnSurface& surface, const std::vector<Vertex>& region)
 {
-  const ResampledSurface::Mesh& mesh = surface.mesh();
+  const MeshOnSurface::Mesh& mesh = surface.mesh();
   std::vector<Face> faces;
   for (const Vertex v : region)
   {
     for (const Face f : mesh.faces_around_target(mesh.halfedge(v)))
     {
-      if (f != ResampledSurface::Mesh::null_face())
+      if (f != MeshOnSurface::Mesh::null_face())
       {
         faces.push_back(f);
       }
@@ -73,7 +73,7 @@ std::vector<Face> facesOf(const ResampledSurface& surface, const std::vector<Ver
 class TangleSmoother
 {
 public:
-  TangleSmoother(ResampledSurface& surface, std::vector<Vertex> region)
+  TangleSmoother(MeshOnSurface& surface, std::vector<Vertex> region)
     : Surface(surface)
     , Region(std::move(region))
     , Faces(facesOf(surface, this->Region))
@@ -121,7 +121,7 @@ private:
 
   void moveToMean(Vertex v)
   {
-    const ResampledSurface::Mesh& mesh = this->Surface.mesh();
+    const MeshOnSurface::Mesh& mesh = this->Surface.mesh();
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     int neighbours = 0;
     for (const Vertex w : mesh.vertices_around_target(mesh.halfedge(v)))
@@ -138,13 +138,13 @@ private:
     this->Surface.move(v, at, position, [](const LocalChange&) { return true; });
   }
 
-  ResampledSurface& Surface;
+  MeshOnSurface& Surface;
   std::vector<Vertex> Region;
   std::vector<Face> Faces;
 };
 
 // Returns the pairs that are left.
-FacePairs smoothRegions(ResampledSurface& surface, const FacePairs& pairs, int size, double leastSine)
+FacePairs smoothRegions(MeshOnSurface& surface, const FacePairs& pairs, int size, double leastSine)
 {
   std::vector<std::vector<Vertex>> surroundings;
   for (const auto& pair : pairs)
@@ -167,7 +167,7 @@ FacePairs smoothRegions(ResampledSurface& surface, const FacePairs& pairs, int s
 
 } // namespace
 
-FacePairs smoothTangles(ResampledSurface& surface, FacePairs pairs)
+FacePairs smoothIntersections(MeshOnSurface& surface, FacePairs pairs)
 {
   for (const double leastSine : LeastSines)
   {

@@ -11,6 +11,6 @@ namespace flattening
 /// again and again, which draws in a fold that passes through another. That is done only where it makes
 /// the pairs fewer and no angle smaller than 5 degrees or, if nothing else helps, 1 degree, unless it
 /// was. Returns the pairs that are left.
-FacePairs smoothTangles(ResampledSurface& surface, FacePairs pairs);
+FacePairs smoothIntersections(MeshOnSurface& surface, FacePairs pairs);
 
 } // namespace flattening

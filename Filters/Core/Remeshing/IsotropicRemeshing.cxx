@@ -21,10 +21,10 @@ namespace flattening
 namespace
 {
 
-using Vertex = ResampledSurface::Vertex;
-using Halfedge = ResampledSurface::Halfedge;
-using Edge = ResampledSurface::Edge;
-using Face = ResampledSurface::Face;
+using Vertex = MeshOnSurface::Vertex;
+using Halfedge = MeshOnSurface::Halfedge;
+using Edge = MeshOnSurface::Edge;
+using Face = MeshOnSurface::Face;
 
 constexpr double FewestFaces = 20.0;
 constexpr int ReportInterval = 1 << 14;
@@ -90,7 +90,7 @@ double longestSpoke(const LocalChange::Triangles& triangles)
 class IsotropicRemesher
 {
 public:
-  IsotropicRemesher(ResampledSurface& surface, double length)
+  IsotropicRemesher(MeshOnSurface& surface, double length)
     : Surface(surface)
     , Length(length)
   {
@@ -144,13 +144,13 @@ private:
            this->lengthOf(queued.Descriptor) == queued.Length;
   }
 
-  ResampledSurface& Surface;
+  MeshOnSurface& Surface;
   double Length;
 };
 
 void IsotropicRemesher::splitLongEdges(const ProgressCallback& progress)
 {
-  const ResampledSurface::Mesh& mesh = this->Surface.mesh();
+  const MeshOnSurface::Mesh& mesh = this->Surface.mesh();
   std::priority_queue<QueuedEdge> queue; // longest first
   const double bound = LongEdge * this->Length;
   for (const Edge e : mesh.edges())
@@ -185,7 +185,7 @@ void IsotropicRemesher::splitLongEdges(const ProgressCallback& progress)
 
 void IsotropicRemesher::collapseShortEdges(const ProgressCallback& progress)
 {
-  const ResampledSurface::Mesh& mesh = this->Surface.mesh();
+  const MeshOnSurface::Mesh& mesh = this->Surface.mesh();
   std::priority_queue<QueuedEdge, std::vector<QueuedEdge>, std::greater<>> queue; // shortest first
   const double bound = ShortEdge * this->Length;
   for (const Edge e : mesh.edges())
@@ -231,7 +231,7 @@ void IsotropicRemesher::collapseShortEdges(const ProgressCallback& progress)
 
 void IsotropicRemesher::flipToDelaunay(const ProgressCallback& progress)
 {
-  const ResampledSurface::Mesh& mesh = this->Surface.mesh();
+  const MeshOnSurface::Mesh& mesh = this->Surface.mesh();
   const auto improves = [height = GreatestFlipHeight * this->Length](const LocalChange& change)
   { return opensAngles(change) && flipHeight(change) <= height && staysSound(change); };
   constexpr int Rounds = 8; // most edges settle in two or three
@@ -265,7 +265,7 @@ void IsotropicRemesher::flipToDelaunay(const ProgressCallback& progress)
 void IsotropicRemesher::relax(const ProgressCallback& progress)
 {
   report(progress, 0.0, "remeshing");
-  const ResampledSurface::Mesh& mesh = this->Surface.mesh();
+  const MeshOnSurface::Mesh& mesh = this->Surface.mesh();
   const SurfacePoint none{ -1, Eigen::Vector3d::Zero(), { 0.0, 0.0, 0.0 } };
   std::vector<SurfacePoint> targets(mesh.num_vertices(), none);
   tbb::parallel_for(std::size_t(0),
@@ -306,20 +306,6 @@ void IsotropicRemesher::relax(const ProgressCallback& progress)
 
 } // namespace
 
-double meanEdgeLength(const TriangleMesh& mesh)
-{
-  double sum = 0.0;
-  for (int f = 0; f < mesh.faceCount(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      sum +=
-        (mesh.Vertices.row(mesh.Faces(f, k)) - mesh.Vertices.row(mesh.Faces(f, (k + 1) % 3))).norm();
-    }
-  }
-  return sum / (3.0 * mesh.faceCount());
-}
-
 DerivedMesh remeshIsotropically(const TriangleMesh& mesh,
   double targetEdgeLength,
   int iterations,
@@ -327,14 +313,14 @@ DerivedMesh remeshIsotropically(const TriangleMesh& mesh,
 {
   requireSensibleLength(mesh, targetEdgeLength);
   report(progress, 0.0, "remeshing");
-  ResampledSurface surface(mesh);
+  MeshOnSurface surface(mesh);
   IsotropicRemesher remesher(surface, targetEdgeLength);
   for (int i = 0; i < iterations; ++i)
   {
     remesher.iterate(subrange(progress, 0.8 * i / iterations, 0.8 * (i + 1) / iterations));
   }
   remesher.flipToDelaunay(subrange(progress, 0.8, 0.9));
-  removeSmallAngles(surface, NarrowAngle, subrange(progress, 0.85, 0.9));
+  removeSlivers(surface, NarrowAngle, subrange(progress, 0.85, 0.9));
   removeSelfIntersections(surface, subrange(progress, 0.9, 0.95));
   return surface.derived(subrange(progress, 0.95, 1.0));
 }

@@ -8,17 +8,14 @@
 namespace flattening
 {
 
-/// Mean length of the edges, input units (edges between two faces count twice).
-double meanEdgeLength(const TriangleMesh& mesh);
-
 /// Incremental isotropic remeshing (Botsch, Kobbelt 2004, "A remeshing approach to multiresolution
 /// modeling"), @p iterations rounds of collapses, splits, Delaunay flips and tangential relaxation, each
 /// guarded so that no face turns away from the old surface: edges stay short where it bends. Then angles
-/// below 15 degrees are opened (removeSmallAngles) and faces that cut each other are taken apart
+/// below 15 degrees are opened (removeSlivers) and faces that cut each other are taken apart
 /// (removeSelfIntersections).
 ///
-/// Vertices stay on the surface, found by walking over it (SurfaceWalk), but for the few that had to
-/// leave it for such a face; the boundary keeps its vertices but where it is long or almost straight;
+/// Vertices stay on the surface, found by walking over it (ClosestPointWalk), but for the few that had
+/// to leave it for such a face; the boundary keeps its vertices but where it is long or almost straight;
 /// topology stays. Every new vertex is made of the corners of the old face nearest to it, with
 /// barycentric weights; every new face's origin is the old face nearest to its centroid.
 ///

@@ -26,7 +26,7 @@ constexpr const char* CarryingStage = "carrying attributes over";
 
 } // namespace
 
-ResampledSurface::ResampledSurface(const TriangleMesh& old)
+MeshOnSurface::MeshOnSurface(const TriangleMesh& old)
   : Old(old)
   , Walk(old)
 {
@@ -69,19 +69,19 @@ ResampledSurface::ResampledSurface(const TriangleMesh& old)
   }
 }
 
-void ResampledSurface::set(Vertex v, const Eigen::Vector3d& position, const SurfacePoint& place)
+void MeshOnSurface::set(Vertex v, const Eigen::Vector3d& position, const SurfacePoint& place)
 {
   this->Surface.point(v) = position;
   this->Place[v] = place;
   this->Normal[v] = this->Walk.normal(place);
 }
 
-Corner ResampledSurface::corner(Vertex v) const
+Corner MeshOnSurface::corner(Vertex v) const
 {
   return { static_cast<int>(v.idx()), &this->Surface.point(v), &this->Normal[v] };
 }
 
-CornerTriangle ResampledSurface::triangle(Face f) const
+CornerTriangle MeshOnSurface::triangle(Face f) const
 {
   const Halfedge h = this->Surface.halfedge(f);
   return { this->corner(this->Surface.source(h)),
@@ -89,14 +89,14 @@ CornerTriangle ResampledSurface::triangle(Face f) const
     this->corner(this->Surface.target(this->Surface.next(h))) };
 }
 
-double ResampledSurface::length(Halfedge h) const
+double MeshOnSurface::length(Halfedge h) const
 {
   return (this->Surface.point(this->Surface.target(h)) - this->Surface.point(this->Surface.source(h)))
     .norm();
 }
 
 // The triangles around v, but those that have the other vertex too, with v moved.
-void ResampledSurface::gatherStar(Vertex v, Vertex except, const Corner& to, LocalChange& change) const
+void MeshOnSurface::gatherStar(Vertex v, Vertex except, const Corner& to, LocalChange& change) const
 {
   const Corner here = this->corner(v);
   for (const Halfedge h : this->Surface.halfedges_around_target(this->Surface.halfedge(v)))
@@ -117,7 +117,7 @@ void ResampledSurface::gatherStar(Vertex v, Vertex except, const Corner& to, Loc
   }
 }
 
-LocalChange ResampledSurface::changeByCollapsing(Halfedge h, const Corner& to) const
+LocalChange MeshOnSurface::changeByCollapsing(Halfedge h, const Corner& to) const
 {
   const Vertex a = this->Surface.source(h);
   const Vertex b = this->Surface.target(h);
@@ -135,7 +135,7 @@ LocalChange ResampledSurface::changeByCollapsing(Halfedge h, const Corner& to) c
   return change;
 }
 
-ResampledSurface::Vertex ResampledSurface::split(Edge edge, const Guard& guard)
+MeshOnSurface::Vertex MeshOnSurface::split(Edge edge, const Guard& guard)
 {
   const Halfedge h = this->Surface.halfedge(edge);
   const Halfedge opposite = this->Surface.opposite(h);
@@ -167,7 +167,7 @@ ResampledSurface::Vertex ResampledSurface::split(Edge edge, const Guard& guard)
   return added;
 }
 
-bool ResampledSurface::flip(Edge edge, const Guard& guard)
+bool MeshOnSurface::flip(Edge edge, const Guard& guard)
 {
   if (this->Surface.is_border(edge))
   {
@@ -198,7 +198,7 @@ bool ResampledSurface::flip(Edge edge, const Guard& guard)
   return true;
 }
 
-bool ResampledSurface::move(Vertex vertex,
+bool MeshOnSurface::move(Vertex vertex,
   const SurfacePoint& to,
   const Eigen::Vector3d& position,
   const Guard& guard)
@@ -220,7 +220,7 @@ bool ResampledSurface::move(Vertex vertex,
 }
 
 // Whether the boundary may lose the vertex that a border half-edge ends in.
-bool ResampledSurface::straightAround(Halfedge border) const
+bool MeshOnSurface::straightAround(Halfedge border) const
 {
   const Eigen::Vector3d& from = this->Surface.point(this->Surface.source(border));
   const Eigen::Vector3d& at = this->Surface.point(this->Surface.target(border));
@@ -230,7 +230,7 @@ bool ResampledSurface::straightAround(Halfedge border) const
   return between && chord.cross(at - from).norm() <= BoundarySagitta * chord.squaredNorm();
 }
 
-bool ResampledSurface::collapse(Edge edge, const Guard& guard)
+bool MeshOnSurface::collapse(Edge edge, const Guard& guard)
 {
   const Halfedge h = this->Surface.halfedge(edge);
   const Halfedge back = this->Surface.opposite(h);
@@ -283,7 +283,7 @@ bool ResampledSurface::collapse(Edge edge, const Guard& guard)
   return true;
 }
 
-DerivedMesh ResampledSurface::derived(const ProgressCallback& progress) const
+DerivedMesh MeshOnSurface::derived(const ProgressCallback& progress) const
 {
   report(progress, 0.0, CarryingStage);
   DerivedMesh result;

@@ -37,7 +37,7 @@ struct LocalChange
   Triangles After;
 };
 
-class ResampledSurface
+class MeshOnSurface
 {
 public:
   using Mesh = CGAL::Surface_mesh<Eigen::Vector3d>;
@@ -50,10 +50,10 @@ public:
 
   /// Starts as the old surface, which must outlive it. @throws TopologyError if that is no oriented
   /// manifold.
-  explicit ResampledSurface(const TriangleMesh& old);
+  explicit MeshOnSurface(const TriangleMesh& old);
 
   const Mesh& mesh() const { return this->Surface; }
-  const SurfaceWalk& walk() const { return this->Walk; }
+  const ClosestPointWalk& walk() const { return this->Walk; }
   bool onBoundary(Vertex v) const { return this->Boundary[v] != 0; }
   const SurfacePoint& place(Vertex v) const { return this->Place[v]; }
   Corner corner(Vertex v) const;
@@ -91,7 +91,7 @@ private:
   void set(Vertex v, const Eigen::Vector3d& position, const SurfacePoint& place);
 
   const TriangleMesh& Old;
-  SurfaceWalk Walk;
+  ClosestPointWalk Walk;
   Mesh Surface;
   Mesh::Property_map<Vertex, SurfacePoint> Place;
   Mesh::Property_map<Vertex, Eigen::Vector3d> Normal;

@@ -136,7 +136,7 @@ Origins collapse(SurfaceMesh& surface,
 
 } // namespace
 
-DerivedMesh coarsenContext(const TriangleMesh& mesh,
+DerivedMesh decimateContext(const TriangleMesh& mesh,
   const std::vector<char>& inRegion,
   int contextFaces,
   const ProgressCallback& progress)
@@ -153,7 +153,7 @@ DerivedMesh coarsenContext(const TriangleMesh& mesh,
   const Origins origins = collapse(surface, keep, contextFaces, progress);
 
   report(progress, 0.8, "Carrying attributes over");
-  const SurfaceProjection original(mesh);
+  const ClosestPointTree original(mesh);
   DerivedMesh derived;
   derived.Mesh = toTriangleMesh(surface);
   std::vector<int> originOf;

@@ -21,7 +21,7 @@ namespace flattening
 /// @param inRegion per vertex, not 0 in a region.
 /// @throws InvalidInput if the flags do not fit, no vertex is in a region, contextFaces is below 1 or a
 /// coordinate is not finite; TopologyError if the mesh is not an oriented manifold.
-DerivedMesh coarsenContext(const TriangleMesh& mesh,
+DerivedMesh decimateContext(const TriangleMesh& mesh,
   const std::vector<char>& inRegion,
   int contextFaces,
   const ProgressCallback& progress = {});

@@ -18,9 +18,9 @@ namespace flattening
 namespace
 {
 
-using Vertex = ResampledSurface::Vertex;
-using Halfedge = ResampledSurface::Halfedge;
-using Face = ResampledSurface::Face;
+using Vertex = MeshOnSurface::Vertex;
+using Halfedge = MeshOnSurface::Halfedge;
+using Face = MeshOnSurface::Face;
 
 constexpr int Rounds = 5;
 constexpr double LeastSine = 0.17; // of 10 degrees
@@ -39,7 +39,7 @@ Box boxOf(const PlacedTriangle& triangle)
 class Neighbourhood
 {
 public:
-  Neighbourhood(ResampledSurface& surface, std::vector<Face> faces)
+  Neighbourhood(MeshOnSurface& surface, std::vector<Face> faces)
     : Surface(surface)
     , Faces(std::move(faces))
   {
@@ -63,7 +63,7 @@ private:
     const LocalChange& change,
     int enough) const;
 
-  ResampledSurface& Surface;
+  MeshOnSurface& Surface;
   std::vector<Face> Faces;
 };
 
@@ -121,7 +121,7 @@ bool Neighbourhood::improves(const LocalChange& change) const
 
 bool Neighbourhood::moveOff(Vertex v)
 {
-  const ResampledSurface::Mesh& mesh = this->Surface.mesh();
+  const MeshOnSurface::Mesh& mesh = this->Surface.mesh();
   const auto guard = [this](const LocalChange& change) { return this->improves(change); };
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double lengths = 0.0;
@@ -156,7 +156,7 @@ bool Neighbourhood::moveOff(Vertex v)
 
 bool Neighbourhood::changeAround(Face face)
 {
-  const ResampledSurface::Mesh& mesh = this->Surface.mesh();
+  const MeshOnSurface::Mesh& mesh = this->Surface.mesh();
   const auto guard = [this](const LocalChange& change) { return this->improves(change); };
   for (const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(face)))
   {
@@ -176,9 +176,9 @@ bool Neighbourhood::changeAround(Face face)
 }
 
 // All that may move where a pair intersects.
-std::vector<Vertex> verticesAround(const ResampledSurface& surface, const std::pair<Face, Face>& pair)
+std::vector<Vertex> verticesAround(const MeshOnSurface& surface, const std::pair<Face, Face>& pair)
 {
-  const ResampledSurface::Mesh& mesh = surface.mesh();
+  const MeshOnSurface::Mesh& mesh = surface.mesh();
   std::vector<Vertex> around;
   for (const Face f : { pair.first, pair.second })
   {
@@ -193,7 +193,7 @@ std::vector<Vertex> verticesAround(const ResampledSurface& surface, const std::p
 
 } // namespace
 
-int removeSelfIntersections(ResampledSurface& surface, const ProgressCallback& progress)
+int removeSelfIntersections(MeshOnSurface& surface, const ProgressCallback& progress)
 {
   report(progress, 0.0, "removing self-intersections");
   FacePairs pairs = intersectingFaces(surface, subrange(progress, 0.0, 0.5));
@@ -217,7 +217,7 @@ int removeSelfIntersections(ResampledSurface& surface, const ProgressCallback& p
       break;
     }
   }
-  return static_cast<int>(smoothTangles(surface, std::move(pairs)).size());
+  return static_cast<int>(smoothIntersections(surface, std::move(pairs)).size());
 }
 
 } // namespace flattening

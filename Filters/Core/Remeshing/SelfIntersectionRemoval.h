@@ -11,7 +11,7 @@ namespace flattening
 /// Where faces intersect, flips their edges and moves their vertices, at most by 0.4 of the length of an
 /// edge and off the old surface, until none does or nothing helps: every change makes the pairs fewer
 /// and no angle smaller than 10 degrees, unless it was. Then smooths the surface around those that are
-/// left (smoothTangles). Returns the number of pairs left.
-int removeSelfIntersections(ResampledSurface& surface, const ProgressCallback& progress = {});
+/// left (smoothIntersections). Returns the number of pairs left.
+int removeSelfIntersections(MeshOnSurface& surface, const ProgressCallback& progress = {});
 
 } // namespace flattening

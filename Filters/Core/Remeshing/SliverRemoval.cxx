@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Remeshing/SliverRemoval.h"
 
+#include "Mesh/MeshMeasures.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -14,9 +16,9 @@ namespace flattening
 namespace
 {
 
-using Vertex = ResampledSurface::Vertex;
-using Halfedge = ResampledSurface::Halfedge;
-using Face = ResampledSurface::Face;
+using Vertex = MeshOnSurface::Vertex;
+using Halfedge = MeshOnSurface::Halfedge;
+using Face = MeshOnSurface::Face;
 
 constexpr int Rounds = 10;
 constexpr double Gain = 1.01;           // less is not worth a change
@@ -35,7 +37,7 @@ bool opensSmallAngleSoundly(const LocalChange& change)
          opensSmallAngle(change);
 }
 
-std::array<Halfedge, 3> edgesByLength(const ResampledSurface& surface, Face face)
+std::array<Halfedge, 3> edgesByLength(const MeshOnSurface& surface, Face face)
 {
   const Halfedge h = surface.mesh().halfedge(face);
   std::array<Halfedge, 3> edges{ h, surface.mesh().next(h), surface.mesh().prev(h) };
@@ -46,9 +48,9 @@ std::array<Halfedge, 3> edgesByLength(const ResampledSurface& surface, Face face
 }
 
 // To places between where it is and the mean of its neighbours.
-bool moveInwards(ResampledSurface& surface, Vertex v, const ResampledSurface::Guard& guard)
+bool moveInwards(MeshOnSurface& surface, Vertex v, const MeshOnSurface::Guard& guard)
 {
-  const ResampledSurface::Mesh& mesh = surface.mesh();
+  const MeshOnSurface::Mesh& mesh = surface.mesh();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   int neighbours = 0;
   for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
@@ -69,9 +71,9 @@ bool moveInwards(ResampledSurface& surface, Vertex v, const ResampledSurface::Gu
   return false;
 }
 
-bool openAngles(ResampledSurface& surface, Face face, const ResampledSurface::Guard& guard)
+bool openAngles(MeshOnSurface& surface, Face face, const MeshOnSurface::Guard& guard)
 {
-  const ResampledSurface::Mesh& mesh = surface.mesh();
+  const MeshOnSurface::Mesh& mesh = surface.mesh();
   const std::array<Halfedge, 3> edges = edgesByLength(surface, face);
   if (surface.flip(mesh.edge(edges[2]), guard) || surface.collapse(mesh.edge(edges[0]), guard))
   {
@@ -108,24 +110,7 @@ bool sumExceedsPi(const Eigen::Vector3d& apex1,
 
 } // namespace
 
-double smallestAngle(const TriangleMesh& mesh)
-{
-  constexpr double degrees = 180.0 / EIGEN_PI;
-  double smallest = 180.0;
-  for (int f = 0; f < mesh.faceCount(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const Eigen::Vector3d apex = mesh.Vertices.row(mesh.Faces(f, k));
-      const Eigen::Vector3d u = mesh.Vertices.row(mesh.Faces(f, (k + 1) % 3)).transpose() - apex;
-      const Eigen::Vector3d v = mesh.Vertices.row(mesh.Faces(f, (k + 2) % 3)).transpose() - apex;
-      smallest = std::min(smallest, degrees * std::atan2(u.cross(v).norm(), u.dot(v)));
-    }
-  }
-  return smallest;
-}
-
-void removeSmallAngles(ResampledSurface& surface, double degrees, const ProgressCallback& progress)
+void removeSlivers(MeshOnSurface& surface, double degrees, const ProgressCallback& progress)
 {
   const double bound = std::sin(degrees * EIGEN_PI / 180.0);
   const double tiny = std::sin(TinyAngle * EIGEN_PI / 180.0);
@@ -161,8 +146,8 @@ DerivedMesh withoutSmallAngles(const TriangleMesh& mesh,
   {
     return derivedFromItself(mesh);
   }
-  ResampledSurface surface(mesh);
-  removeSmallAngles(surface, degrees, progress);
+  MeshOnSurface surface(mesh);
+  removeSlivers(surface, degrees, progress);
   return surface.derived();
 }
 

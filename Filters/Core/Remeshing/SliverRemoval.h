@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The angles of triangles, and the removal of small ones.
+/// The removal of small angles from a mesh that stays on its surface.
 #pragma once
 
 #include "Base/Progress.h"
@@ -9,13 +9,10 @@
 namespace flattening
 {
 
-/// Smallest angle of all faces, degrees; 0 where a face has no area, 180 if there is no face.
-double smallestAngle(const TriangleMesh& mesh);
-
 /// Flips and collapses edges of the faces with an angle below @p degrees and moves their vertices over
 /// the old surface, until there is none or nothing helps. Every change makes the smallest of the angles
 /// around larger. The topology stays.
-void removeSmallAngles(ResampledSurface& surface, double degrees, const ProgressCallback& progress = {});
+void removeSlivers(MeshOnSurface& surface, double degrees, const ProgressCallback& progress = {});
 
 /// The same for a surface that stays as it is elsewhere, e.g. after a boundary was cut. Changed vertices
 /// and faces are traced to the nearest places of @p mesh, all others to themselves.

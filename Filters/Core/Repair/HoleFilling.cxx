@@ -4,6 +4,7 @@
 #include "Base/Errors.h"
 #include "Mesh/ClosestPointTree.h"
 #include "Mesh/EditableSurface.h"
+#include "Mesh/MeshMeasures.h"
 #include "Mesh/SelfIntersections.h"
 
 #include <CGAL/Polygon_mesh_processing/refine.h>
@@ -79,7 +80,7 @@ void traceToLoop(EditableSurface& surface,
   {
     return;
   }
-  const SurfaceProjection projection(patch);
+  const ClosestPointTree projection(patch);
   for (const Vertex v : added)
   {
     const Kernel::Point_3& p = surface.mesh().point(v);
@@ -239,16 +240,6 @@ void requireShort(const TriangleMesh& mesh, const std::vector<int>& loop, double
 }
 
 } // namespace
-
-double loopLength(const Points3& vertices, const std::vector<int>& loop)
-{
-  double length = 0.0;
-  for (std::size_t i = 0; i < loop.size(); ++i)
-  {
-    length += (vertices.row(loop[i]) - vertices.row(loop[(i + 1) % loop.size()])).norm();
-  }
-  return length;
-}
 
 FilledSurface fillHoles(const TriangleMesh& mesh,
   const std::vector<std::vector<int>>& loops,

@@ -25,9 +25,6 @@ struct FilledSurface
   int PiercingPatches = 0; ///< patches that intersect the surface, each other or themselves
 };
 
-/// Length of a closed polyline of vertices, input units.
-double loopLength(const Points3& vertices, const std::vector<int>& loop);
-
 /// Covers the listed boundary loops (as in MeshTopology) of an oriented manifold.
 /// Patches are of least dihedral angle and area (Liepa 2003, "Filling holes in meshes"), then refined to
 /// the density of the surface around them (CGAL triangulate_hole, refine). One that cuts through faces

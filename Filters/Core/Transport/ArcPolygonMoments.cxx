@@ -26,7 +26,7 @@ double arcAngle(const Eigen::Vector2d& p, const Eigen::Vector2d& q)
   return angle >= 0.0 ? angle : angle > -1e-9 ? 0.0 : angle + 2.0 * EIGEN_PI;
 }
 
-void RegionMeasure::addSide(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
+void ArcPolygonMoments::addSide(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
 {
   const Eigen::Vector2d a = from - this->Origin;
   const Eigen::Vector2d b = to - this->Origin;
@@ -36,7 +36,7 @@ void RegionMeasure::addSide(const Eigen::Vector2d& from, const Eigen::Vector2d& 
 }
 
 // An arc is its chord and a circular segment.
-void RegionMeasure::addArc(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
+void ArcPolygonMoments::addArc(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
 {
   const double angle = arcAngle(from, to);
   this->addSide(from, to);

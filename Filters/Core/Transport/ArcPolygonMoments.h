@@ -18,11 +18,11 @@ inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 double arcAngle(const Eigen::Vector2d& p, const Eigen::Vector2d& q);
 
 /// Sums up the pieces of a region's boundary, counter-clockwise and closed, exactly but for rounding.
-class RegionMeasure
+class ArcPolygonMoments
 {
 public:
   /// All is summed relative to @p origin: a point of the region, or digits cancel.
-  explicit RegionMeasure(const Eigen::Vector2d& origin)
+  explicit ArcPolygonMoments(const Eigen::Vector2d& origin)
     : Origin(origin)
   {
   }

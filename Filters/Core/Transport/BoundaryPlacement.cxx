@@ -62,7 +62,7 @@ std::vector<double> strictlyIncreasingFit(const std::vector<double>& values)
   return fit;
 }
 
-std::vector<double> boundaryPlaces(const PowerDiagram& diagram,
+std::vector<double> boundaryParameters(const PowerDiagram& diagram,
   const std::vector<int>& loop,
   const std::vector<int>& siteOfVertex)
 {
@@ -104,7 +104,7 @@ std::vector<double> boundaryPlaces(const PowerDiagram& diagram,
   return places;
 }
 
-std::vector<double> boundaryPlaces(const PowerDiagram& diagram,
+std::vector<double> boundaryParameters(const PowerDiagram& diagram,
   const std::vector<int>& loop,
   const std::vector<int>& siteOfVertex,
   const std::vector<int>& corners,

@@ -16,13 +16,13 @@ namespace flattening
 /// direction if it has none. Where this breaks the order of the loop, neighbours are moved by the
 /// least-squares monotone fit.
 /// @p siteOfVertex gives the diagram's site of each vertex.
-std::vector<double> boundaryPlaces(const PowerDiagram& diagram,
+std::vector<double> boundaryParameters(const PowerDiagram& diagram,
   const std::vector<int>& loop,
   const std::vector<int>& siteOfVertex);
 
 /// The same where some vertices, members @p corners of the loop in its order, belong at @p cornerPlaces,
 /// which increase over less than a full turn. The places of the other vertices lie between theirs.
-std::vector<double> boundaryPlaces(const PowerDiagram& diagram,
+std::vector<double> boundaryParameters(const PowerDiagram& diagram,
   const std::vector<int>& loop,
   const std::vector<int>& siteOfVertex,
   const std::vector<int>& corners,

@@ -58,7 +58,7 @@ double UnitDisk::distanceAlong(const Eigen::Vector2d& from, const Eigen::Vector2
 
 void UnitDisk::addBoundary(const Eigen::Vector2d& from,
   const Eigen::Vector2d& to,
-  RegionMeasure& region) const
+  ArcPolygonMoments& region) const
 {
   region.addArc(from, to);
 }
@@ -99,7 +99,7 @@ ConvexPolygon::ConvexPolygon(const Points2& corners)
     throw InvalidInput("a domain of " + std::to_string(this->count()) +
                        " corners: give the finite corners of a convex polygon, three at least");
   }
-  RegionMeasure region(this->corner(0));
+  ArcPolygonMoments region(this->corner(0));
   double turns = 0.0;
   for (int k = 0; k < this->count(); ++k)
   {
@@ -278,7 +278,7 @@ std::vector<Eigen::Vector2d> ConvexPolygon::pointsBetween(const Eigen::Vector2d&
 
 void ConvexPolygon::addBoundary(const Eigen::Vector2d& from,
   const Eigen::Vector2d& to,
-  RegionMeasure& region) const
+  ArcPolygonMoments& region) const
 {
   Eigen::Vector2d last = from;
   for (const Eigen::Vector2d& corner : this->pointsBetween(from, to, 0.0))

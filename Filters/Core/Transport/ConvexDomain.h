@@ -50,7 +50,7 @@ public:
   /// Adds this part of the boundary to the measure of a region.
   virtual void addBoundary(const Eigen::Vector2d& from,
     const Eigen::Vector2d& to,
-    RegionMeasure& region) const = 0;
+    ArcPolygonMoments& region) const = 0;
   /// Points strictly between the two, so that the polyline through them follows the boundary: a curved
   /// part in steps of at most @p maximumStep radians.
   virtual std::vector<Eigen::Vector2d> pointsBetween(const Eigen::Vector2d& from,
@@ -79,7 +79,7 @@ public:
   double distanceAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const override;
   void addBoundary(const Eigen::Vector2d& from,
     const Eigen::Vector2d& to,
-    RegionMeasure& region) const override;
+    ArcPolygonMoments& region) const override;
   std::vector<Eigen::Vector2d> pointsBetween(const Eigen::Vector2d& from,
     const Eigen::Vector2d& to,
     double maximumStep) const override;
@@ -111,7 +111,7 @@ public:
   double distanceAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const override;
   void addBoundary(const Eigen::Vector2d& from,
     const Eigen::Vector2d& to,
-    RegionMeasure& region) const override;
+    ArcPolygonMoments& region) const override;
   std::vector<Eigen::Vector2d> pointsBetween(const Eigen::Vector2d& from,
     const Eigen::Vector2d& to,
     double maximumStep) const override;

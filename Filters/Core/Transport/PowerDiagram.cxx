@@ -327,7 +327,7 @@ void PowerDiagram::measureCells()
           }
           continue;
         }
-        RegionMeasure region(sides.front().From);
+        ArcPolygonMoments region(sides.front().From);
         for (std::size_t s = 0; s < sides.size(); ++s)
         {
           const Segment& side = sides[s];

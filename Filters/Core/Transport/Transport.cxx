@@ -319,7 +319,7 @@ TransportResult transportNewton(PowerDiagram& diagram,
     }
 
     const Eigen::VectorXd gap = aims - areas;
-    const ProgressCallback atStep = standing(progress, fraction, Stage);
+    const ProgressCallback atStep = atFraction(progress, fraction, Stage);
     const PowerDiagram::Weights step = newtonStep(cholesky, diagram, aims, atStep);
     if (step.size() == 0)
     {
@@ -336,8 +336,8 @@ TransportResult transportNewton(PowerDiagram& diagram,
       PowerDiagram::Weights weights = result.Weights + DoubleDouble(length) * step;
       const auto approaches = [&]
       { return (diagram.areas() - aims).norm() <= (1.0 - 0.5 * length) * gap.norm(); };
-      accepted = diagram.update(weights, largestStarved(diagram.siteCount())) && approaches() &&
-                 feedStarvedCells(diagram, weights, least, slopes, atStep) && approaches();
+      accepted = diagram.update(weights, largestVanishing(diagram.siteCount())) && approaches() &&
+                 feedVanishingCells(diagram, weights, least, slopes, atStep) && approaches();
       if (accepted)
       {
         result.Weights = weights;

@@ -29,8 +29,8 @@ struct TransportResult
 /// on the convex energy (paper, equations 8 to 10, with the sides' lengths divided by twice the sites'
 /// distance). A step is accepted by the rule of Kitagawa, Merigot and Thibert (2016), which converges
 /// from any start without empty cells; the few cells that a step would leave nearly empty get weight of
-/// their own first (see feedStarvedCells). The start is the best of some convex potentials, one of which
-/// opens places with far too many sites (see openingPotential). The targets are approached
+/// their own first (see feedVanishingCells). The start is the best of some convex potentials, one of
+/// which opens places with far too many sites (see openingPotential). The targets are approached
 /// geometrically, from the areas at the start to @p targets, so that most first trial steps are
 /// accepted. Weights and steps have twice the precision of double, and so has the solution of the linear
 /// system, by iterative refinement: the cells of sites that nearly coincide depend on them in digits

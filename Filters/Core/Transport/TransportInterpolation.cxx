@@ -206,7 +206,7 @@ SiteImages siteImages(const PowerDiagram& diagram,
   return images;
 }
 
-Points2 transportField(const TransportSites& sites,
+Points2 interpolateTransport(const TransportSites& sites,
   const SiteImages& images,
   const Points2& positions,
   const ConvexDomain& domain)

@@ -33,7 +33,7 @@ SiteImages siteImages(const PowerDiagram& diagram,
 /// follows a smooth map to second order. So faces keep, but for the stretch, the shapes that they have
 /// at @p positions (n x 2), and vertices that are no sites are moved as those around them.
 /// Vertices that would leave @p domain are put on its boundary.
-Points2 transportField(const TransportSites& sites,
+Points2 interpolateTransport(const TransportSites& sites,
   const SiteImages& images,
   const Points2& positions,
   const ConvexDomain& domain);

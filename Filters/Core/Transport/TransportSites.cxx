@@ -80,7 +80,7 @@ TransportSites groupedSites(const Points2& positions,
   {
     places.row(static_cast<Eigen::Index>(i)) = positions.row(grouped[i]);
   }
-  const std::vector<std::vector<int>> groups = planarParts(places, verticesPerSite, 0.0);
+  const std::vector<std::vector<int>> groups = recursiveBisection(places, verticesPerSite, 0.0);
 
   Points2 centres(static_cast<Eigen::Index>(groups.size() + alone.size()), 2);
   std::vector<int> groupOf(n);

@@ -15,18 +15,18 @@ constexpr int LargestSetbacks = 1;
 
 } // namespace
 
-int largestStarved(int sites)
+int largestVanishing(int sites)
 {
   return static_cast<int>(LargestShare * sites);
 }
 
-bool feedStarvedCells(PowerDiagram& diagram,
+bool feedVanishingCells(PowerDiagram& diagram,
   PowerDiagram::Weights& weights,
   const Eigen::VectorXd& least,
   const Eigen::VectorXd& slopes,
   const ProgressCallback& progress)
 {
-  const int largest = largestStarved(diagram.siteCount());
+  const int largest = largestVanishing(diagram.siteCount());
   int before = diagram.siteCount();
   int setbacks = 0;
   Eigen::VectorXd raises = FirstGain * least.array() / slopes.array();

@@ -17,7 +17,7 @@ constexpr double LeastWork = 5e4;
 // Over all flipped faces, moving single vertices.
 constexpr int LargestSweeps = 10;
 
-std::vector<int> flippedFaces(const FlatMesh& mesh)
+std::vector<int> flippedFaces(const UntanglingMesh& mesh)
 {
   std::vector<int> flipped;
   for (int f = 0; f < mesh.Faces.rows(); ++f)
@@ -31,7 +31,7 @@ std::vector<int> flippedFaces(const FlatMesh& mesh)
 }
 
 // Until no single vertex turns any more faces over, or nearly so.
-void moveSingleVertices(FlatMesh& mesh)
+void moveSingleVertices(UntanglingMesh& mesh)
 {
   std::vector<int> flipped = flippedFaces(mesh);
   std::size_t left = flipped.size() + 1;
@@ -41,7 +41,7 @@ void moveSingleVertices(FlatMesh& mesh)
     std::vector<int> remaining;
     for (const int f : flipped)
     {
-      if (!mesh.safelyPositive(f) && turnOverByOneVertex(mesh, f) < 0)
+      if (!mesh.safelyPositive(f) && untangleByOneVertex(mesh, f) < 0)
       {
         remaining.push_back(f);
       }
@@ -53,7 +53,7 @@ void moveSingleVertices(FlatMesh& mesh)
 class PatchRepairs
 {
 public:
-  PatchRepairs(FlatMesh& mesh, const FlippedFaceOptions& options)
+  PatchRepairs(UntanglingMesh& mesh, const UntanglingOptions& options)
     : Mesh(mesh)
     , Options(options)
     , Work(LeastWork + options.WorkPerVertex * mesh.Positions.rows())
@@ -68,7 +68,7 @@ public:
     {
       return;
     }
-    FreedPatch patch(this->Mesh, face, this->Options.LargestPatch);
+    UntanglingPatch patch(this->Mesh, face, this->Options.LargestPatch);
     const std::vector<int> first = patch.faces();
     bool grows = true;
     for (int ring = 0, next = 0; grows && this->Work > 0.0 && this->promising(patch); ++ring)
@@ -104,16 +104,16 @@ private:
     Relaxed
   };
 
-  bool promising(const FreedPatch& patch) const
+  bool promising(const UntanglingPatch& patch) const
   {
     const std::vector<int>& faces = patch.faces();
     return !patch.tooLarge() &&
            std::none_of(faces.begin(), faces.end(), [this](int f) { return this->Hopeless[f]; });
   }
 
-  bool repair(const FreedPatch& patch, Start start)
+  bool repair(const UntanglingPatch& patch, Start start)
   {
-    FreedPatch::Local local = patch.local();
+    UntanglingPatch::Local local = patch.local();
     if (local.Frame.isZero(0.0))
     {
       return false;
@@ -122,7 +122,7 @@ private:
     {
       relaxPatch(local.Flat);
     }
-    const PatchRepairResult result = repairPatch(local.Flat, this->Options.AreaWeight);
+    const UntangledPatch result = untanglePatch(local.Flat, this->Options.AreaWeight);
     if (result.Positive && this->place(patch, local))
     {
       return true;
@@ -132,7 +132,7 @@ private:
   }
 
   // Gives the vertices their places in the map, rounded, if all faces are positive there.
-  bool place(const FreedPatch& patch, const FreedPatch::Local& local)
+  bool place(const UntanglingPatch& patch, const UntanglingPatch::Local& local)
   {
     Points2 places =
       (local.Flat.Positions.topRows(local.Flat.FreeVertices) * local.Frame).rowwise() + local.Origin;
@@ -147,7 +147,7 @@ private:
     return positive;
   }
 
-  void swap(const FreedPatch& patch, Points2& places)
+  void swap(const UntanglingPatch& patch, Points2& places)
   {
     Eigen::Index row = 0;
     for (const int v : patch.vertices())
@@ -156,25 +156,25 @@ private:
     }
   }
 
-  FlatMesh& Mesh;
-  const FlippedFaceOptions& Options;
+  UntanglingMesh& Mesh;
+  const UntanglingOptions& Options;
   double Work;                // that may still be in vain
   std::vector<char> Hopeless; // per face: 1 if no patch around it could be repaired
 };
 
 } // namespace
 
-FlippedFaceReport repairFlippedFaces(const FaceMatrix& faces,
+UntanglingReport untangleMap(const FaceMatrix& faces,
   const std::vector<char>& fixed,
   const TargetTriangles& targets,
   Points2& positions,
-  const FlippedFaceOptions& options,
+  const UntanglingOptions& options,
   const ProgressCallback& progress)
 {
-  FlippedFaceReport result;
+  UntanglingReport result;
   const int before = countFlippedFaces(positions, faces);
   const Points2 old = positions;
-  FlatMesh mesh(faces, fixed, targets, positions);
+  UntanglingMesh mesh(faces, fixed, targets, positions);
   moveSingleVertices(mesh);
   PatchRepairs repairs(mesh, options);
   const std::vector<int> left = flippedFaces(mesh);
@@ -200,7 +200,7 @@ FlippedFaceReport repairFlippedFaces(const FaceMatrix& faces,
   return result;
 }
 
-FlippedFaceReport repairFlippedFaces(const TriangleMesh& surface,
+UntanglingReport untangleMap(const TriangleMesh& surface,
   const std::vector<int>& fixed,
   Points2& positions,
   const ProgressCallback& progress)
@@ -210,7 +210,7 @@ FlippedFaceReport repairFlippedFaces(const TriangleMesh& surface,
   {
     isFixed[v] = 1;
   }
-  return repairFlippedFaces(
+  return untangleMap(
     surface.Faces, isFixed, similarTriangles(surface, positions), positions, {}, progress);
 }
 

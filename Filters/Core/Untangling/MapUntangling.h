@@ -10,7 +10,7 @@
 namespace flattening
 {
 
-struct FlippedFaceOptions
+struct UntanglingOptions
 {
   /// What a face's area counts against its shape (FoldoverEnergy), dimensionless, >= 0.
   double AreaWeight = 0.1;
@@ -21,7 +21,7 @@ struct FlippedFaceOptions
   double WorkPerVertex = 1.0;
 };
 
-struct FlippedFaceReport
+struct UntanglingReport
 {
   int RepairedFaces = 0; ///< flipped or of no area before, positively oriented now
   int FlippedFaces = 0;  ///< still flipped or of no area
@@ -32,22 +32,22 @@ struct FlippedFaceReport
 /// Moves as few vertices of the flat map @p positions (n x 2) of @p faces as little as it can until all
 /// faces are positively oriented, by more than the rounding of their corners; those that are @p fixed
 /// (n, not 0) stay. First, single vertices go to the nearest place in the kernel of their star
-/// (turnOverByOneVertex). Then, patches are freed around the flipped faces that are left, and grow until
-/// their energy's minimum (repairPatch) has no flipped face; their rims stay. Where that fails, or would
-/// take much longer than a conformal map does, the map is left as it was. If no face is flipped and the
-/// boundary does not intersect itself, the map is one-to-one.
+/// (untangleByOneVertex). Then, patches are freed around the flipped faces that are left, and grow until
+/// their energy's minimum (untanglePatch) has no flipped face; their rims stay. Where that fails, or
+/// would take much longer than a conformal map does, the map is left as it was. If no face is flipped
+/// and the boundary does not intersect itself, the map is one-to-one.
 /// @throws Cancelled.
-FlippedFaceReport repairFlippedFaces(const FaceMatrix& faces,
+UntanglingReport untangleMap(const FaceMatrix& faces,
   const std::vector<char>& fixed,
   const TargetTriangles& targets,
   Points2& positions,
-  const FlippedFaceOptions& options = {},
+  const UntanglingOptions& options = {},
   const ProgressCallback& progress = {});
 
 /// The same for a conformal map of @p surface, whose vertices @p fixed, by their numbers, stay: every
 /// face should keep its shape (similarTriangles).
 /// @throws Cancelled.
-FlippedFaceReport repairFlippedFaces(const TriangleMesh& surface,
+UntanglingReport untangleMap(const TriangleMesh& surface,
   const std::vector<int>& fixed,
   Points2& positions,
   const ProgressCallback& progress = {});

@@ -2,7 +2,8 @@
 #include "Untangling/PatchUntangling.h"
 
 #include "Base/SparseFactorization.h"
-#include "Conformal/CotangentWeights.h"
+#include "Mesh/ComplexPositions.h"
+#include "Mesh/GraphLaplacian.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,9 +47,9 @@ public:
     }
   }
 
-  PatchRepairResult run()
+  UntangledPatch run()
   {
-    PatchRepairResult result;
+    UntangledPatch result;
     double least = this->leastAreaRatio();
     double epsilon = least > 0.0 ? 0.0 : FirstEpsilon * std::max(1.0, -least);
     while (result.Steps < LargestSteps && epsilon >= -HopelessShare * least)
@@ -171,7 +172,7 @@ private:
 
 } // namespace
 
-PatchRepairResult repairPatch(FlatPatch& patch, double areaWeight)
+UntangledPatch untanglePatch(FlatPatch& patch, double areaWeight)
 {
   return Minimisation(patch, areaWeight).run();
 }

@@ -18,7 +18,7 @@ struct FlatPatch
   std::vector<TargetTriangle> Targets; ///< per face, in the same units
 };
 
-struct PatchRepairResult
+struct UntangledPatch
 {
   bool Positive = false; ///< whether, to rounding, no face is flipped; if not, Positions are of no use
   int Steps = 0;         ///< of Newton's method
@@ -28,7 +28,7 @@ struct PatchRepairResult
 /// every face of the same weight), by Newton's method with convex Hessians. While faces are flipped,
 /// epsilon goes to 0 with the area of the most flipped one (Garanzha et al., section 3.2), until that is
 /// hopeless; once none is, none becomes so again.
-PatchRepairResult repairPatch(FlatPatch& patch, double areaWeight);
+UntangledPatch untanglePatch(FlatPatch& patch, double areaWeight);
 
 /// Moves the free vertices of @p patch to the equilibrium of equal springs along its edges: a start
 /// without flipped faces, however bad, for a patch with a convex rim (Tutte 1963).

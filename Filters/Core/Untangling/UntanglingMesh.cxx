@@ -16,7 +16,7 @@ constexpr double Rounding = 0x1p-50;
 
 } // namespace
 
-bool FlatMesh::safelyPositive(int f) const
+bool UntanglingMesh::safelyPositive(int f) const
 {
   if (faceOrientation(this->Positions, this->Faces, f) <= 0)
   {
@@ -30,7 +30,7 @@ bool FlatMesh::safelyPositive(int f) const
   return left.x() * right.y() - left.y() * right.x() > Rounding * largest * longest;
 }
 
-double FlatMesh::edgeLengthAt(int v) const
+double UntanglingMesh::edgeLengthAt(int v) const
 {
   double sum = 0.0;
   for (const int f : this->FacesOf[v])

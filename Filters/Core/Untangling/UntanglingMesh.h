@@ -12,7 +12,7 @@ namespace flattening
 
 /// What one must know of a flat map to move its vertices. The arguments of the constructor must live as
 /// long as it does.
-struct FlatMesh
+struct UntanglingMesh
 {
   const FaceMatrix& Faces;
   const std::vector<char>& Fixed; ///< per vertex: not 0 if it must stay
@@ -20,7 +20,7 @@ struct FlatMesh
   Points2& Positions;
   VertexFaces FacesOf;
 
-  FlatMesh(const FaceMatrix& faces,
+  UntanglingMesh(const FaceMatrix& faces,
     const std::vector<char>& fixed,
     const TargetTriangles& targets,
     Points2& positions)

@@ -70,7 +70,7 @@ Eigen::Matrix2d commonStretch(const FlatPatch& patch)
 
 } // namespace
 
-FreedPatch::FreedPatch(const FlatMesh& mesh, int face, int mostVertices)
+UntanglingPatch::UntanglingPatch(const UntanglingMesh& mesh, int face, int mostVertices)
   : Mesh(mesh)
   , MostVertices(mostVertices)
 {
@@ -78,7 +78,7 @@ FreedPatch::FreedPatch(const FlatMesh& mesh, int face, int mostVertices)
   this->includeFlippedFaces();
 }
 
-bool FreedPatch::grow()
+bool UntanglingPatch::grow()
 {
   const std::size_t before = this->Vertices.size();
   for (const int f : this->Faces)
@@ -89,7 +89,7 @@ bool FreedPatch::grow()
   return this->Vertices.size() > before;
 }
 
-void FreedPatch::free(int face)
+void UntanglingPatch::free(int face)
 {
   for (int k = 0; k < 3; ++k)
   {
@@ -101,7 +101,7 @@ void FreedPatch::free(int face)
   }
 }
 
-void FreedPatch::includeFlippedFaces()
+void UntanglingPatch::includeFlippedFaces()
 {
   sortUnique(this->Vertices);
   std::size_t known = 0;
@@ -126,7 +126,7 @@ void FreedPatch::includeFlippedFaces()
   }
 }
 
-FreedPatch::Local FreedPatch::local() const
+UntanglingPatch::Local UntanglingPatch::local() const
 {
   Local result;
   std::vector<int> vertices = this->Vertices;

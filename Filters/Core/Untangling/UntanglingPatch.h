@@ -12,12 +12,12 @@ namespace flattening
 
 /// Vertices that may move and all faces around them. Where a flipped face (one that is not safely
 /// positive) is among these, its vertices may move too, so that patches that touch are one.
-class FreedPatch
+class UntanglingPatch
 {
 public:
   /// Frees the vertices of face @p face but the fixed ones. @p mesh must live as long as the patch does.
   /// With more than @p mostVertices free it is of no use, and grows no further.
-  FreedPatch(const FlatMesh& mesh, int face, int mostVertices);
+  UntanglingPatch(const UntanglingMesh& mesh, int face, int mostVertices);
 
   /// Both in ascending order.
   const std::vector<int>& vertices() const { return this->Vertices; }
@@ -46,7 +46,7 @@ private:
   void free(int face);
   void includeFlippedFaces();
 
-  const FlatMesh& Mesh;
+  const UntanglingMesh& Mesh;
   int MostVertices;
   std::vector<int> Vertices;
   std::vector<int> Faces;

@@ -23,7 +23,7 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
   return a.x() * b.y() - a.y() * b.x();
 }
 
-OppositeSide oppositeSide(const FlatMesh& mesh, int f, int corner)
+OppositeSide oppositeSide(const UntanglingMesh& mesh, int f, int corner)
 {
   const TargetTriangle target = mesh.Targets(f);
   const Eigen::Vector2d targetCorners[3] = { { 0.0, 0.0 }, target.Second, target.Third };
@@ -45,7 +45,7 @@ OppositeSide oppositeSide(const FlatMesh& mesh, int f, int corner)
   return side;
 }
 
-std::optional<Eigen::Vector2d> placeInKernel(const FlatMesh& mesh, int v)
+std::optional<Eigen::Vector2d> placeInKernel(const UntanglingMesh& mesh, int v)
 {
   if (mesh.Fixed[v] || mesh.FacesOf[v].size() > LargestStar)
   {
@@ -64,7 +64,7 @@ std::optional<Eigen::Vector2d> placeInKernel(const FlatMesh& mesh, int v)
   return nearestInKernel(mesh.Positions.row(v).transpose(), sides);
 }
 
-bool starIsPositive(const FlatMesh& mesh, int v)
+bool starIsPositive(const UntanglingMesh& mesh, int v)
 {
   const auto faces = mesh.FacesOf[v];
   return std::all_of(faces.begin(), faces.end(), [&mesh](int f) { return mesh.safelyPositive(f); });
@@ -72,7 +72,7 @@ bool starIsPositive(const FlatMesh& mesh, int v)
 
 } // namespace
 
-int turnOverByOneVertex(FlatMesh& mesh, int f)
+int untangleByOneVertex(UntanglingMesh& mesh, int f)
 {
   int best = -1;
   Eigen::RowVector2d bestPlace;

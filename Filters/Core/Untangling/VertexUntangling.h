@@ -11,6 +11,6 @@ namespace flattening
 /// one of its corners that makes all faces around that corner positive: to a place from which each of
 /// them has a tenth of its target's altitude, or what it has if that is less.
 /// @returns the vertex moved, or -1 if no such move was found and all is as it was.
-int turnOverByOneVertex(FlatMesh& mesh, int f);
+int untangleByOneVertex(UntanglingMesh& mesh, int f);
 
 } // namespace flattening

@@ -188,7 +188,7 @@ TEST(FaceRefinement, RegionsKeepTheirAreaOnAnUnevenSurface)
   const Eigen::VectorXd wants = vertexAreas(mesh.Faces, faceAreas(mesh.Vertices, mesh.Faces), n) /
                                 faceAreas(mesh.Vertices, mesh.Faces).sum();
   double largest = 0.0;
-  for (const std::vector<int>& region : planarParts(flat, 400, 0.3))
+  for (const std::vector<int>& region : recursiveBisection(flat, 400, 0.3))
   {
     double hasArea = 0.0;
     double wantsArea = 0.0;

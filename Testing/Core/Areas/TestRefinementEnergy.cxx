@@ -57,7 +57,7 @@ protected:
   TriangleMesh Mesh;
   VertexFaces FacesOf;
   std::vector<int> Loop;
-  FlatUnknowns Unknowns;
+  DegreesOfFreedom Unknowns;
   RefinementTerms Terms;
   RefinementEnergy Energy;
   FlatState State;

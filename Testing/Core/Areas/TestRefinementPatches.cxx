@@ -63,7 +63,7 @@ protected:
   TriangleMesh Mesh;
   VertexFaces FacesOf;
   std::vector<int> Loop;
-  FlatUnknowns Unknowns;
+  DegreesOfFreedom Unknowns;
   RefinementTerms Terms;
   RefinementPatches Patches;
   RefinementPatches::Pass Pass;

@@ -72,7 +72,7 @@ double regionError(const TriangleMesh& mesh, const Points2& flat, const Eigen::V
   return std::abs((hasSum / has.sum()) / (wantsSum / wants.sum()) - 1.0);
 }
 
-TEST(FormerMap, AWeightIsChangedToTheSameAccuracyAsFromTheBeginning)
+TEST(WarmStart, AWeightIsChangedToTheSameAccuracyAsFromTheBeginning)
 {
   const Bump bump;
   AreaPreservingMap former = areaPreservingDiskMap(bump.Mesh, bump.Conformal).Map;
@@ -107,7 +107,7 @@ TEST(FormerMap, AWeightIsChangedToTheSameAccuracyAsFromTheBeginning)
 }
 
 // Nothing has changed: nothing is to be done.
-TEST(FormerMap, TheSameWeightsKeepTheMap)
+TEST(WarmStart, TheSameWeightsKeepTheMap)
 {
   const Bump bump;
   const Eigen::VectorXd weights = bump.weights(3.0);
@@ -119,7 +119,7 @@ TEST(FormerMap, TheSameWeightsKeepTheMap)
   EXPECT_LT((again.Positions - former.Positions).rowwise().norm().maxCoeff(), 1e-3);
 }
 
-TEST(FormerMap, SameBitsWhateverTheThreads)
+TEST(WarmStart, SameBitsWhateverTheThreads)
 {
   const Bump bump;
   const AreaPreservingMap former = areaPreservingDiskMap(bump.Mesh, bump.Conformal).Map;
@@ -137,7 +137,7 @@ TEST(FormerMap, SameBitsWhateverTheThreads)
 }
 
 // Then the map is the one that the weights alone lead to, in every bit.
-TEST(FormerMap, WhatIsNoMapToTheDomainCountsForNothing)
+TEST(WarmStart, WhatIsNoMapToTheDomainCountsForNothing)
 {
   const TriangleMesh mesh = ringMesh(sphericalCap(0.5 * Pi), 2000).Mesh;
   const Points2 conformal = conformalDiskMap(mesh).Positions;
@@ -165,7 +165,7 @@ TEST(FormerMap, WhatIsNoMapToTheDomainCountsForNothing)
   EXPECT_FALSE(areaPreservingDiskMap(mesh, conformal, {}, options).Map.IsContinued);
 }
 
-TEST(FormerMap, PolygonsKeepTheirCorners)
+TEST(WarmStart, PolygonsKeepTheirCorners)
 {
   const TriangleMesh mesh = ringMesh(sphericalCap(0.5 * Pi), 5000).Mesh;
   const Points2 conformal = conformalDiskMap(mesh).Positions;
@@ -194,7 +194,7 @@ TEST(FormerMap, PolygonsKeepTheirCorners)
 }
 
 // What carrying is worth: faces inside and outside of the region are nearly right before any refinement.
-TEST(FormerMap, IsCarriedByTheTransport)
+TEST(WarmStart, IsCarriedByTheTransport)
 {
   const Bump bump;
   const UnitDisk disk;
@@ -206,7 +206,7 @@ TEST(FormerMap, IsCarriedByTheTransport)
   const TransportSites sites{ before.Diagram.sites(), before.SiteOfVertex };
   const auto transported = [&](const AreaPreservingResult& result) -> TransportedSites
   {
-    const std::vector<double> places = boundaryPlaces(result.Diagram, loop, result.SiteOfVertex);
+    const std::vector<double> places = boundaryParameters(result.Diagram, loop, result.SiteOfVertex);
     return { siteImages(result.Diagram, sites.sums(result.Map.TargetAreas), sites, loop, places),
       places };
   };

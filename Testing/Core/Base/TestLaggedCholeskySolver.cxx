@@ -43,7 +43,7 @@ SparseMatrix springs(int side, double spread, int seed)
   return matrix;
 }
 
-double relativeResidual(StaleFactorSolver& solver, const SparseMatrix& lower, double tolerance)
+double relativeResidual(LaggedCholeskySolver& solver, const SparseMatrix& lower, double tolerance)
 {
   const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(lower.rows(), -1.0, 1.0);
   Eigen::VectorXd x;
@@ -51,9 +51,9 @@ double relativeResidual(StaleFactorSolver& solver, const SparseMatrix& lower, do
   return (lower.selfadjointView<Eigen::Lower>() * x - right).norm() / right.norm();
 }
 
-TEST(StaleFactorSolver, OneFactorServesSimilarMatrices)
+TEST(LaggedCholeskySolver, OneFactorServesSimilarMatrices)
 {
-  StaleFactorSolver solver;
+  LaggedCholeskySolver solver;
   for (int seed = 0; seed < 6; ++seed)
   {
     const double tolerance = std::pow(10.0, -2 - seed);
@@ -63,13 +63,13 @@ TEST(StaleFactorSolver, OneFactorServesSimilarMatrices)
   EXPECT_LT(solver.iterations(), 60);
 }
 
-TEST(StaleFactorSolver, ReportsWhileItFactorsAndAtEveryIteration)
+TEST(LaggedCholeskySolver, ReportsWhileItFactorsAndAtEveryIteration)
 {
   const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(2500, -1.0, 1.0);
   Eigen::VectorXd quiet;
   Eigen::VectorXd x;
-  StaleFactorSolver quietSolver;
-  StaleFactorSolver solver;
+  LaggedCholeskySolver quietSolver;
+  LaggedCholeskySolver solver;
   samples::AbandonedCall busy;
   int reports = 0;
   const ProgressCallback progress = [&](double, const char*)
@@ -92,9 +92,9 @@ TEST(StaleFactorSolver, ReportsWhileItFactorsAndAtEveryIteration)
   EXPECT_TRUE((x.array() == quiet.array()).all());
 }
 
-TEST(StaleFactorSolver, AnotherMatrixIsFactored)
+TEST(LaggedCholeskySolver, AnotherMatrixIsFactored)
 {
-  StaleFactorSolver solver;
+  LaggedCholeskySolver solver;
   for (int seed = 0; seed < 4; ++seed)
   {
     EXPECT_LE(relativeResidual(solver, springs(50, 12.0, seed), 1e-8), 1e-8) << seed;
@@ -104,9 +104,9 @@ TEST(StaleFactorSolver, AnotherMatrixIsFactored)
   EXPECT_EQ(solver.factorizations(), 5);
 }
 
-TEST(StaleFactorSolver, ForetellsIterationsAndForgets)
+TEST(LaggedCholeskySolver, ForetellsIterationsAndForgets)
 {
-  StaleFactorSolver solver;
+  LaggedCholeskySolver solver;
   relativeResidual(solver, springs(50, 0.5, 1), 1e-8);
   EXPECT_EQ(solver.iterationsFor(1e-8), 0.0);
   relativeResidual(solver, springs(50, 0.5, 2), 1e-4);
@@ -120,7 +120,7 @@ TEST(StaleFactorSolver, ForetellsIterationsAndForgets)
   EXPECT_EQ(solver.factorizations(), 2);
 }
 
-TEST(StaleFactorSolver, TakesTheNewOrderForTheNextFactor)
+TEST(LaggedCholeskySolver, TakesTheNewOrderForTheNextFactor)
 {
   const SparseMatrix matrix = springs(50, 0.5, 1);
   SparseMatrix similar = matrix;
@@ -131,7 +131,7 @@ TEST(StaleFactorSolver, TakesTheNewOrderForTheNextFactor)
   const auto orderOf = [](const SparseMatrix& m)
   { return SparseCholesky::orderOf(m, SparseCholesky::Ordering::Quick).Unknowns; };
   ASSERT_NE(orderOf(matrix), orderOf(similar));
-  StaleFactorSolver solver;
+  LaggedCholeskySolver solver;
   EXPECT_FALSE(solver.hasFactor());
   relativeResidual(solver, matrix, 1e-8);
   EXPECT_TRUE(solver.hasFactor());
@@ -143,9 +143,9 @@ TEST(StaleFactorSolver, TakesTheNewOrderForTheNextFactor)
   EXPECT_EQ(solver.order().Unknowns, orderOf(similar));
 }
 
-TEST(StaleFactorSolver, SaysThatAMatrixIsIndefinite)
+TEST(LaggedCholeskySolver, SaysThatAMatrixIsIndefinite)
 {
-  StaleFactorSolver solver;
+  LaggedCholeskySolver solver;
   const SparseMatrix matrix = -springs(50, 0.5, 1);
   Eigen::VectorXd x;
   EXPECT_FALSE(solver.solve(matrix, Eigen::VectorXd::Ones(matrix.rows()), 1e-3, x));

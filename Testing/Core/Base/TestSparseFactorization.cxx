@@ -58,7 +58,7 @@ double residual(SparseCholesky& cholesky, const SparseMatrix& matrix)
 }
 
 // Few more edges keep the order, very many do not, nor does another size.
-TEST(SparseCholesky, SolvesEverySystemOfASequence)
+TEST(SparseFactorization, SolvesEverySystemOfASequence)
 {
   SparseCholesky cholesky;
   for (const auto& [side, extra] :
@@ -69,7 +69,7 @@ TEST(SparseCholesky, SolvesEverySystemOfASequence)
 }
 
 // One that serves is kept, one that fills the factor is not.
-TEST(SparseCholesky, BeginsWithAGivenOrder)
+TEST(SparseFactorization, BeginsWithAGivenOrder)
 {
   const SparseMatrix matrix = laplacian(60, 0);
   const SparseCholesky found(matrix);
@@ -90,7 +90,7 @@ TEST(SparseCholesky, BeginsWithAGivenOrder)
 }
 
 // With BLAS libraries that do not lock their buffers, some of these factorizations fail.
-TEST(SparseCholesky, MayBeUsedInSeveralThreadsAtOnce)
+TEST(SparseFactorization, MayBeUsedInSeveralThreadsAtOnce)
 {
   const SparseMatrix matrix = laplacian(60, 300);
   const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(matrix.rows(), -1.0, 1.0);
@@ -106,7 +106,7 @@ TEST(SparseCholesky, MayBeUsedInSeveralThreadsAtOnce)
 }
 
 // CHOLMOD's OpenMP would have four threads wait for each other at every supernode.
-TEST(SparseCholesky, StartsNoThreads)
+TEST(SparseFactorization, StartsNoThreads)
 {
   const std::filesystem::path tasks = "/proc/self/task"; // Linux only
   if (!std::filesystem::exists(tasks))

@@ -97,7 +97,7 @@ struct SurfaceRecord
   bool IsDisk = true;
   std::string Error; // of the map
   double CurvatureError = 0.0;
-  FlippedFaceReport Repair;
+  UntanglingReport Repair;
 
   bool failed() const
   {

@@ -52,7 +52,7 @@ std::vector<MeshEdge> longitude(int j, int n, int m)
   return edges;
 }
 
-TEST(SeamCut, OpensATorusIntoATubeAndATubeIntoADisk)
+TEST(EdgeCut, OpensATorusIntoATubeAndATubeIntoADisk)
 {
   constexpr int n = 30;
   constexpr int m = 12;
@@ -75,7 +75,7 @@ TEST(SeamCut, OpensATorusIntoATubeAndATubeIntoADisk)
   EXPECT_EQ(std::accumulate(disk.OnSeam.begin(), disk.OnSeam.end(), 0), 2 * (n + m));
 }
 
-TEST(SeamCut, AnOpenSeamLeavesItsEndsWhole)
+TEST(EdgeCut, AnOpenSeamLeavesItsEndsWhole)
 {
   const TriangleMesh mesh = sphere(3);
   const int a = mesh.Faces(100, 0);
@@ -93,7 +93,7 @@ TEST(SeamCut, AnOpenSeamLeavesItsEndsWhole)
   EXPECT_EQ(requireDisk(slot.Surface.Mesh).size(), 4u);
 }
 
-TEST(SeamCut, AlongTheBoundaryChangesNothing)
+TEST(EdgeCut, AlongTheBoundaryChangesNothing)
 {
   const TriangleMesh tube = cylinder(8, 2, 1.0);
   const CutSurface rim = cutAlongEdges(tube, { { 0, 1 }, { 1, 2 } });
@@ -105,7 +105,7 @@ TEST(SeamCut, AlongTheBoundaryChangesNothing)
   EXPECT_EQ(requireDisk(disk.Surface.Mesh).size(), 8u + 8u + 4u);
 }
 
-TEST(SeamCut, RefusesWhatIsNoEdge)
+TEST(EdgeCut, RefusesWhatIsNoEdge)
 {
   const TriangleMesh mesh = icosahedron();
   EXPECT_TRUE(contains(messageOf<InvalidInput>([&] { cutAlongEdges(mesh, { { 0, 3 } }); }), "no edge"));

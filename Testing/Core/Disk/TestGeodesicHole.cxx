@@ -2,6 +2,7 @@
 #include "Base/Errors.h"
 #include "Disk/GeodesicHole.h"
 #include "Disk/HolePlacement.h"
+#include "Mesh/MeshMeasures.h"
 #include "Mesh/MeshTopology.h"
 #include "Repair/HoleFilling.h"
 #include "Support/SampleSurfaces.h"

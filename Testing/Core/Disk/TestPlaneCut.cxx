@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Base/Errors.h"
 #include "Disk/PlaneCut.h"
+#include "Mesh/MeshMeasures.h"
 #include "Mesh/MeshTopology.h"
 #include "Remeshing/BoundaryRefinement.h"
 #include "Repair/HoleFilling.h"

@@ -67,7 +67,7 @@ Measured measure(const LoopCap& cap)
 }
 
 // Faces as large as the loop let every search near them find half of the surface.
-TEST(LoopCap, HasVerticesAsCloseAsTheLoopsAre)
+TEST(LoopCapping, HasVerticesAsCloseAsTheLoopsAre)
 {
   const double side = 2.0 * std::sin(Pi / LoopSize);
   const double area = 0.5 * LoopSize * std::sin(2.0 * Pi / LoopSize);
@@ -83,7 +83,7 @@ TEST(LoopCap, HasVerticesAsCloseAsTheLoopsAre)
 }
 
 // Isovalues that are values of the volume make such loops.
-TEST(LoopCap, OfALoopWithoutAreaIsADisk)
+TEST(LoopCapping, OfALoopWithoutAreaIsADisk)
 {
   const Eigen::Vector3d a(41.0, 32.0, 29.0);
   const Eigen::Vector3d b(42.0, 32.0, 29.0);

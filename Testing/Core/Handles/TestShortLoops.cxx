@@ -103,10 +103,10 @@ TEST(HandleRemoval, DoesNotDependOnTheNumberOfThreads)
   }
 }
 
-TEST(RefusedLoops, GiveTheCheapestWithinADetour)
+TEST(RejectedLoops, GiveTheCheapestWithinADetour)
 {
   const auto loop = [](double length, int halfedge) { return SurfaceLoop{ length, { halfedge }, 0 }; };
-  RefusedLoops refused(10.0);
+  RejectedLoops refused(10.0);
   EXPECT_EQ(refused.due(1000.0, 1000.0), nullptr);
   EXPECT_EQ(refused.limit(), std::numeric_limits<double>::infinity());
   EXPECT_EQ(refused.shortest(), 0.0);

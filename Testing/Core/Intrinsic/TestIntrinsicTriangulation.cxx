@@ -240,7 +240,7 @@ TEST(IntrinsicTriangulation, PtolemaicFlipsKeepTheConformalClass)
   {
     if (t.boundaryEdges()[b].Origin >= 0)
     {
-      EXPECT_FALSE(mirrorCellShape(t.scaledMirrorCell(b, u)).Degenerate) << b;
+      EXPECT_FALSE(trapezoidShape(t.scaledTrapezoid(b, u)).Degenerate) << b;
       crossings += std::isfinite(t.boundaryEdges()[b].LogCrossing);
     }
   }
@@ -340,7 +340,7 @@ TEST(IntrinsicTriangulation, MirrorCellsAreHalfOfTheDouble)
     {
       if (half.boundaryEdges()[b].Origin >= 0)
       {
-        const MirrorCellShape cell = mirrorCellShape(half.scaledMirrorCell(b, u));
+        const TrapezoidShape cell = trapezoidShape(half.scaledTrapezoid(b, u));
         found[half.boundaryEdges()[b].Origin] += cell.AngleAtOrigin;
         found[half.tipOfBoundaryEdge(b)] += cell.AngleAtTip;
         crossings += std::isfinite(half.boundaryEdges()[b].LogCrossing);

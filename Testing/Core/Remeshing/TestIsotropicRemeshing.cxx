@@ -2,6 +2,7 @@
 #include "Base/Errors.h"
 #include "Mesh/ClosestPointTree.h"
 #include "Mesh/ClosestPointWalk.h"
+#include "Mesh/MeshMeasures.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/SelfIntersections.h"
 #include "Remeshing/IsotropicRemeshing.h"
@@ -47,7 +48,7 @@ TriangleMesh sphereWithSlivers()
 
 double greatestDistance(const TriangleMesh& from, const TriangleMesh& to)
 {
-  const SurfaceProjection projection(to);
+  const ClosestPointTree projection(to);
   double greatest = 0.0;
   for (int v = 0; v < from.vertexCount(); ++v)
   {
@@ -57,7 +58,7 @@ double greatestDistance(const TriangleMesh& from, const TriangleMesh& to)
   return greatest;
 }
 
-TEST(SmallAngles, SmallestAngleOfKnownTriangles)
+TEST(SliverRemoval, SmallestAngleOfKnownTriangles)
 {
   EXPECT_NEAR(smallestAngle(tetrahedron()), 45.0, 1e-12);
   EXPECT_NEAR(smallestAngle(icosahedron()), 60.0, 1e-12);
@@ -87,7 +88,7 @@ TEST(IsotropicRemeshing, SliversBecomeNearlyEquilateral)
   EXPECT_EQ(*std::min_element(remeshed.Faces.begin(), remeshed.Faces.end()) >= 0, true);
 }
 
-TEST(SmallAngles, AreOpenedAndTheRestStays)
+TEST(SliverRemoval, AreOpenedAndTheRestStays)
 {
   const TriangleMesh input = sphereWithSlivers();
   const DerivedMesh opened = withoutSmallAngles(input, 5.0);
@@ -186,11 +187,11 @@ TEST(SelfIntersections, CountsPairs)
     1u);
 }
 
-TEST(SurfaceWalk, FindsWhatTheSearchOfTheWholeFinds)
+TEST(ClosestPointWalk, FindsWhatTheSearchOfTheWholeFinds)
 {
   const TriangleMesh mesh = sphere(4);
-  const SurfaceProjection projection(mesh);
-  const SurfaceWalk walk(mesh);
+  const ClosestPointTree projection(mesh);
+  const ClosestPointWalk walk(mesh);
   std::mt19937 random(2);
   std::uniform_real_distribution<double> coordinate(-1.2, 1.2);
   for (int i = 0; i < 200; ++i)

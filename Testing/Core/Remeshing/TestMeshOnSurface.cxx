@@ -26,21 +26,21 @@ Eigen::Vector3d middleOfSpoke(double height)
     hexagon.Vertices.row(1 + k) << std::cos(Pi / 3 * k), std::sin(Pi / 3 * k), 0.0;
     hexagon.Faces.row(k) << 0, 1 + k, 1 + (k + 1) % 6;
   }
-  ResampledSurface surface(hexagon);
-  const ResampledSurface::Vertex centre(0);
+  MeshOnSurface surface(hexagon);
+  const MeshOnSurface::Vertex centre(0);
   EXPECT_TRUE(surface.move(centre, surface.place(centre), Eigen::Vector3d(0, 0, height), always));
-  const ResampledSurface::Halfedge spoke = surface.mesh().halfedge(centre, ResampledSurface::Vertex(1));
+  const MeshOnSurface::Halfedge spoke = surface.mesh().halfedge(centre, MeshOnSurface::Vertex(1));
   return surface.mesh().point(surface.split(surface.mesh().edge(spoke), always));
 }
 
-TEST(ResampledSurface, MiddlesOfSplitEdgesGoToTheOldSurfaceWhereThatIsNear)
+TEST(MeshOnSurface, MiddlesOfSplitEdgesGoToTheOldSurfaceWhereThatIsNear)
 {
   EXPECT_LT((middleOfSpoke(0.1) - Eigen::Vector3d(0.5, 0.0, 0.0)).norm(), 1e-15);
 }
 
 // On the old surface it would be nearly as far from the lifted vertex as the other end is: splitting
 // long edges would not end.
-TEST(ResampledSurface, MiddlesOfSplitEdgesStayWhereTheOldSurfaceIsFar)
+TEST(MeshOnSurface, MiddlesOfSplitEdgesStayWhereTheOldSurfaceIsFar)
 {
   EXPECT_LT((middleOfSpoke(10.0) - Eigen::Vector3d(0.5, 0.0, 5.0)).norm(), 1e-15);
 }

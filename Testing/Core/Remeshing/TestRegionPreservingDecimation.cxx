@@ -47,11 +47,11 @@ int originalVertex(const DerivedMesh& derived, int v)
   return first.value() == 1.0 ? static_cast<int>(first.col()) : -1;
 }
 
-TEST(ContextCoarsening, RegionsStayBitForBitWithTheirFaces)
+TEST(RegionPreservingDecimation, RegionsStayBitForBitWithTheirFaces)
 {
   const TriangleMesh mesh = openSphere();
   const std::vector<char> inRegion = regionsOf(mesh);
-  const DerivedMesh coarse = coarsenContext(mesh, inRegion, 500);
+  const DerivedMesh coarse = decimateContext(mesh, inRegion, 500);
   std::set<int> vertices;
   for (int v = 0; v < coarse.Mesh.vertexCount(); ++v)
   {
@@ -92,10 +92,10 @@ TEST(ContextCoarsening, RegionsStayBitForBitWithTheirFaces)
   EXPECT_NEAR(context, 500, 50);
 }
 
-TEST(ContextCoarsening, TheSurfaceKeepsItsShapeAndTopology)
+TEST(RegionPreservingDecimation, TheSurfaceKeepsItsShapeAndTopology)
 {
   const TriangleMesh mesh = openSphere();
-  const DerivedMesh coarse = coarsenContext(mesh, regionsOf(mesh), 1000);
+  const DerivedMesh coarse = decimateContext(mesh, regionsOf(mesh), 1000);
   const MeshTopology before = analyseTopology(mesh.Faces, mesh.vertexCount());
   const MeshTopology after = analyseTopology(coarse.Mesh.Faces, coarse.Mesh.vertexCount());
   EXPECT_EQ(after.BoundaryLoops.size(), before.BoundaryLoops.size());
@@ -118,44 +118,44 @@ TEST(ContextCoarsening, TheSurfaceKeepsItsShapeAndTopology)
   EXPECT_LT(greatest, 0.02);
 }
 
-TEST(ContextCoarsening, AContextThatIsCoarseStaysAsItIs)
+TEST(RegionPreservingDecimation, AContextThatIsCoarseStaysAsItIs)
 {
   const TriangleMesh mesh = openSphere();
-  const DerivedMesh same = coarsenContext(mesh, regionsOf(mesh), 1000000);
+  const DerivedMesh same = decimateContext(mesh, regionsOf(mesh), 1000000);
   EXPECT_TRUE(same.Mesh.Vertices == mesh.Vertices);
   EXPECT_TRUE(same.Mesh.Faces == mesh.Faces);
 }
 
-TEST(ContextCoarsening, GivesTheSameBitsEveryTime)
+TEST(RegionPreservingDecimation, GivesTheSameBitsEveryTime)
 {
   const TriangleMesh mesh = openSphere();
-  const DerivedMesh first = coarsenContext(mesh, regionsOf(mesh), 700);
-  const DerivedMesh second = coarsenContext(mesh, regionsOf(mesh), 700);
+  const DerivedMesh first = decimateContext(mesh, regionsOf(mesh), 700);
+  const DerivedMesh second = decimateContext(mesh, regionsOf(mesh), 700);
   EXPECT_TRUE(first.Mesh.Vertices == second.Mesh.Vertices);
   EXPECT_TRUE(first.Mesh.Faces == second.Mesh.Faces);
 }
 
-TEST(ContextCoarsening, NamesWhatIsWrong)
+TEST(RegionPreservingDecimation, NamesWhatIsWrong)
 {
   TriangleMesh mesh = openSphere();
   const std::vector<char> none(mesh.vertexCount(), 0);
   EXPECT_TRUE(contains(
-    messageOf<InvalidInput>([&] { coarsenContext(mesh, none, 100); }), "no point is in a region"));
+    messageOf<InvalidInput>([&] { decimateContext(mesh, none, 100); }), "no point is in a region"));
   EXPECT_TRUE(contains(
-    messageOf<InvalidInput>([&] { coarsenContext(mesh, regionsOf(mesh), 0); }), "positive number"));
+    messageOf<InvalidInput>([&] { decimateContext(mesh, regionsOf(mesh), 0); }), "positive number"));
   EXPECT_TRUE(contains(messageOf<InvalidInput>(
                          [&] {
-                           coarsenContext(mesh, { 1, 0 }, 100);
+                           decimateContext(mesh, { 1, 0 }, 100);
                          }),
     "2 flags"));
   EXPECT_THROW(
-    coarsenContext(
+    decimateContext(
       mesh, regionsOf(mesh), 100, [](double fraction, const char*) { return fraction < 0.3; }),
     Cancelled);
   const std::vector<char> regions = regionsOf(mesh);
   mesh.Vertices(7, 1) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(
-    contains(messageOf<InvalidInput>([&] { coarsenContext(mesh, regions, 100); }), "not finite"));
+    contains(messageOf<InvalidInput>([&] { decimateContext(mesh, regions, 100); }), "not finite"));
 }
 
 } // namespace

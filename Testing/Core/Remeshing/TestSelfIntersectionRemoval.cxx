@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesh/MeshMeasures.h"
 #include "Mesh/SelfIntersections.h"
 #include "Remeshing/SelfIntersectionRemoval.h"
 #include "Remeshing/SliverRemoval.h"
@@ -57,12 +58,12 @@ TriangleMesh foldedSheet(double height)
 }
 
 // A bump that passes through another sheet is drawn in, which changes of a few faces cannot do.
-TEST(IntersectionRemoval, DrawsAFoldInThatPassesThroughAnother)
+TEST(SelfIntersectionRemoval, DrawsAFoldInThatPassesThroughAnother)
 {
   ASSERT_TRUE(selfIntersections(foldedSheet(1.5)).empty());
   const TriangleMesh mesh = foldedSheet(2.6);
   ASSERT_GT(selfIntersections(mesh).size(), 10u);
-  ResampledSurface surface(mesh);
+  MeshOnSurface surface(mesh);
   EXPECT_EQ(removeSelfIntersections(surface), 0);
   const TriangleMesh result = surface.derived().Mesh;
   EXPECT_TRUE(selfIntersections(result).empty());
@@ -80,11 +81,11 @@ TEST(IntersectionRemoval, DrawsAFoldInThatPassesThroughAnother)
   }
 }
 
-TEST(IntersectionRemoval, LeavesSheetsThatOnlyComeNear)
+TEST(SelfIntersectionRemoval, LeavesSheetsThatOnlyComeNear)
 {
   const TriangleMesh mesh = foldedSheet(1.9);
   ASSERT_TRUE(selfIntersections(mesh).empty());
-  ResampledSurface surface(mesh);
+  MeshOnSurface surface(mesh);
   EXPECT_EQ(removeSelfIntersections(surface), 0);
   EXPECT_EQ(surface.derived().Mesh.Vertices, mesh.Vertices);
 }

@@ -62,7 +62,7 @@ TriangleMesh hexagonWithFin(int rings, int length, double height)
   return hexagon(rings, [=](int c, int r) { return r == 0 && c >= 0 && c < length ? height : 0.0; });
 }
 
-TEST(SpikesAndFins, ASurfaceWithoutFoldsStaysAsItIs)
+TEST(SpikeRemoval, ASurfaceWithoutFoldsStaysAsItIs)
 {
   for (const TriangleMesh& input : { sphere(3), torus(30, 20), cylinder(20, 8, 3.0) })
   {
@@ -75,7 +75,7 @@ TEST(SpikesAndFins, ASurfaceWithoutFoldsStaysAsItIs)
 }
 
 // Six triangles of the altitude sqrt(a^2 + h^2) over the hexagon's, a: the ratio is 1/3 at h = a sqrt 8.
-TEST(SpikesAndFins, FlattensSpikesAndPitsThatAreSteepEnough)
+TEST(SpikeRemoval, FlattensSpikesAndPitsThatAreSteepEnough)
 {
   const double bound = RowHeight * std::sqrt(8.0);
   for (const double scale : { 1e-9, 1.0, 1e9 })
@@ -98,7 +98,7 @@ TEST(SpikesAndFins, FlattensSpikesAndPitsThatAreSteepEnough)
   }
 }
 
-TEST(SpikesAndFins, FlattensFinsOfOneVoxelButNoSheets)
+TEST(SpikeRemoval, FlattensFinsOfOneVoxelButNoSheets)
 {
   TriangleMesh mesh = hexagonWithFin(8, 5, 3.0);
   const double area = totalArea(mesh);
@@ -118,7 +118,7 @@ TEST(SpikesAndFins, FlattensFinsOfOneVoxelButNoSheets)
 }
 
 // A needle stands in the pit, which would be closed through it.
-TEST(SpikesAndFins, LeadsNoFaceThroughAnother)
+TEST(SpikeRemoval, LeadsNoFaceThroughAnother)
 {
   const TriangleMesh pit = hexagonWithSpike(-4.0);
   const TriangleMesh needle =
@@ -137,7 +137,7 @@ TEST(SpikesAndFins, LeadsNoFaceThroughAnother)
 }
 
 // A spike on the boundary has nothing to be flattened into.
-TEST(SpikesAndFins, KeepsTheBoundary)
+TEST(SpikeRemoval, KeepsTheBoundary)
 {
   TriangleMesh mesh = hexagonWithSpike(9.0);
   std::vector<int> star;
@@ -156,7 +156,7 @@ TEST(SpikesAndFins, KeepsTheBoundary)
   EXPECT_EQ(mesh.Vertices, before.Vertices);
 }
 
-TEST(SpikesAndFins, AreFlattenedOnTheWayToADisk)
+TEST(SpikeRemoval, AreFlattenedOnTheWayToADisk)
 {
   TriangleMesh input = sphere(3);
   input.Vertices.row(100) *= 2.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Support/SliverRefinement.h"
 
+#include "Mesh/MeshMeasures.h"
 #include "Support/RandomNumbers.h"
 
 #include <Eigen/Geometry>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Support/SurfaceDefects.h"
 
+#include "Mesh/MeshMeasures.h"
 #include "Remeshing/IsotropicRemeshing.h"
 #include "Support/SampleSurfaces.h"
 

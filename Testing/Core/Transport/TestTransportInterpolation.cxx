@@ -19,10 +19,10 @@ Points2 sunflower(int count)
   return analytic::sunflowerMesh(analytic::flatDisk(), count).Mesh.Vertices.leftCols<2>();
 }
 
-TEST(PlanarParts, TakeEveryPointOnceAndAreNeverTooLarge)
+TEST(RecursiveBisection, TakeEveryPointOnceAndAreNeverTooLarge)
 {
   const Points2 points = sunflower(5000);
-  const auto parts = planarParts(points, 300, 0.7);
+  const auto parts = recursiveBisection(points, 300, 0.7);
   std::vector<int> seen(points.rows(), 0);
   for (const std::vector<int>& part : parts)
   {
@@ -35,8 +35,8 @@ TEST(PlanarParts, TakeEveryPointOnceAndAreNeverTooLarge)
     }
   }
   EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), points.rows());
-  EXPECT_EQ(parts, planarParts(points, 300, 0.7));
-  EXPECT_NE(parts, planarParts(points, 300, 0.0));
+  EXPECT_EQ(parts, recursiveBisection(points, 300, 0.7));
+  EXPECT_NE(parts, recursiveBisection(points, 300, 0.0));
 }
 
 TEST(TransportSites, GroupsHaveTheMassAndTheCentreOfTheirVertices)
@@ -100,7 +100,7 @@ public:
     {
       this->Exact.row(v) = map(Eigen::RowVector2d(this->Points.row(v)));
     }
-    this->Field = transportField(sites, images, this->Points, UnitDisk());
+    this->Field = interpolateTransport(sites, images, this->Points, UnitDisk());
   }
 
   // Away from the boundary, where stars are one-sided.
@@ -122,7 +122,7 @@ public:
   Points2 Field;
 };
 
-TEST(TransportField, FollowsAnAffineMapExactly)
+TEST(TransportInterpolation, FollowsAnAffineMapExactly)
 {
   const FieldOf field(3000,
     [](const Eigen::RowVector2d& p)
@@ -130,7 +130,7 @@ TEST(TransportField, FollowsAnAffineMapExactly)
   EXPECT_LE((field.Field - field.Exact).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-TEST(TransportField, FollowsASmoothMapToSecondOrder)
+TEST(TransportInterpolation, FollowsASmoothMapToSecondOrder)
 {
   const auto map = [](const Eigen::RowVector2d& p)
   {
@@ -143,7 +143,7 @@ TEST(TransportField, FollowsASmoothMapToSecondOrder)
   EXPECT_LE(fine, coarse / 10.0); // 16 in the limit
 }
 
-TEST(TransportField, LeavesNoVertexOutsideOfTheDomain)
+TEST(TransportInterpolation, LeavesNoVertexOutsideOfTheDomain)
 {
   const FieldOf field(3000, [](const Eigen::RowVector2d& p) { return Eigen::RowVector2d(1.3 * p); });
   EXPECT_LE(field.Field.rowwise().norm().maxCoeff(), 1.0 + 1e-15);

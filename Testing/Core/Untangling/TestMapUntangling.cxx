@@ -62,7 +62,7 @@ std::vector<int> movedVertices(const Points2& before, const Points2& after)
 }
 
 // One vertex beyond the opposite side of one of its faces: it alone moves, no further than back.
-TEST(FlippedFaceRepair, MovesOneVertexIfThatIsEnough)
+TEST(MapUntangling, MovesOneVertexIfThatIsEnough)
 {
   const TriangleMesh mesh = ringDisk();
   const Points2 perfect = planar(mesh);
@@ -71,7 +71,7 @@ TEST(FlippedFaceRepair, MovesOneVertexIfThatIsEnough)
   positions.row(0) += 1.1 * (perfect.row(1) - perfect.row(0));
   const Points2 before = positions;
   ASSERT_EQ(countFlippedFaces(positions, mesh.Faces), 2);
-  const FlippedFaceReport report = repairFlippedFaces(mesh, requireDisk(mesh), positions);
+  const UntanglingReport report = untangleMap(mesh, requireDisk(mesh), positions);
   EXPECT_EQ(countFlippedFaces(positions, mesh.Faces), 0);
   EXPECT_EQ(report.RepairedFaces, 2);
   EXPECT_EQ(report.FlippedFaces, 0);
@@ -101,7 +101,7 @@ TEST_P(Twist, IsUndoneWhereItIs)
       const Points2 before = positions;
       const int flipped = countFlippedFaces(positions, mesh.Faces);
       ASSERT_GT(flipped, 0) << rings << ' ' << angle;
-      const FlippedFaceReport report = repairFlippedFaces(mesh, requireDisk(mesh), positions);
+      const UntanglingReport report = untangleMap(mesh, requireDisk(mesh), positions);
       EXPECT_EQ(countFlippedFaces(positions, mesh.Faces), 0) << rings << ' ' << angle;
       EXPECT_EQ(report.RepairedFaces, flipped);
       EXPECT_EQ(report.FlippedFaces, 0);
@@ -140,13 +140,13 @@ Points2 noisy(const TriangleMesh& mesh, const std::vector<int>& loop)
   return positions;
 }
 
-TEST(FlippedFaceRepair, TurnsFacesOverInNoise)
+TEST(MapUntangling, TurnsFacesOverInNoise)
 {
   const TriangleMesh mesh = ringMesh(flatDisk(), 5000).Mesh;
   const std::vector<int> loop = requireDisk(mesh);
   Points2 positions = noisy(mesh, loop);
   ASSERT_GT(countFlippedFaces(positions, mesh.Faces), mesh.faceCount() / 10);
-  const FlippedFaceReport report = repairFlippedFaces(mesh, loop, positions);
+  const UntanglingReport report = untangleMap(mesh, loop, positions);
   EXPECT_EQ(report.FlippedFaces, 0);
   EXPECT_EQ(countFlippedFaces(positions, mesh.Faces), 0);
   EXPECT_LT(report.MovedVertices, mesh.vertexCount() / 2) << "most have no flipped face that needs them";
@@ -154,7 +154,7 @@ TEST(FlippedFaceRepair, TurnsFacesOverInNoise)
 
 // The same among needles, as in the necks of horns. Stretching flips nothing, and so should not change
 // what can be repaired.
-TEST(FlippedFaceRepair, TurnsFacesOverAmongNeedles)
+TEST(MapUntangling, TurnsFacesOverAmongNeedles)
 {
   const TriangleMesh mesh = ringMesh(flatDisk(), 5000).Mesh;
   const std::vector<int> loop = requireDisk(mesh);
@@ -170,14 +170,14 @@ TEST(FlippedFaceRepair, TurnsFacesOverAmongNeedles)
   {
     fixed[v] = 1;
   }
-  const FlippedFaceReport report = repairFlippedFaces(mesh.Faces, fixed, targets, positions);
+  const UntanglingReport report = untangleMap(mesh.Faces, fixed, targets, positions);
   EXPECT_EQ(report.FlippedFaces, 0);
   EXPECT_EQ(countFlippedFaces(positions, mesh.Faces), 0);
 }
 
 // Fixed vertices that have changed places: what hangs on them stays flipped, is counted, and nothing
 // moves in vain.
-TEST(FlippedFaceRepair, SaysWhatCannotBeRepaired)
+TEST(MapUntangling, SaysWhatCannotBeRepaired)
 {
   const TriangleMesh mesh = ringDisk();
   const std::vector<int> loop = requireDisk(mesh);
@@ -186,7 +186,7 @@ TEST(FlippedFaceRepair, SaysWhatCannotBeRepaired)
   const Points2 before = positions;
   const int flipped = countFlippedFaces(positions, mesh.Faces);
   ASSERT_GT(flipped, 0);
-  const FlippedFaceReport report = repairFlippedFaces(mesh, loop, positions);
+  const UntanglingReport report = untangleMap(mesh, loop, positions);
   EXPECT_GT(report.FlippedFaces, 0);
   EXPECT_EQ(report.FlippedFaces, countFlippedFaces(positions, mesh.Faces));
   EXPECT_EQ(report.RepairedFaces, flipped - report.FlippedFaces);
@@ -198,7 +198,7 @@ TEST(FlippedFaceRepair, SaysWhatCannotBeRepaired)
 }
 
 // A flipped face far away is repaired all the same.
-TEST(FlippedFaceRepair, RepairsWhatItCan)
+TEST(MapUntangling, RepairsWhatItCan)
 {
   const TriangleMesh mesh = ringDisk();
   const std::vector<int> loop = requireDisk(mesh);
@@ -206,7 +206,7 @@ TEST(FlippedFaceRepair, RepairsWhatItCan)
   positions.row(loop[0]).swap(positions.row(loop[10]));
   positions.row(0) += 1.1 * (positions.row(1) - positions.row(0));
   const int flipped = countFlippedFaces(positions, mesh.Faces);
-  const FlippedFaceReport report = repairFlippedFaces(mesh, loop, positions);
+  const UntanglingReport report = untangleMap(mesh, loop, positions);
   EXPECT_GT(report.FlippedFaces, 0);
   EXPECT_GE(report.RepairedFaces, 2);
   EXPECT_EQ(report.RepairedFaces, flipped - report.FlippedFaces);
@@ -214,7 +214,7 @@ TEST(FlippedFaceRepair, RepairsWhatItCan)
 
 // All of the map must go into the lens between a short arc and its chord, far from where it is: as a
 // piece of the surface must that an edge between two boundary vertices cuts off.
-TEST(FlippedFaceRepair, FitsIntoTheLensOfAChord)
+TEST(MapUntangling, FitsIntoTheLensOfAChord)
 {
   const TriangleMesh mesh = ringDisk();
   const std::vector<int> loop = requireDisk(mesh);
@@ -226,30 +226,30 @@ TEST(FlippedFaceRepair, FitsIntoTheLensOfAChord)
   }
   const int flipped = countFlippedFaces(positions, mesh.Faces);
   ASSERT_GT(flipped, 0);
-  const FlippedFaceReport report = repairFlippedFaces(mesh, loop, positions);
+  const UntanglingReport report = untangleMap(mesh, loop, positions);
   EXPECT_EQ(report.FlippedFaces, 0);
   EXPECT_EQ(countFlippedFaces(positions, mesh.Faces), 0);
 }
 
 // Nothing is changed where nothing is flipped.
-TEST(FlippedFaceRepair, LeavesAGoodMapAlone)
+TEST(MapUntangling, LeavesAGoodMapAlone)
 {
   const TriangleMesh mesh = sunflowerMesh(gaussianBump(1.0, 0.3), 2000).Mesh;
   const Points2 before = planar(mesh);
   Points2 positions = before;
-  const FlippedFaceReport report = repairFlippedFaces(mesh, requireDisk(mesh), positions);
+  const UntanglingReport report = untangleMap(mesh, requireDisk(mesh), positions);
   EXPECT_EQ(positions, before);
   EXPECT_EQ(report.RepairedFaces + report.FlippedFaces + report.MovedVertices, 0);
   EXPECT_EQ(report.GreatestMove, 0.0);
 }
 
-TEST(FlippedFaceRepair, CanBeCancelled)
+TEST(MapUntangling, CanBeCancelled)
 {
   const TriangleMesh mesh = ringDisk();
   const double ring = (mesh.Vertices.row(1) - mesh.Vertices.row(0)).norm();
   Points2 positions = twisted(mesh, 3.5 * ring, 3.1);
   EXPECT_THROW(
-    repairFlippedFaces(mesh, requireDisk(mesh), positions, [](double, const char*) { return false; }),
+    untangleMap(mesh, requireDisk(mesh), positions, [](double, const char*) { return false; }),
     Cancelled);
 }
 
@@ -271,14 +271,14 @@ FlatPatch patchOf(const TriangleMesh& mesh, const Points2& positions)
 }
 
 // Where all faces can have their targets' shapes and areas they get them.
-TEST(PatchRepair, FindsTheTargets)
+TEST(PatchUntangling, FindsTheTargets)
 {
   const TriangleMesh mesh = ringMesh(flatDisk(), 400).Mesh;
   const double ring = (mesh.Vertices.row(1) - mesh.Vertices.row(0)).norm();
   for (const double areaWeight : { 0.0, 0.1, 10.0 })
   {
     FlatPatch patch = patchOf(mesh, twisted(mesh, 3.5 * ring, 2.0));
-    const PatchRepairResult result = repairPatch(patch, areaWeight);
+    const UntangledPatch result = untanglePatch(patch, areaWeight);
     EXPECT_TRUE(result.Positive) << areaWeight;
     EXPECT_GT(result.Steps, 3);
     EXPECT_LT((patch.Positions - planar(mesh)).rowwise().norm().maxCoeff(), 0.05 * ring) << areaWeight;
@@ -287,7 +287,7 @@ TEST(PatchRepair, FindsTheTargets)
 
 // Targets need not be similar to what the map has: faces within half the radius are asked to have twice
 // the area.
-TEST(PatchRepair, AreasFollowTheirTargets)
+TEST(PatchUntangling, AreasFollowTheirTargets)
 {
   const TriangleMesh mesh = ringMesh(flatDisk(), 400).Mesh;
   const Points2 start = planar(mesh);
@@ -314,14 +314,14 @@ TEST(PatchRepair, AreasFollowTheirTargets)
       patch.Targets[f].Second *= stretch;
       patch.Targets[f].Third *= stretch;
     }
-    EXPECT_TRUE(repairPatch(patch, areaWeight).Positive);
+    EXPECT_TRUE(untanglePatch(patch, areaWeight).Positive);
     EXPECT_GT(areaWithin(patch.Positions), last) << areaWeight;
     last = areaWithin(patch.Positions);
   }
   EXPECT_NEAR(last, 2.0 * within, 0.02 * last);
 }
 
-TEST(PatchRepair, SpringsInAConvexRimFlipNothing)
+TEST(PatchUntangling, SpringsInAConvexRimFlipNothing)
 {
   const TriangleMesh mesh = ringMesh(flatDisk(), 400).Mesh;
   FlatPatch patch = patchOf(mesh, Points2::Zero(mesh.vertexCount(), 2));
