@@ -1,37 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkAreaWeights
- * @brief   weights that make chosen regions larger or smaller on the flat map
+ * @brief   computes weights that make chosen regions larger or smaller on the flat map
  *
- * The input is a triangle surface, anywhere before vtkOMTAreaPreservingFilter: the scan's surface, the
- * disk, or the flat one. The output is the input with the point array `AreaWeight` (double, > 0,
- * dimensionless), its active scalars, which that filter reads. WeightsFrom says where the weights come
- * from:
- * - LABEL: the region of one label in an array of labels gets Factor
- * - LABEL_TABLE: every label of a table gets its own factor, all other labels none
- * - SCALARS: each point's factor is its value in any array, through a transfer curve
- * - SELECTION: the selected points, or the corners of the selected cells (port 1), get Factor
- * - IMPLICIT_FUNCTION: the points in a sphere, box, ... or on one side of a plane get Factor
+ * The input is a triangle surface at any stage before vtkOMTAreaPreservingFilter: the surface of the
+ * scan, the disk or its conformal map. The output is the input with one more point array, `AreaWeight`,
+ * which vtkOMTAreaPreservingFilter reads. WeightsFrom says which points get which factor:
+ * - LABEL: the region with one label in an array of labels gets Factor.
+ * - LABEL_TABLE: each label of a table gets its own factor; all other labels keep the factor 1.
+ * - SCALARS: the factor of each point is its value in an array, passed through a transfer curve.
+ * - SELECTION: the selected points, or the corners of the selected cells (port 1), get Factor.
+ * - IMPLICIT_FUNCTION: the points inside a sphere or box or on one side of a plane get Factor.
  *
- * If the input has an `AreaWeight` already, the weights are multiplied: filters in a chain combine.
+ * If the input already has an array `AreaWeight`, the new weights are multiplied by it, so that several
+ * filters in a chain combine.
  *
- * Regions are sets of points. An array of labels per cell is first carried to the points: each takes the
- * label that covers most of the area around it. The power cells of a region's points then have exactly
- * the factor; so have, to the tolerance of the flattening, the triangles with all corners in the region.
- * Triangles with corners on both sides of its border are between.
+ * A region is a set of points. If the labels are given per cell, each point takes the label that covers
+ * most of the area around it. The power cells of the points of a region then grow by exactly the
+ * factor; so do, to the tolerance of the flattening, the triangles with all three corners in the
+ * region. The triangles across the border of a region grow by something between.
  *
- * Field data (one tuple each): `RegionPoints`; `RegionArea`, on the surface, and `RegionFlatArea`, on a
- * map of the surface's area (input units squared; a third of the area of the triangles around each
- * point); `SmallestMagnification` and `GreatestMagnification` of any point, flat area over surface area.
- * `RegionPoints`, `RegionArea` and `RegionFlatArea` count all regions together; they are not there for
- * SCALARS.
+ * Output arrays:
+ * - point `AreaWeight` (double, dimensionless): factor by which the area around the point is to grow
+ *   relative to the other points, > 0; the active scalars.
  *
- * An empty input gives an empty output. Errors, each with an empty output: cells other than triangles,
- * an array that is missing or has several components or values that are no numbers or, as labels, no
- * whole ones, a label that no point has, an empty selection, a function that encloses no point, factors
- * that are not positive numbers, regions that cover the whole surface, magnifications that the map has
- * no room for, soft edges on a surface that is not a connected manifold, an earlier `AreaWeight` that is
- * not positive.
+ * Field data (one tuple each):
+ * - `RegionPoints` (vtkIdType): number of points in all regions together; absent for SCALARS.
+ * - `RegionArea` (double, input units squared): area of all regions on the surface, a third of the area
+ *   of the triangles around each point; absent for SCALARS.
+ * - `RegionFlatArea` (double, input units squared): area that the regions get on a map with the area of
+ *   the surface; absent for SCALARS.
+ * - `SmallestMagnification` (double, dimensionless): smallest ratio of flat area to surface area of any
+ *   point.
+ * - `GreatestMagnification` (double, dimensionless): greatest ratio of flat area to surface area of any
+ *   point.
+ *
+ * An empty input gives an empty output. The following are errors, each with an empty output: cells
+ * other than triangles; an array that is missing, has several components or holds values that are not
+ * finite or, as labels, not whole numbers; a label that no point has; an empty selection; a function
+ * that encloses no point; factors that are not positive; regions that cover the whole surface;
+ * magnifications for which the map has no room; soft edges on a surface that is not a connected
+ * manifold; an earlier `AreaWeight` that is not positive.
  *
  * @sa vtkOMTAreaPreservingFilter vtkMeshSaliency
  */

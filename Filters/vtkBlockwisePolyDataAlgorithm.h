@@ -1,30 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkBlockwisePolyDataAlgorithm
- * @brief   takes a surface, or every surface of a composite data set
+ * @brief   runs a filter on a surface, or on every surface of a composite data set
  *
- * A filter derived from this class implements Execute() for data sets that are neither composite nor
- * empty. Its exceptions become errors, and an empty input an empty output. If an input is a
- * vtkMultiBlockDataSet, vtkPartitionedDataSet or vtkPartitionedDataSetCollection, Execute() is called
- * once for each of its blocks (leaves), and every output port is a composite data set of the same
- * structure and names. Progress runs once from 0 to 1 over all blocks.
+ * A derived filter implements Execute() for inputs that are neither composite nor empty. An exception
+ * that it throws becomes an error of the filter, and an empty input gives an empty output. If an input
+ * is a vtkMultiBlockDataSet, vtkPartitionedDataSet or vtkPartitionedDataSetCollection, Execute() is
+ * called once for each of its blocks (leaves), and every output port holds a composite data set of the
+ * same structure and names. The progress runs once from 0 to 1 over all blocks.
  *
- * A block that fails is left out of the output (its leaf is null), and the others go on. There is one
- * error for it, which begins with the block's name (or, without one, its flat index):
+ * VTK's own executives can also loop over the blocks of a composite data set. This class does so itself
+ * because they neither name the block in an error, nor go on with the other blocks after one has
+ * failed, nor pair the blocks of several inputs, nor scale the progress; and because they fix the type
+ * of an output before they know the type of the block.
  *
- *     block "left": the surface is closed, ...
+ * A block that fails is left out of the output (its leaf is null), and the other blocks go on. Its one
+ * error begins with the name of the block or, if it has none, with its flat index:
  *
- * The figures of each block are in the field data of that block. The composite data set itself gets in
- * its field data:
- * - `FailedBlocks`: how many blocks of this process failed;
- * - `BlockErrors`: their errors, one string each, as above; absent if there is none. Errors of the
- * filters before are kept.
+ * block "left": the surface is closed, ...
  *
- * If several inputs are composite, their blocks belong together one by one; the number of blocks must be
- * the same, or nothing comes out but an error. An input that is not composite serves every block. Of a
- * vtkSelection as second input, a block sees the nodes made for it, and those without a block.
+ * The field data of each output block holds what the filter reports of that block.
  *
- * In a parallel run each process takes the blocks that it has; no process waits for another.
+ * Field data of a composite output:
+ * - `FailedBlocks` (vtkIdType): number of blocks of this process that failed.
+ * - `BlockErrors` (string): one error message per failed block, after those of the filters before;
+ *   absent if there is none.
+ *
+ * If several inputs are composite, their blocks are paired in order; a different number of blocks is an
+ * error, with an empty output. An input that is not composite is used for every block. If the second
+ * input is a vtkSelection, a block is given the nodes that were made for it and those that were made
+ * for no block.
+ *
+ * In a parallel run each process works on the blocks that it has, and no process waits for another.
  */
 #ifndef vtkBlockwisePolyDataAlgorithm_h
 #define vtkBlockwisePolyDataAlgorithm_h

@@ -1,82 +1,96 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkConformalDiskFilter
- * @brief   maps a surface of disk topology to a disk, or a rectangle, with all angles kept
+ * @brief   maps a surface of disk topology conformally to a disk or a rectangle
  *
- * The input is one oriented triangle surface with one boundary loop and no handle, as
+ * The input is an oriented triangle surface with one component, one boundary loop and no handle, as
  * vtkSurfaceToDiskFilter makes it. The output has the same points and cells, one to one and with all of
- * their arrays, but the points lie in the disk around the origin of the plane z = 0, boundary vertices
- * exactly on its circle. Three point arrays are added:
- * - `SurfacePoints` (double x 3, input units), where each point came from; warping by it restores the
- *   surface
- * - `ConformalFactor` (double), natural logarithm of flat length over surface length at the point
- * - `TCoords` (float x 2), the active texture coordinates: the flat position in the smallest square
- *   around the map with the same centre, [0,1]^2. An array of that name of the surface itself, a
- *   photograph's, is called `SurfaceTCoords`.
+ * their arrays, but its points lie in the disk around the origin of the plane z = 0, and the boundary
+ * vertices lie exactly on the circle.
  *
- * There are three methods (SetMethod), with centre and rotation of the disk in common;
+ * There are three methods (SetMethod), which share the centring and the rotation of the disk;
  * docs/conformal_methods.md compares them.
  *
- * Ricci flow, the default: logarithmic factors u_i at the vertices scale each edge by
- * exp((u_i + u_j) / 2) so that the metric becomes flat inside and its boundary straight; they minimise a
- * convex energy, by Newton's method. Edges are flipped intrinsically (Ptolemy, Delaunay) on the way,
- * which makes it converge on the slivers of marching cubes; the output keeps the input's triangles. The
- * half-plane that comes out goes to the disk by a Moebius map.
+ * Ricci flow, the default, finds logarithmic factors u_i of the vertices that scale each edge by
+ * exp((u_i + u_j) / 2) so that the metric becomes flat inside and the boundary straight. The factors
+ * minimise a convex energy by Newton's method. On the way edges are flipped intrinsically (Ptolemy,
+ * Delaunay), so that the method converges on the slivers of isosurfaces, too; the output keeps the
+ * triangles of the input. The result is a half-plane, which a Moebius map takes to the disk.
  *
- * Boundary First: the boundary's lengths in the disk by some solutions of a Poisson equation, then the
- * harmonic extension to the inside. It is conformal up to the error of piecewise linear functions.
+ * Boundary First finds the lengths of the boundary in the disk by a few solutions of a Poisson equation
+ * and extends the boundary harmonically to the inside. The map is conformal up to the error of
+ * piecewise linear functions.
  *
- * Mean Value: the boundary goes to the circle in proportion to its length, but for the Moebius map that
- * centres the surface, and every inner vertex to a mean of its neighbours with positive weights. It is
- * not conformal, but no triangle is flipped as long as double precision tells the positions apart and no
- * boundary vertex outweighs all others (see Filters/Core/ConvexCombinationDisk.h).
+ * Mean Value maps the boundary to the circle in proportion to its length, up to the Moebius map that
+ * centres the surface, and each inner vertex to a mean of its neighbours with positive weights. The map
+ * is not conformal, but it flips no triangle as long as double precision tells the positions apart and
+ * no boundary vertex outweighs all others (see Filters/Core/Conformal/ConvexCombinationDisk.h).
  *
  * A conformal map to the disk is unique up to a Moebius map. It is fixed by an interior point that goes
- * to the centre (SetCenterPoint) and a boundary point that goes to angle 0 (SetBoundaryPoint); without
- * the first, by the Moebius map that puts the surface's area centroid at the centre, which also is the
- * easiest start for vtkOMTAreaPreservingFilter; without the second, by a rotation that depends on the
- * surface's shape alone.
+ * to the centre (SetCenterPoint) and a boundary point that goes to angle 0 (SetBoundaryPoint). Without
+ * the first, the area centroid of the surface goes to the centre, which is also the easiest start for
+ * vtkOMTAreaPreservingFilter; without the second, the rotation depends on the shape of the surface
+ * alone.
  *
- * With SetDomainToRectangle() the surface goes to a rectangle instead, its lower left corner at the
- * origin, boundary vertices exactly on its sides: for tubes that were cut open along a line, which a
- * disk squeezes exponentially. The four corners can be chosen; the ratio of width to height then is a
- * property of the surface, its conformal modulus.
+ * SetDomainToRectangle() maps the surface to a rectangle with its lower left corner at the origin, and
+ * the boundary vertices exactly to its sides. This suits tubes that were cut open along a line, which a
+ * disk shrinks exponentially. The ratio of width to height of the rectangle is a property of the
+ * surface and its four corners, the conformal modulus.
  *
- * Field data (one tuple each): `IntrinsicFlips`; `AddedLength` (input units), the length added to every
- * edge to open triangles without area, 0 for most surfaces; `RepairedFaces`, triangles of the output
- * that were flipped and no longer are, as a coarse or very uneven triangulation cannot always follow the
- * map; `MovedPoints`, how many points were moved for that, and `GreatestMove`, by how much at most, in
- * mean lengths of the edges around the point; `FlippedFaces`, triangles that are still not positively
- * oriented, with a warning if there are any; `BoundaryAnisotropy`, 4 pi area / boundary length^2 of the
- * surface: along its boundary a map to the disk that keeps areas must stretch so many times more in one
- * direction than in the other. But for Mean Value: `SpreadPoints`, points in narrow parts of the surface
- * whose images double precision hardly tells apart, and which were moved apart. Ricci flow only:
- * `NewtonIterations`; `MaxCurvatureError` (radians), greatest error of an angle sum; `LayoutError`,
- * greatest relative error of a flat intrinsic edge; `InsertedBoundaryPoints`, intrinsic points used on
- * the way, not in the output. Boundary First only: `BoundaryIterations`.
- * Rectangle only: `Modulus`, width / height, and `CornerPointIds`, four tuples
- * counter-clockwise from the lower left corner. Boundary First and Mean Value place vertices in the
- * plane, where every angle sum is right: they have no curvature error, and vtkDistortionMetrics tells
- * how conformal they are.
+ * A warning is given if triangles of the map are flipped, or if more than one percent of the points had
+ * to be moved apart; for a long tube a rectangle is better then.
  *
- * `ConformalFactor` is u of the Ricci flow; for the other methods the logarithm of the sum of the flat
- * lengths of the edges at the point over the sum of their lengths on the surface.
+ * Output arrays:
+ * - point `SurfacePoints` (double x 3, input units): where the flat point lies on the surface; warping
+ *   by it restores the surface.
+ * - point `ConformalFactor` (double, dimensionless): natural logarithm of flat length over surface
+ *   length, u of the Ricci flow; for the other methods the logarithm of the summed flat lengths of the
+ *   edges at the point over their summed lengths on the surface.
+ * - point `TCoords` (float x 2, [0, 1]): active texture coordinates, the flat position in the smallest
+ *   square around the map with the same centre.
+ * - point `SurfaceTCoords` (as in the input): texture coordinates that the surface had under the name
+ *   `TCoords`; absent if it had none.
  *
- * A warning if more than a hundredth of the points were moved apart; if the surface is a long tube, a
- * rectangle serves better.
+ * Field data (one tuple each unless stated otherwise):
+ * - `NewtonIterations` (vtkIdType): steps of Newton's method; Ricci flow only.
+ * - `MaxCurvatureError` (double, radians): greatest error of an angle sum; Ricci flow only.
+ * - `LayoutError` (double, dimensionless): greatest relative error of the length of a flat intrinsic
+ *   edge; Ricci flow only.
+ * - `SpreadPoints` (vtkIdType): number of points in narrow protrusions whose images double precision
+ *   hardly tells apart, and which were moved apart; absent for Mean Value.
+ * - `BoundaryIterations` (vtkIdType): steps that fitted the boundary to the circle; Boundary First
+ *   only.
+ * - `IntrinsicFlips` (vtkIdType): number of intrinsic edge flips.
+ * - `AddedLength` (double, input units): length that was added to every edge to open triangles without
+ *   area; 0 for most surfaces.
+ * - `RepairedFaces` (vtkIdType): number of flipped triangles that were untangled; a coarse or very
+ *   uneven triangulation cannot always follow the map.
+ * - `MovedPoints` (vtkIdType): number of points that were moved to untangle them.
+ * - `GreatestMove` (double, mean lengths of the edges around the point): greatest distance by which a
+ *   point was moved to untangle triangles.
+ * - `FlippedFaces` (vtkIdType): number of triangles that are still not positively oriented.
+ * - `BoundaryAnisotropy` (double, dimensionless): 4 pi area / length^2 of the boundary of the surface:
+ *   a map to the disk that keeps areas must stretch the surface along its boundary so many times more
+ *   in one direction than in the other.
+ * - `Modulus` (double, dimensionless): width over height; rectangle only.
+ * - `CornerPointIds` (vtkIdType, four tuples): ids of the corner points, counter-clockwise from the
+ *   lower left corner; rectangle only.
  *
- * An empty input gives an empty output. Errors, each with an empty output: cells that are not triangles,
- * coordinates that are not finite, zero area, unused points, non-manifold or inconsistently oriented
- * triangles, several components, genus > 0, no or several boundaries, a centre on the boundary, corners
- * that are not four different boundary vertices in order, a rectangle by another method than Ricci flow,
- * no convergence.
+ * Boundary First and Mean Value place vertices in the plane, where every angle sum is right, so they
+ * have no curvature error; vtkDistortionMetrics tells how conformal they are.
  *
- * Sources: Zhao et al., "Area-Preservation Mapping using Optimal Mass Transport", TVCG 2013,
- * sections 3.3 and 4.1; Springborn, Schroeder, Pinkall, "Conformal Equivalence of Triangle Meshes",
- * SIGGRAPH 2008; Gu, Luo, Sun, Wu, "A Discrete Uniformization Theorem for Polyhedral Surfaces", 2018;
- * Gillespie, Springborn, Crane, "Discrete Conformal Equivalence of Polyhedral Surfaces", SIGGRAPH 2021;
- * Sawhney, Crane, "Boundary First Flattening", ACM TOG 2017; Floater, "Mean value coordinates", CAGD
- * 2003; Floater, "One-to-one piecewise linear mappings over triangulations", Math. Comp. 2003.
+ * An empty input gives an empty output. The following are errors, each with an empty output: cells that
+ * are not triangles; coordinates that are not finite; zero area; unused points; triangles that are not
+ * manifold or not consistently oriented; several components; genus > 0; no boundary or several; a
+ * centre on the boundary; corners that are not four different boundary vertices in order; a rectangle
+ * by a method other than Ricci flow; no convergence.
+ *
+ * Sources: Zhao et al., "Area-Preservation Mapping using Optimal Mass Transport", TVCG 2013, sections
+ * 3.3 and 4.1; Springborn, Schroeder, Pinkall, "Conformal Equivalence of Triangle Meshes", SIGGRAPH
+ * 2008; Gu, Luo, Sun, Wu, "A Discrete Uniformization Theorem for Polyhedral Surfaces", 2018; Gillespie,
+ * Springborn, Crane, "Discrete Conformal Equivalence of Polyhedral Surfaces", SIGGRAPH 2021; Sawhney,
+ * Crane, "Boundary First Flattening", ACM TOG 2017; Floater, "Mean value coordinates", CAGD 2003;
+ * Floater, "One-to-one piecewise linear mappings over triangulations", Math. Comp. 2003.
  *
  * @sa vtkSurfaceToDiskFilter vtkOMTAreaPreservingFilter vtkDistortionMetrics
  */

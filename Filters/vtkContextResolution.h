@@ -1,28 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkContextResolution
- * @brief   leaves regions of a surface as fine as they are and makes the rest coarse
+ * @brief   coarsens a surface outside regions of interest
  *
  * The input is a triangle surface, usually the disk of vtkSurfaceToDiskFilter, with an array that is
- * not 0 in the regions of interest: vtkMeshSaliency's `SaliencyRegion` is one. Edges outside of the
- * regions are collapsed until about ContextFaces triangles are left there (CGAL, cost and placement of
- * Lindstrom and Turk 1998). The points of the regions and all triangles around them stay as they are,
- * so that flattening takes the time of a small surface and the regions keep their detail (paper,
- * section 5). vtkFlatMapTransfer brings all original points to the flat map afterwards.
+ * not 0 in the regions of interest, such as `SaliencyRegion` of vtkMeshSaliency. Edges outside the
+ * regions are collapsed until about ContextFaces triangles are left there (CGAL's edge collapse with
+ * the cost and placement of Lindstrom and Turk 1998). The points of the regions and all triangles
+ * around them stay as they are. Flattening then takes the time of a small surface while the regions
+ * keep their detail (Zhao et al. 2013, section 5). vtkFlatMapTransfer brings all original points to the
+ * flat map afterwards.
  *
- * With an array of cells the corners of the cells that are not 0 are the region.
+ * If the array is a cell array, the corners of the cells that are not 0 form the regions.
  *
- * The output has all arrays of the input, those of new points interpolated at the place of the input
- * nearest to them, and
- * - point `vtkOriginalPointIds`: the input's point, -1 for a new one
- * - cell `vtkOriginalCellIds`: the input's cell, or the one nearest to a new cell
+ * The output has all arrays of the input; the values at new points are interpolated at the nearest
+ * position on the input surface.
  *
- * Field data (one tuple each): `RegionPoints`, points in the regions; `KeptCells`, cells around them;
- * `ContextCells`, the others of the output.
+ * Output arrays:
+ * - point `vtkOriginalPointIds` (vtkIdType): id of the same point in the input; -1 for a new point.
+ * - cell `vtkOriginalCellIds` (vtkIdType): id of the same cell in the input, or of the nearest one for
+ *   a new cell.
  *
- * An empty input gives an empty output. Errors, each with an empty output: cells other than triangles, a
- * surface that is not an oriented manifold, no array chosen, one that is missing, has several components
- * or is 0 everywhere or no number somewhere, ContextFaces below 1.
+ * Field data (one tuple each):
+ * - `RegionPoints` (vtkIdType): number of points in the regions.
+ * - `KeptCells` (vtkIdType): number of cells with a corner in the regions.
+ * - `ContextCells` (vtkIdType): number of the other cells of the output.
+ *
+ * An empty input gives an empty output. The following are errors, each with an empty output: cells
+ * other than triangles; a surface that is not an oriented manifold; no chosen array; an array that is
+ * missing, has several components, is 0 everywhere or holds a value that is not a number; ContextFaces
+ * below 1.
  *
  * @sa vtkMeshSaliency vtkSurfaceToDiskFilter vtkFlatMapTransfer
  */

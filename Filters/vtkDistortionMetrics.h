@@ -3,45 +3,72 @@
  * @class   vtkDistortionMetrics
  * @brief   measures how much a flattening distorts each face, each region and the whole surface
  *
- * The input is a flattened surface, as vtkConformalDiskFilter or vtkOMTAreaPreservingFilter make it:
- * triangles whose points are flat (z constant) with the point array `SurfacePoints` (3 components, input
- * units) of where each point came from. Both surfaces are scaled to the same total area; then Gamma >=
- * gamma are the singular values of the affine map from the flat triangle to the surface triangle.
+ * The input is a flattened surface from vtkConformalDiskFilter or vtkOMTAreaPreservingFilter: triangles
+ * whose points are flat (constant z), with the point array `SurfacePoints` (3 components, input units)
+ * that says where each point lies on the surface. Both surfaces are scaled to the same total area. Then
+ * Gamma >= gamma are the singular values of the affine map from the flat triangle to the surface
+ * triangle.
  *
- * Output port 0 is the input with these cell arrays (double unless said otherwise), each with the value
- * of a perfect face:
- * - `AreaDistortion`, log(Gamma gamma), 0; positive where the flat face is too small
- * - `AngleDistortion`, log(Gamma / gamma), 0
- * - `AreaRatio`, share of the flat area over share of the target area, 1
- * - `BeltramiMagnitude`, (K - 1) / (K + 1) with K = Gamma / gamma, 0
- * - `StretchL2`, sqrt((Gamma^2 + gamma^2) / 2), 1
- * - `SymmetricDirichlet`, Gamma^2 + gamma^2 + Gamma^-2 + gamma^-2, 4
- * - `AngleError`, mean over the corners of the change of angle in degrees, 0
- * - `Flipped` (unsigned char), 1 where the flat triangle is clockwise or has no area (exact predicate),
- * 0
- * - `Degenerate` (unsigned char), 1 where the surface or the flat triangle has no area, 0
+ * Output port 0 is the input with the measures of each face. Output port 1 is a vtkTable with a row per
+ * region, in ascending order of the label, and a last row `Total`.
  *
- * A degenerate face has no shape: its measures hold the value of a perfect face, so that colour maps and
- * histograms stay finite, and statistics leave it out. Its AreaRatio is 0, and counts as an area error
- * of 100 percent, where the face has area on the surface but none in the flat.
+ * A degenerate face has no shape. Its measures hold the value of an undistorted face, so that colour
+ * maps and histograms stay finite, and the statistics leave it out. If it has area on the surface but
+ * none in the plane, its AreaRatio is 0 and counts as an area error of 100 percent.
  *
- * The point array `TCoords`, made active, holds the flat positions mapped to [0,1]^2: the smallest
- * square around the flat surface, with the same centre. Field data receives the figures of the whole
- * surface, as arrays of one tuple: `SurfaceArea` and `FlatArea` (units of the input squared; the area
- * that the boundary encloses, so that flipped faces, which lie on top of others, count negative),
- * `FlippedFaces`, `DegenerateFaces`, `FacesWithin2Percent` (percent of the faces with surface area),
- * `RootMeanSquareStretch`, and `MeanX`, `AreaWeightedMeanX`, `P95X`, `P99X` and `MaxX` for X
- * one of `AreaError` (percent), `AreaDistortion` (its magnitude), `AngleDistortion`,
- * `BeltramiMagnitude`, `StretchL2`, `SymmetricDirichlet` and `AngleError` (degrees). A mean counts every
- * face the same unless it says area-weighted; percentiles are over the faces.
+ * Output arrays of port 0:
+ * - cell `AreaDistortion` (double, dimensionless): log(Gamma gamma); 0 is ideal, and it is positive
+ *   where the flat face is too small.
+ * - cell `AngleDistortion` (double, dimensionless): log(Gamma / gamma); 0 is ideal.
+ * - cell `AreaRatio` (double, dimensionless): share of the flat area over share of the target area; 1
+ *   is ideal.
+ * - cell `BeltramiMagnitude` (double, dimensionless): (K - 1) / (K + 1) with K = Gamma / gamma; 0 is
+ *   ideal.
+ * - cell `StretchL2` (double, dimensionless): sqrt((Gamma^2 + gamma^2) / 2); 1 is ideal.
+ * - cell `SymmetricDirichlet` (double, dimensionless): Gamma^2 + gamma^2 + Gamma^-2 + gamma^-2; 4 is
+ *   ideal.
+ * - cell `AngleError` (double, degrees): mean change of the three corner angles; 0 is ideal.
+ * - cell `Flipped` (unsigned char): 1 where the flat triangle is clockwise or has no area (exact
+ *   predicate), 0 elsewhere.
+ * - cell `Degenerate` (unsigned char): 1 where the surface triangle or the flat triangle has no area, 0
+ *   elsewhere.
+ * - point `TCoords` (float x 2, [0, 1]): active texture coordinates, the flat position in the smallest
+ *   square around the map with the same centre.
  *
- * Output port 1 is a vtkTable of the same figures: one row per region, in ascending order of `RegionId`,
- * and a last row `Total` with the id -1. `AreaErrorPercent` compares the region's share of the flat area
- * with its share of the target area. See SetInputArrayToProcess below for regions.
+ * In the following, <X> stands for one of `AreaError` (percent), `AreaDistortion` (its magnitude),
+ * `AngleDistortion`, `BeltramiMagnitude`, `StretchL2`, `SymmetricDirichlet` and `AngleError` (degrees).
  *
- * An empty input gives empty outputs. Errors, each with empty outputs: cells that are not triangles, no
- * array `SurfacePoints`, points that are not finite or not flat, zero total area, a `TargetArea` that is
- * not positive, a region array that is missing or not a label, a whole number, per point or cell.
+ * Field data of both ports (one tuple each):
+ * - `SurfaceArea` (double, input units squared): area of the surface.
+ * - `FlatArea` (double, units of the map squared): area that the boundary of the map encloses; flipped
+ *   faces, which lie on top of others, count negative.
+ * - `FlippedFaces` (vtkIdType): number of faces with `Flipped` 1.
+ * - `DegenerateFaces` (vtkIdType): number of faces with `Degenerate` 1.
+ * - `FacesWithin2Percent` (double, percent): share of the faces, except those without area on the
+ *   surface, that are not flipped and whose AreaRatio is within 0.02 of 1.
+ * - `RootMeanSquareStretch` (double, dimensionless): root of the area-weighted mean of StretchL2
+ *   squared.
+ * - `Mean<X>` (double, unit of X): mean over the faces, each counted once.
+ * - `AreaWeightedMean<X>` (double, unit of X): mean over the faces, weighted by their surface areas.
+ * - `P95<X>` (double, unit of X): value that 5 percent of the faces exceed.
+ * - `P99<X>` (double, unit of X): value that 1 percent of the faces exceed.
+ * - `Max<X>` (double, unit of X): greatest value of a face.
+ *
+ * Output arrays of port 1:
+ * - row `RegionId` (vtkIdType): label of the region; -1 in the row `Total`.
+ * - row `Region` (string): name of the region.
+ * - row `Faces` (int): number of faces.
+ * - row `FlippedFaces` (int): number of flipped faces.
+ * - row `DegenerateFaces` (int): number of degenerate faces.
+ * - row `AreaErrorPercent` (double, percent): error of the region's share of the flat area against its
+ *   share of the target area.
+ * - row `SurfaceArea` (double, input units squared): as in the field data, as are all further columns
+ *   (`FlatArea`, `FacesWithin2Percent`, `RootMeanSquareStretch`, `Mean<X>` to `Max<X>`).
+ *
+ * An empty input gives empty outputs. The following are errors, each with empty outputs: cells that are
+ * not triangles; no array `SurfacePoints`; points that are not finite or not flat; zero total area; a
+ * `TargetArea` that is not positive; a region array that is missing or does not hold one whole number
+ * per point or cell.
  *
  * Sources: Zhao et al., "Area-Preservation Mapping using Optimal Mass Transport", TVCG 2013, section 5
  * (area and angle distortion); Sander, Snyder, Gortler, Hoppe, "Texture Mapping Progressive Meshes",

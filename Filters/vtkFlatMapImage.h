@@ -1,36 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkFlatMapImage
- * @brief   a flat map as an image, with the way back from every pixel to the surface
+ * @brief   samples a flat map on an image whose pixels know their point of the surface
  *
  * The input is a flat map: triangles in the plane with the point array `SurfacePoints`, from
  * vtkConformalDiskFilter, vtkOMTAreaPreservingFilter or a filter after them. The output is a square
- * image (vtkImageData, one point per pixel, at its centre) of the smallest square around the map, the
- * one that its texture coordinates `TCoords` cover: saved as a picture it is a texture that fits map and
- * surface.
+ * vtkImageData with one point at the centre of each pixel. It covers the smallest square around the map
+ * with the same centre, as the texture coordinates `TCoords` do: saved as a picture, it is a texture
+ * that fits the map and the surface.
  *
- * Every point array of the input is interpolated at the pixels' centres, if it is of floating point
- * numbers; all others (labels, ids, strings) take the value of the nearest corner of the triangle, for
- * the mean of two labels is a wrong label. Cell arrays take the value of the triangle under the pixel,
- * and have `Cell` after their name where a point array has it. Stock filters choose arrays (Pass
- * Arrays) or parts of the image (Extract Subset). These are the way back:
- * - `SurfacePoints` (3 components, input units): the point of the surface under the pixel
- * - `CellId` (vtkIdType): the triangle under the pixel; -1 outside of the map
- * - `InMap` (unsigned char): 1 in the map, 0 outside
+ * Point arrays of floating point numbers are interpolated at the centres of the pixels; all others
+ * (labels, ids, strings) take the value of the nearest corner of the triangle, as the mean of two
+ * labels is not a label. Cell arrays take the value of the triangle under the pixel; where a point
+ * array has the same name, the suffix `Cell` is added.
  *
- * Outside of the map, pixels within Margin have the values of the nearest place of the map, so that what
- * interpolates between pixels has something at the map's boundary; those farther away are NaN in arrays
+ * Pixels outside the map but within Margin have the values of the nearest position on the map, so that
+ * interpolation between pixels works at the boundary of the map. Pixels farther away are NaN in arrays
  * of floating point numbers and 0 in others. Where a map folds over (`FlippedFaces` of the filters
- * before), one of the triangles is shown.
+ * before), the pixel shows one of the triangles.
  *
- * Field data (one tuple each): `PixelLength` (units of the map), `PixelsInMap`.
+ * vtkProbeFilter does something similar, but it averages labels, does not tell the triangle, and misses
+ * pixels whose centre lies on an edge between two triangles up to rounding.
  *
- * vtkProbeFilter would do most of it, but averages labels, does not tell the triangle, and loses centres
- * that lie on edges between triangles by rounding.
+ * Output arrays:
+ * - point `SurfacePoints` (double x 3, input units): point of the surface under the pixel.
+ * - point `CellId` (vtkIdType): triangle under the pixel; -1 outside the map.
+ * - point `InMap` (unsigned char): 1 in the map, 0 outside.
  *
- * An empty input gives an empty image. Errors, each with an empty output: cells that are not triangles,
- * no array `SurfacePoints`, a map that is not flat, has no area or a coordinate that is not finite, a
- * PixelLength for which more than 16384 pixels a side would be needed.
+ * Field data (one tuple each):
+ * - `PixelLength` (double, units of the map): side of a pixel.
+ * - `PixelsInMap` (vtkIdType): number of pixels with `InMap` 1.
+ *
+ * An empty input gives an empty image. The following are errors, each with an empty output: cells that
+ * are not triangles; no array `SurfacePoints`; a map that is not flat, has no area or has a coordinate
+ * that is not finite; a PixelLength that needs more than 16384 pixels per side.
  *
  * @sa vtkOMTAreaPreservingFilter vtkFlatMapSlab
  */

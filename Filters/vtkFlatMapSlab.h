@@ -1,35 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkFlatMapSlab
- * @brief   the grey values of a volume on a flat map, at depths below the surface
+ * @brief   samples a volume below the surface and shows the values on the flat map
  *
- * Port 0 takes a flat map (triangles in the plane with the point array `SurfacePoints`), port 1 the
- * volume that its surface came from, or another in the same coordinates (vtkImageData); of composite
- * data sets on both, block for block. At every point of the map the volume is sampled where the point
- * lies in space and at each depth from there along the inward normal of the surface: a slab of the
- * volume, made flat, such as the cortex at 0, 1, 2 mm.
+ * Port 0 takes a flat map (triangles in the plane with the point array `SurfacePoints`), and port 1
+ * takes the volume that the surface came from, or another volume in the same coordinates
+ * (vtkImageData). Composite data sets on both ports are paired block by block. For each point of the
+ * map, the volume is sampled at several depths along the inward normal of the surface, starting from
+ * the point's position on the surface. The result is a flattened slab of the volume, such as the cortex
+ * at 0, 1 and 2 mm.
  *
- * Output port 0 is the flat map with these point arrays:
- * - for every point array of the volume, one with `Slab` after its name (float): a component per depth,
- *   named by it; of an array of several components all of the first depth, then of the second. NaN
- *   outside of the volume
- * - `InVolume` (unsigned char), a component per depth: 1 inside of the volume
- * - `SurfaceNormals` (double x 3): the outward unit normal of the surface
+ * Output port 0 is the flat map with the samples as point arrays. Output port 1 is a stack of images
+ * (vtkImageData) over the square that vtkFlatMapImage covers, with one layer per depth. Each pixel is
+ * sampled in the volume itself, at its own point of the surface. If the depths are equally spaced, z is
+ * the depth; otherwise the layers are one pixel apart.
  *
- * Output port 1 is the slab as a stack of images (vtkImageData) over the square that vtkFlatMapImage
- * covers, a layer per depth, the first first. Each pixel is sampled in the volume itself, at its own
- * point of the surface. It has an array for each of the volume, with its name (float, NaN outside of
- * volume and map), and `InVolume`. If the depths are at equal steps, z is depth; else layers are one
- * pixel apart. The field array `Depths` holds the depths in any case.
+ * Samples deeper than the radius of curvature of a surface that bends inwards cross those of
+ * neighbouring points. A warning is given if samples lie outside the volume.
  *
- * Field data of both ports: `Depths` (a value per depth, input units) and, of port 0,
- * `OutsideSamples`, how many samples of the points are outside of the volume, with a warning if there
- * are any. Depths beyond the radius of curvature of a surface bent inwards cross what belongs to
- * neighbouring points.
+ * Output arrays of port 0:
+ * - point `<array>Slab` (float x depths, as in the volume): samples of the point array <array> of the
+ *   volume, one component per depth and named by it; an array with several components has all
+ *   components of the first depth first. The value is NaN outside the volume.
+ * - point `InVolume` (unsigned char x depths): 1 where the sample lies inside the volume, 0 outside.
+ * - point `SurfaceNormals` (double x 3, dimensionless): outward unit normal of the surface.
  *
- * An empty input on either port gives empty outputs. Errors, each with empty outputs: cells that are not
- * triangles, no array `SurfacePoints`, no depth, a depth that is not finite or given twice, a volume
- * without point arrays, or in which no sample lies.
+ * Output arrays of port 1:
+ * - point `<array>` (float x components of the array, as in the volume): samples of the point array
+ *   <array> of the volume; NaN outside the volume and the map.
+ * - point `InVolume` (unsigned char): 1 where the pixel lies on the map and its sample inside the
+ *   volume, 0 elsewhere.
+ *
+ * Field data of both ports:
+ * - `Depths` (double, input units, one tuple per depth): depths below the surface.
+ * - `OutsideSamples` (vtkIdType, one tuple): number of samples of port 0 outside the volume.
+ *
+ * An empty input on either port gives empty outputs. The following are errors, each with empty outputs:
+ * cells that are not triangles; no array `SurfacePoints`; no depth; a depth that is not finite or given
+ * twice; a volume that has no point arrays or contains no sample.
  *
  * @sa vtkFlatMapImage vtkOMTAreaPreservingFilter vtkProbeFilter
  */

@@ -1,32 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkFlatMapTransfer
- * @brief   gives the original points of a surface the flattening of its repaired or remeshed one
+ * @brief   transfers the flat map of a repaired or remeshed surface to the original surface
  *
  * Port 0 takes a flattened surface (flat triangles with the point array `SurfacePoints`, from
- * vtkConformalDiskFilter or vtkOMTAreaPreservingFilter), port 1 the original triangle surface, in the
- * coordinates of `SurfacePoints`: usually the input of vtkSurfaceToDiskFilter. Every original point goes
- * to the flat position of the point nearest to it on the flattened surface, interpolated in its
+ * vtkConformalDiskFilter or vtkOMTAreaPreservingFilter). Port 1 takes the original triangle surface in
+ * the coordinates of `SurfacePoints`, usually the input of vtkSurfaceToDiskFilter. Every original point
+ * goes to the flat position of the nearest point on the flattened surface, interpolated in its
  * triangle.
  *
- * A point is lost where there is no such place: over a hole that was cut, on a component, a handle or a
- * patch that is not there any more, farther away than the tolerance, or where only the other side of a
- * fold is near (normals that differ by more than 90 degrees). The output has the original cells whose
- * points all survived, and their points, in the plane z = 0, with all of the original's arrays and:
- * - point `SurfacePoints` (double x 3), the original points; the active `TCoords` (see
- *   vtkConformalDiskFilter)
- * - point `vtkOriginalPointIds`, cell `vtkOriginalCellIds`: which they were
+ * An original point is lost if it has no such position: if it lies on a removed hole, component, handle
+ * or patch, farther away than the tolerance, or nearest to the wrong side of a fold (normals that
+ * differ by more than 90 degrees). The output consists of the original cells whose points all survived.
+ * Their points lie in the plane z = 0 and keep all arrays of the original surface.
  *
- * Field data (one tuple each): `TransferredPoints`, the points of the output; `LostPoints` and
- * `LostCells`, the original ones that are not there; `LargestDistance` (input units) between an original
- * point and its place on the flattened surface; `Tolerance` (input units) that was used; `FlippedFaces`,
- * cells of the output that are turned over: where the original has slivers that the flattened surface
- * has not, a few are.
+ * Output arrays:
+ * - point `SurfacePoints` (double x 3, input units): the original point.
+ * - point `vtkOriginalPointIds` (vtkIdType): id of the original point.
+ * - cell `vtkOriginalCellIds` (vtkIdType): id of the original cell.
+ * - point `TCoords` (float x 2, [0, 1]): active texture coordinates, the flat position in the smallest
+ *   square around the map with the same centre.
+ * - point `SurfaceTCoords` (as in the input): texture coordinates that the original surface had under
+ *   the name `TCoords`; absent if it had none.
  *
- * An empty input on either port gives an empty output. Errors, each with an empty output: cells that are
- * not triangles, a missing `SurfacePoints` array, a flattened surface that is not flat or not an
- * oriented manifold, coordinates that are not finite, a tolerance that is negative or not finite, no
- * original point or no whole original triangle within the tolerance.
+ * Field data (one tuple each):
+ * - `TransferredPoints` (vtkIdType): number of points of the output.
+ * - `LostPoints` (vtkIdType): number of original points that are not in the output.
+ * - `LostCells` (vtkIdType): number of original cells that are not in the output.
+ * - `FlippedFaces` (vtkIdType): number of triangles of the output that are not positively oriented;
+ *   there are a few where the original surface has slivers that the flattened surface does not have.
+ * - `LargestDistance` (double, input units): greatest distance of a transferred point from the
+ *   flattened surface.
+ * - `Tolerance` (double, input units): the tolerance that was used.
+ *
+ * An empty input on either port gives an empty output. The following are errors, each with an empty
+ * output: cells that are not triangles; no array `SurfacePoints`; a flattened surface that is not flat
+ * or not an oriented manifold; coordinates that are not finite; a tolerance that is negative or not
+ * finite; no original point, or no complete original triangle, within the tolerance.
  *
  * @sa vtkSurfaceToDiskFilter vtkConformalDiskFilter vtkOMTAreaPreservingFilter
  */

@@ -1,45 +1,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkFlattenRegion
- * @brief   flattens one region of a surface, with its areas kept, and measures it
+ * @brief   flattens one region of a surface with its areas preserved, and measures it
  *
- * The input is a triangle surface, or a flat one with the array `SurfacePoints`, whose surface in space
- * is meant. The region is that of a label in an array of labels (Mesh Saliency's `SaliencyRegion` is
- * one) or a selection (port 1). With labels or selected points a triangle belongs to the region of two
- * of its corners. The largest connected piece is cut out as a disk, with a margin, mapped conformally,
- * and transported and refined so that it keeps its areas.
+ * The input is a triangle surface, or a flat map with the array `SurfacePoints`, which stands for its
+ * surface in space. The region is given by a label in an array of labels, such as `SaliencyRegion` of
+ * vtkMeshSaliency, or by a selection (port 1). With labels or selected points, a triangle belongs to
+ * the region if two of its corners do. The largest connected piece is cut out as a disk with a margin
+ * around it, mapped conformally, and then transported and refined so that it keeps its areas.
  *
- * Output port 0 is the flat region with its margin, in the plane z = 0 and of the surface's area, with
- * all of the input's arrays and
- * - point `SurfacePoints` (double x 3): where each point came from; `vtkOriginalPointIds`; the active
- * `TCoords` (see vtkConformalDiskFilter)
- * - cell `InRegion` (unsigned char): 1 in the region, 0 in the margin; `vtkOriginalCellIds`
+ * Output port 0 is the flat region with its margin, in the plane z = 0, with the area of the surface
+ * and all arrays of the input. Output port 1 is a vtkTable with the rows `Area`, `GreatestDiameter`,
+ * `ExtentAcross` and `Perimeter`. Output port 2 has the two diameters and the outline as polylines on
+ * the flat map.
  *
- * Output port 1 is a table with a row for each of
- * - `Area`
- * - `GreatestDiameter`, the greatest distance of two points of the region, over its surface
- * - `ExtentAcross`, the greatest from one side of that diameter to the other, square to it
- * - `Perimeter`, the length of the boundary, smoothed
+ * Output arrays of port 0:
+ * - point `SurfacePoints` (double x 3, input units): where the flat point lies on the surface.
+ * - point `vtkOriginalPointIds` (vtkIdType): id of the same point in the input; -1 for a new point.
+ * - point `TCoords` (float x 2, [0, 1]): active texture coordinates, the flat position in the smallest
+ *   square around the map with the same centre.
+ * - point `SurfaceTCoords` (as in the input): texture coordinates that the input had under the name
+ *   `TCoords`; absent if it had none.
+ * - cell `InRegion` (unsigned char): 1 in the region, 0 in the margin.
+ * - cell `vtkOriginalCellIds` (vtkIdType): id of the cell of the input that the cell is a part of.
  *
- * and the columns `Measure`, `OnSurface` and `OnMap` (the same face by face and curve by curve on the
- * flat map), `Error` (of OnSurface) and `Unit`. The error is the standard deviation that comes from the
- * boundary running somewhere between the points: of the area and the two lengths, if it is anywhere
- * within half an edge of where it seems, independently along it; of the perimeter, what it changes by
- * when the boundary is smoothed twice as far.
+ * Output arrays of port 1:
+ * - row `Measure` (string): name of the measure.
+ * - row `OnSurface` (double, unit of the row): value on the surface.
+ * - row `Error` (double, unit of the row): standard deviation of OnSurface, as the boundary lies
+ *   somewhere between points: for the area and the two lengths, it is taken as uniformly distributed
+ *   within half an edge, independently at each edge; for the perimeter, it is the change if the
+ *   boundary is smoothed twice as far.
+ * - row `OnMap` (double, unit of the row): value of the same faces or the same curve on the flat map.
+ * - row `Unit` (string): unit of the row.
  *
- * Output port 2 has the two diameters and the outline as polylines on the flat map, with the point array
- * `SurfacePoints`, so that they can be shown in space, and the cell arrays `Measure` (a string) and
- * `Length`.
+ * Output arrays of port 2:
+ * - point `SurfacePoints` (double x 3, input units): where the point of the curve lies on the surface.
+ * - cell `Measure` (string): `GreatestDiameter`, `ExtentAcross` or `Perimeter`.
+ * - cell `Length` (double, input units): length of the curve on the surface.
  *
- * Field data of port 0 (one tuple each): `Margin` (input units); `Area`, `FlatArea`, `GreatestDiameter`,
- * `ExtentAcross`, `Perimeter`; `RegionPieces`, of which the largest was kept, and `DroppedArea`;
- * `FilledHoles` and `FilledArea`, of other labels within the region, which became a part of it;
- * `MaxCellAreaError`, `FlippedFaces` and `Bijective`, as from vtkOMTAreaPreservingFilter.
+ * Field data of all ports (one tuple each):
+ * - `Margin` (double, input units): width of the margin.
+ * - `Area` (double, input units squared): area of the region on the surface.
+ * - `FlatArea` (double, input units squared): area of the region on the map.
+ * - `GreatestDiameter` (double, input units): greatest geodesic distance between two points of the
+ *   region.
+ * - `ExtentAcross` (double, input units): greatest length from one side of that diameter to the other,
+ *   at a right angle to it.
+ * - `Perimeter` (double, input units): length of the smoothed boundary.
+ * - `RegionPieces` (vtkIdType): number of connected pieces of the region, of which the largest was
+ *   kept.
+ * - `DroppedArea` (double, input units squared): area of the other pieces.
+ * - `FilledHoles` (vtkIdType): number of holes in the region that became a part of it.
+ * - `FilledArea` (double, input units squared): area of these holes.
+ * - `MaxCellAreaError` (double, dimensionless): greatest relative error of the area of a power cell.
+ * - `FlippedFaces` (vtkIdType): number of triangles that are not positively oriented.
+ * - `Bijective` (vtkIdType): 1 if the map is one-to-one, else 0.
  *
- * An empty input gives empty outputs. Errors, each with empty outputs: labels that are no whole numbers,
- * a label that no triangle has, an empty selection, a region or margin that is not a disk (with the
- * remedy), a surface that is not an oriented manifold of triangles, negative settings, what
- * vtkConformalDiskFilter and vtkOMTAreaPreservingFilter refuse.
+ * An empty input gives empty outputs. The following are errors, each with empty outputs: labels that
+ * are not whole numbers; a label that no triangle has; an empty selection; a region or margin that is
+ * not a disk (the message names the remedy); a surface that is not an oriented manifold of triangles;
+ * negative settings; all errors of vtkConformalDiskFilter and vtkOMTAreaPreservingFilter.
  *
  * @sa vtkMeshSaliency vtkAreaWeights vtkConformalDiskFilter vtkOMTAreaPreservingFilter
  */

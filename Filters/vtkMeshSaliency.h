@@ -1,36 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkMeshSaliency
- * @brief   how much each point of a surface stands out from its surroundings, and the regions that do
+ * @brief   computes how much each point of a surface stands out, and the regions that do
  *
- * The input is a triangle surface, or a flat one with the array `SurfacePoints`, which is then measured
- * in space. The output is the input with the arrays
- * - point `Saliency` (double, >= 0, dimensionless), its active scalars: on each of several scales the
- *   difference between the mean curvature averaged over a small and over a twice as large neighbourhood,
- *   summed so that scales with a few high peaks count most
- * - point `SaliencyRegion` (int), if FindRegions is on: the number of the region of interest that the
- *   point is in, 1 for that of the largest area; 0: none
- * - point `SaliencyScale2`, `SaliencyScale3`, ... (double, one over input units), if PerScaleArrays is
- * on: the difference on the scale of 2, 3, ... units; and `MeanCurvature` (double, one over input units,
- *   positive where a surface with outward normals is convex)
- *
- * Field data: `SaliencyUnit` (input units) and `SaliencyThreshold`, one tuple each; `SaliencyRegions`,
- * their number, and `SaliencyRegionAreas` (input units squared), one tuple per region, if there are any.
+ * The input is a triangle surface, or a flat map with the array `SurfacePoints`, which stands for its
+ * surface in space. On each of several scales, the saliency of a point is the difference between the
+ * mean curvature averaged over a small neighbourhood and over one twice as large. The scales are summed
+ * so that those with a few high peaks count most.
  *
  * The curvature is integrated over the edges (Cohen-Steiner, Morvan 2003), so that slivers do no harm.
- * Points count by the area around them, so that the result does not depend on how fine the triangles
- * are; AreaWeighted off gives the paper's. Points in the same cubic cell of a third of a standard
- * deviation count together: on a half brain of 68,000 points the saliency differs from that of all pairs
- * of points by 0.2 % of its greatest value on average and by 2 % at most. The result does not depend on
- * the number of threads.
+ * Points are weighted by the area around them, so that the result does not depend on how fine the
+ * triangles are; AreaWeighted off gives the weights of the paper. Points in the same cubic cell, whose
+ * side is a third of a standard deviation, are taken together: on a half brain of 68,000 points the
+ * saliency then differs from that of all pairs of points by 0.2 % of its greatest value on average and
+ * by 2 % at most. The result does not depend on the number of threads.
  *
- * An empty input gives an empty output. Errors, each with an empty output: cells other than triangles,
- * coordinates that are not finite, a surface without area, scales larger than the surface, a negative
- * unit, area or threshold.
+ * Output arrays:
+ * - point `Saliency` (double, dimensionless): how much the point stands out, >= 0; the active scalars.
+ * - point `SaliencyRegion` (int): number of the region of interest that the point is in, 1 for the one
+ *   of the largest area; 0 for none. Only if FindRegions is on.
+ * - point `SaliencyScale<n>` (double, one over input units): difference on the scale of n = 2, 3, ...
+ *   units. Only if PerScaleArrays is on.
+ * - point `MeanCurvature` (double, one over input units): mean curvature, positive where a surface with
+ *   outward normals is convex. Only if PerScaleArrays is on.
+ *
+ * Field data (one tuple each unless stated otherwise):
+ * - `SaliencyUnit` (double, input units): unit of the scales.
+ * - `SaliencyThreshold` (double, dimensionless): lowest saliency of a region; only if FindRegions is
+ *   on.
+ * - `SaliencyRegions` (vtkIdType): number of regions; only if FindRegions is on.
+ * - `SaliencyRegionAreas` (double, input units squared, one tuple per region): areas of the regions;
+ *   absent if there is none.
+ *
+ * An empty input gives an empty output. The following are errors, each with an empty output: cells
+ * other than triangles; coordinates that are not finite; a surface without area; scales larger than the
+ * surface; a negative unit, area or threshold.
  *
  * Source: Lee, Varshney, Jacobs, "Mesh saliency", SIGGRAPH 2005.
  *
- * @sa vtkAreaWeights
+ * @sa vtkAreaWeights vtkFlattenRegion vtkContextResolution
  */
 #ifndef vtkMeshSaliency_h
 #define vtkMeshSaliency_h

@@ -4,75 +4,94 @@
  * @brief   moves the points of a conformal map so that every point keeps its share of the area
  *
  * The input is the output of vtkConformalDiskFilter. Each of its points is a site that carries a third
- * of the surface area of its triangles, times the point's weight. The filter finds power weights for
- * which the power cell of every site, clipped exactly to the domain, has the area that the site carries:
- * the optimal transport of the surface's area to the uniform domain (Monge-Brenier). Interior points
- * then go to the centroids of their cells, boundary points to the middle of their cells' part of the
- * boundary. The domain is the disk around the origin, or the rectangle with sides along the axes if the
- * boundary lies on them; points in its corners stay there.
+ * of the surface area of its triangles, times the weight of the point. The filter finds power weights
+ * for which the power cell of every site, clipped exactly to the domain, has the area that the site
+ * carries: the optimal transport from the area of the surface to the uniform domain (Monge-Brenier).
+ * Interior points then go to the centroids of their cells, and boundary points to the middle of the
+ * part of the boundary that their cells have. The domain is the disk around the origin, or the
+ * rectangle along the axes if the boundary of the input lies on one; the points in its corners stay
+ * there.
  *
- * The optional input port 1 gives another domain: a polydata with one convex polygon, or one closed
- * line, in a plane of constant z. The cells are clipped exactly to it. It may be given in either
- * direction and be of any size; points in the middle of a side are no corners. The sites are then the
- * points of the input map, disk or rectangle, in the proportions that they have there: of its size and
- * place the transport is independent, but as the input is turned about the origin, so is what comes to
- * lie at which side (see UseBoundaryPoint of vtkConformalDiskFilter). A boundary edge across a corner
- * cuts that off, unless FixCorners is on. The map stays one-to-one if no inner edge joins two boundary
- * points, as in the output of vtkSurfaceToDiskFilter; else the triangles between it and a straight side
- * have no area.
+ * The optional input port 1 gives another domain: polydata with one convex polygon, or one closed line,
+ * in a plane of constant z. The cells are clipped exactly to it. It may have either orientation and any
+ * size; points in the middle of a side are not corners. The transport does not depend on the size and
+ * position of the input, but on its rotation about the origin, which decides what lies at which side of
+ * the polygon (see UseBoundaryPoint of vtkConformalDiskFilter). A boundary edge across a corner cuts
+ * the corner off unless FixCorners is on. The map is one-to-one if no inner edge joins two boundary
+ * points, as in the output of vtkSurfaceToDiskFilter; otherwise the triangles between such an edge and
+ * a straight side have no area.
  *
- * The areas of the *cells* are exact to Tolerance. Areas of *triangles* follow the cells only as well as
- * the triangulation allows, so the points are then moved, those of the boundary along it, until the
- * triangles are exact too and none is flipped (FaceRefinement). For that the transport takes a few
- * neighbouring points together as one site (PointsPerSite), and the points follow the smooth map through
- * the centroids. What error is left is measured with vtkDistortionMetrics; near a boundary that was a
- * hole too small for its number of points it is large.
+ * The areas of the *cells* are exact to Tolerance. The areas of the *triangles* follow those of the
+ * cells only as well as the triangulation allows. The refinement (FaceRefinement) therefore moves the
+ * points, those of the boundary along it, until the triangles are exact too and none is flipped. With
+ * the refinement, the transport takes a few neighbouring points together as one site (PointsPerSite),
+ * and the points follow the smooth map through the centroids. vtkDistortionMetrics measures the
+ * remaining error; it is large near a boundary that was a hole too small for its number of points.
  *
- * Output port 0 has the input's points and cells, one to one and with all of their arrays (among them
- * `SurfacePoints`), in the plane z = 0, in the disk around the origin, in the rectangle with its lower
- * left corner there or in the polygon, scaled about its centroid, and adds the point arrays (double)
- * - `TargetArea`, the area asked for, and `CellArea`, the area of the point's power cell or its share of
- *   its site's cell (output units squared; both sum to the area of the domain)
- * - `PowerWeight` (output units squared), the weight w_i of the point's site in the power diagram,
- *   scaled to the size of the output
- * - `FlatPoints` (3 components), the output's points once more, for a later run to start from
- *
- * and the active texture coordinates `TCoords`, of this map (see vtkConformalDiskFilter).
- *
- * Output port 1 is the power diagram: one polygon per cell, arcs as polylines of steps of at most one
- * degree, with the cell arrays `SiteId` (point id), `CellArea` and `TargetArea` (paper, figure 4).
- * Points that share a position or a site share a cell; SiteId is the lowest of their ids.
- *
- * Field data of port 0 (one tuple each): `NewtonIterations`; `Sites`; `PowerDiagrams` computed;
- * `MaxCellAreaError`, max_i |CellArea - TargetArea| / TargetArea; `CoincidentPoints`, points that shared
- * the position of another; `FlippedFaces`, triangles not positively oriented; `Bijective`, 1 if the map
- * is one-to-one: there are none, and the boundary points are in order; `WarmStart`, 0 or 1, see below;
- * `RefinementRounds`, passes over what is not right yet; `RefinementRepairs`, triangles that had flipped
- * on the way. A warning tells when Bijective is 0. With points in corners also `CornerPointIds`,
- * counter-clockwise.
- *
- * If the input has a point array `PowerWeight`, as an earlier run with the same settings and domain
- * wrote it, the transport starts there where no cell is off by more than a decade, or where that is
- * nearer than its own starts: after a small change of the weights it takes a few steps only. Its result
- * does not depend on it but for Tolerance. If there is `FlatPoints` of the same run as well, the
- * refinement goes on from those points, carried along with what changed in the transport: in a fifth to
- * a third of the time, to the same accuracy, but not to the same bits as from the beginning. Field data
- * `WarmStart` is 1 then; 0 if there is none, if it is no one-to-one map to the present domain, if more
- * than a percent of the triangles would flip on the way, or with an AngleWeight. Append Attributes in
- * ParaView puts both arrays on the conformal map.
+ * Output port 0 has the points and cells of the input, one to one and with all of their arrays, in the
+ * plane z = 0: in the disk around the origin, in the rectangle with its lower left corner there, or in
+ * the polygon, scaled about its centroid. Output port 1 is the power diagram (Zhao et al. 2013, figure
+ * 4): one polygon per cell, with arcs as polylines of steps of at most one degree. Points that share a
+ * position or a site share a cell.
  *
  * Newton's method on the convex energy is damped by the rule of Kitagawa, Merigot and Thibert, which
- * converges from any start without empty cells. Where the conformal map puts the points of a long
- * protrusion all but into one place, it starts from a convex potential that opens that place; the result
- * is the optimal transport of the conformal map all the same.
+ * converges from any start without empty cells. Where the conformal map shrinks a long protrusion to
+ * nearly one position, the method starts from a convex potential that expands it; the result is still
+ * the optimal transport of the conformal map.
  *
- * An empty input gives empty outputs. Errors, each with empty outputs: no array `SurfacePoints`, a
- * boundary that is neither a circle around the origin nor a rectangle with a point in each corner,
- * weights that are not positive and finite or leave a point less than 2e-16 of the domain, a weight
- * array that does not exist, what vtkConformalDiskFilter refuses, no convergence to Tolerance; on port 1
- * not exactly one polygon or closed line, or one that is not flat, not finite, not convex, crosses
- * itself, has less than three corners or no area, is smaller than 1e-9 of its coordinates, or has more
- * corners to be fixed than there are boundary points.
+ * A warm start is made from the arrays `PowerWeight` and `FlatPoints` of an earlier run with the same
+ * settings and domain, if the input has them (Append Attributes in ParaView adds both to the conformal
+ * map). The transport starts from `PowerWeight` if no cell is then off by more than a factor of ten, or
+ * if that start is nearer than its own: after a small change of the weights it takes a few steps only.
+ * Its result depends on the start only within Tolerance. With `FlatPoints` as well, the refinement goes
+ * on from those points, moved by what changed in the transport: it takes a fifth to a third of the time
+ * and reaches the same accuracy, but not the same bits as without. `FlatPoints` is not used if it is
+ * not a one-to-one map to the present domain, if more than a percent of the triangles would flip on the
+ * way, or with an AngleWeight.
+ *
+ * A warning is given if the map is not one-to-one.
+ *
+ * Output arrays of port 0:
+ * - point `TargetArea` (double, output units squared): area that the point is to have; the sum is the
+ *   area of the domain.
+ * - point `CellArea` (double, output units squared): area of the power cell of the point, or its share
+ *   of the cell of its site; the sum is the area of the domain.
+ * - point `PowerWeight` (double, output units squared): weight of the site of the point in the power
+ *   diagram.
+ * - point `FlatPoints` (double x 3, output units): position of the point, for the warm start of a later
+ *   run.
+ * - point `TCoords` (float x 2, [0, 1]): active texture coordinates, the flat position in the smallest
+ *   square around the map with the same centre.
+ *
+ * Output arrays of port 1:
+ * - cell `SiteId` (vtkIdType): lowest id of the points of the site.
+ * - cell `CellArea` (double, output units squared): area of the cell.
+ * - cell `TargetArea` (double, output units squared): area that the cell is to have.
+ *
+ * Field data of both ports (one tuple each unless stated otherwise):
+ * - `NewtonIterations` (vtkIdType): steps of Newton's method.
+ * - `Sites` (vtkIdType): number of sites.
+ * - `PowerDiagrams` (vtkIdType): number of power diagrams that were computed.
+ * - `MaxCellAreaError` (double, dimensionless): greatest relative error of the area of a cell, max_i
+ *   |CellArea - TargetArea| / TargetArea.
+ * - `CoincidentPoints` (vtkIdType): number of points that shared the position of another.
+ * - `FlippedFaces` (vtkIdType): number of triangles that are not positively oriented.
+ * - `Bijective` (vtkIdType): 1 if the map is one-to-one: no triangle is flipped and the boundary points
+ *   are in order; else 0.
+ * - `WarmStart` (vtkIdType): 1 if the refinement went on from `FlatPoints`, else 0.
+ * - `RefinementRounds` (vtkIdType): passes of the refinement over the parts that were not yet exact.
+ * - `RefinementRepairs` (vtkIdType): number of triangles that were flipped on the way and were
+ *   untangled.
+ * - `CornerPointIds` (vtkIdType, one tuple per corner): ids of the points in the corners of the domain,
+ *   counter-clockwise; absent if there are none.
+ *
+ * An empty input gives empty outputs. The following are errors, each with empty outputs: no array
+ * `SurfacePoints`; a boundary that is neither a circle around the origin nor a rectangle with a point
+ * in each corner; weights that are not positive and finite, or that leave a point less than 2e-16 of
+ * the domain; a weight array that does not exist; the errors of vtkConformalDiskFilter about its input;
+ * no convergence to Tolerance. On port 1: not exactly one polygon or closed line; an outline that is
+ * not flat, not finite or not convex, crosses itself, has fewer than three corners or no area, is
+ * smaller than 1e-9 of its coordinates, or has more corners to be fixed than there are boundary points.
  *
  * Sources: Zhao et al., "Area-Preservation Mapping using Optimal Mass Transport", TVCG 2013, section 4
  * and Algorithm 1; Kitagawa, Merigot, Thibert, "Convergence of a Newton algorithm for semi-discrete

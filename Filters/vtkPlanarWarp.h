@@ -1,40 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkPlanarWarp
- * @brief   carries points, lines, graphs and images with a planar mesh that was deformed
+ * @brief   warps points, lines, graphs and images along with a planar mesh that was deformed
  *
- * Input port 0 is a flat map of a planar mesh: triangles in a plane z = constant went through
- * vtkConformalDiskFilter and, with weights, vtkOMTAreaPreservingFilter, and the point array
- * `SurfacePoints` says where each point was. Input port 1 is what lies on that mesh, in the same
- * coordinates: polygonal data, a graph or an image. Every point of it is located in a triangle of the
- * undeformed mesh and goes to the same barycentric coordinates of that triangle in the flat map: what is
- * in a region of weight 4 becomes four times as large as compared with the rest.
+ * Input port 0 is a flat map of a planar mesh: triangles in a plane z = constant that went through
+ * vtkConformalDiskFilter and, with weights, vtkOMTAreaPreservingFilter. Its point array `SurfacePoints`
+ * says where each point was. Input port 1 is the data on that mesh, in the same coordinates: polygonal
+ * data, a graph or an image. Every point of the data is located in a triangle of the undeformed mesh
+ * and goes to the same barycentric coordinates of that triangle in the flat map: a region of weight 4
+ * becomes four times as large as the rest. Heights above the plane of the mesh are kept.
  *
- * - vtkPolyData: its points are carried; long segments of lines are subdivided, so that they bend
- *   (SubdivideLines). Polygons and strips keep their points.
- * - vtkGraph: its vertices, and points within its edges; straight edges are subdivided. The output is a
- *   vtkDirectedGraph or vtkUndirectedGraph.
- * - vtkImageData, of one pixel in z: resampled, all arrays, on a grid over the flat map; or the flat map
- *   with texture coordinates for the image (ImageOutput).
+ * - vtkPolyData: its points are warped. Long segments of lines are subdivided, so that they bend
+ *   (SubdivideLines); polygons and strips keep their points.
+ * - vtkGraph: its vertices and the points within its edges are warped; straight edges are subdivided.
+ *   The output is a vtkDirectedGraph or vtkUndirectedGraph.
+ * - vtkImageData with one pixel in z: all arrays are resampled on a grid over the flat map; or the
+ *   output is the flat map with texture coordinates for the image (ImageOutput).
  *
- * Heights above the mesh's plane are kept. Outputs other than images have all arrays of port 1, as point
- * data or vertex data `SurfacePoints` (double x 3), where each point was, and `InMap` (unsigned char), 1
- * if it lay on the mesh. On subdivided lines and where several points stand for one, arrays of floating
- * point numbers are interpolated and others take the nearer end's value. Images have the point array
- * `InMap`, 1 where the pixel shows a point of the image; other pixels are 0.
+ * The output has all arrays of the data; those of a graph are on its vertices. At points that were
+ * inserted on lines, arrays of floating point numbers are interpolated, and others take the value of
+ * the nearer end. Composite data sets on port 1 and port 0 are warped block by block
+ * (vtkBlockwisePolyDataAlgorithm), so that several data sets may lie on one mesh. A warning is given if
+ * the mesh faced down, so that the warped data are mirrored.
  *
- * Field data (one tuple each): `OutsidePoints`, points or pixels of port 1's data that lie outside the
- * mesh (of a resampled image: pixels of the flat map that lie outside the image); `InsertedPoints`, on
- * lines and edges.
+ * Output arrays:
+ * - point `SurfacePoints` (double x 3, input units): where the point was before; not in images.
+ * - point `InMap` (unsigned char): 1 if the point lay on the mesh, or if the pixel shows a point of the
+ *   image; 0 elsewhere, where the other arrays of a resampled image are 0, too.
+ * - point `TCoords` (float x 2, dimensionless): active texture coordinates for the image; only if
+ *   ImageOutput is TEXTURED_MESH.
  *
- * Several data sets may lie on one mesh: port 1 takes composite data sets of any of these, block by
- * block, and so does port 0 (vtkBlockwisePolyDataAlgorithm).
+ * Field data (one tuple each):
+ * - `OutsidePoints` (vtkIdType): number of points of the data that lie outside the mesh; of a resampled
+ *   image, the number of pixels of the flat map that lie outside the image.
+ * - `InsertedPoints` (vtkIdType): number of points that were inserted on lines and edges.
  *
- * An empty input on either port gives an empty output. Errors, each with an empty output: no array
- * `SurfacePoints`, an undeformed mesh that is not in a plane of constant z or folds over itself, data
- * none of which lies on the mesh, a graph whose vertices have no positions, an image of several slices,
- * one row or no arrays, settings out of range. A warning tells if
- * the mesh faced down, so that what it carries is mirrored.
+ * An empty input on either port gives an empty output. The following are errors, each with an empty
+ * output: no array `SurfacePoints`; an undeformed mesh that is not in a plane of constant z or folds
+ * over itself; data of which no point lies on the mesh; a graph whose vertices have no positions; an
+ * image with several slices, one row or no arrays; settings out of range.
  *
  * @sa vtkAreaWeights vtkOMTAreaPreservingFilter
  */

@@ -1,69 +1,100 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkSurfaceToDiskFilter
- * @brief   makes one clean oriented disk of triangles out of any surface
+ * @brief   turns any surface into one clean oriented disk of triangles
  *
- * The input is any polydata with polygons or triangle strips; vertices and lines are dropped. In this
- * order, the filter
- * - triangulates,
- * - merges coincident points, drops degenerate and duplicate faces without leaving cracks, and where
- *   more than two faces share an edge, or fans of faces only a vertex, cuts the surface into its sheets,
- * - keeps one component (ComponentMode), turns its faces to the same side, a closed one outward,
- * - flattens spikes, pits and fins of one voxel (FlattenFolds),
- * - keeps one side of a plane, if CutMode is PLANE,
- * - keeps one boundary (BoundaryMode) and fills all others with patches of the density around them; a
- *   boundary shorter than that of the hole below is filled too, and the surface opened there,
- * - removes handles and tunnels, or cuts them open without changing the surface (HandleMode),
- * - on request replaces the triangles by nearly equilateral ones (Remesh),
- * - opens the surface, if it is closed, by a small geodesic hole or along a seam (CutMode), with a
- *   boundary of at least MinimumBoundaryVertices vertices: the mesh is refined there, as a boundary of
- *   six edges cannot be that of a disk. A tube with two open ends is cut from end to end (CutMode SEAM).
+ * The input is polydata with polygons or triangle strips; vertices and lines are dropped. The filter
+ * takes these steps in order:
+ * - It triangulates the polygons and strips.
+ * - It merges coincident points and drops degenerate and duplicate faces without opening T-junctions.
+ *   Where more than two faces share an edge, or fans of faces share only a vertex, it cuts the surface
+ *   into its sheets.
+ * - It keeps one component (ComponentMode) and orients its faces consistently, those of a closed
+ *   surface outward.
+ * - It flattens spikes, pits and fins of one voxel (FlattenFolds).
+ * - It keeps one side of a plane, if CutMode is PLANE.
+ * - It keeps one boundary (BoundaryMode) and fills all others with patches of the density around them.
+ *   A boundary shorter than that of the hole below is filled, too, and the surface opened there.
+ * - It removes handles and tunnels, or cuts them open without changing the surface (HandleMode).
+ * - On request it replaces the triangles by nearly equilateral ones (Remesh).
+ * - It opens a closed surface by a small geodesic hole or along a seam (CutMode). The new boundary gets
+ *   at least MinimumBoundaryVertices vertices: the mesh is refined there, as a boundary of six edges
+ *   cannot become that of a disk. A tube with two open ends is cut from end to end (CutMode SEAM).
  *
- * The output is a single component of genus 0 with one boundary loop, points in double precision, no
- * unused point. It keeps all point and cell arrays. Where new points are needed, arrays of floating
- * point numbers are interpolated linearly, all others (labels, strings) take the value of the nearest
- * point; cell arrays follow the input cell that a face is part of or, after remeshing, lies nearest to,
- * and hold 0 on filled holes and caps. Active normals are turned over where they point to the back of
- * the oriented surface. Global ids are not kept. Added arrays:
- * - point `vtkOriginalPointIds` (vtkIdType): the input point that this one is, of merged points the one
- *   with the smallest id; -1 for new points, which after remeshing are nearly all. On a seam two points
- *   or more have the same id
- * - point `Seam` (unsigned char): 1 where the surface was cut open along a seam, else 0
- * - cell `vtkOriginalCellIds` (vtkIdType): the input cell; -1 on filled holes and caps
- * - cell `Filled` (unsigned char): 1 on filled holes and on the caps of removed handles, else 0
+ * The output is a single component of genus 0 with one boundary loop, points in double precision and no
+ * unused point. It keeps all point and cell arrays but the global ids. At new points, arrays of
+ * floating point numbers are interpolated linearly, and all others (labels, strings) take the value of
+ * the nearest point. Cell arrays take the value of the input cell that a face is part of or, after
+ * remeshing, lies nearest to, and 0 on filled holes and caps. Active normals are reversed where they
+ * point to the back of the oriented surface.
  *
- * Field data says what was changed, one array each (one tuple unless said otherwise; lengths and areas
- * in units of the input, angles in degrees):
- * - `DroppedCells` (vertices and lines), `MergedPoints`, `UnusedPoints` (of no face), `DroppedFaces` =
- *   `DroppedDegenerateFaces` + `DroppedDuplicateFaces`, `ClosedCracks` (open edges split at points that
- *   lie on them), `SplitPoints` (copies made where the surface was not manifold),
- * - `Components`, `DroppedComponents`, `DroppedComponentArea`, `ReorientedFaces`,
- * - `RemovedSpikes` (and pits: single points), `RemovedFins` (several points), `FoldAreaChange` (what
- *   flattening them changed the area by), `LeftFolded` (places that it would not have helped),
- * - `FilledHoles`, `FilledArea`,
- * - `Genus` (of the component), `RemovedHandles`, `HandleLoopLengths` (as many tuples),
- * `HandleAreaRemoved`, `HandleAreaAdded`, `HandleDisplacement` (how far a kept point was moved at most),
- * - `RemeshEdgeLength` (0: not remeshed),
- * - `HoleCentre` (3 components), `HoleRadius` (geodesic; 0: no hole was cut), `SeamLength` (0: no seam),
- *   `RemovedArea` (of the hole, or beyond the plane), `RemovedRegionPoints` (of the region of interest,
- *   where the surface has no other place for the hole), `SeamRegionPoints` (of the region of interest,
- *   where the cut of handles or of a tube runs through it),
- * - what came of it: `BoundaryVertices`, `BoundaryLength`, `SurfaceArea`, `SmallestAngle`,
- *   `SelfIntersectionsBefore` and `SelfIntersections` (pairs of faces of the repaired component and of
- * the disk that intersect).
+ * Output arrays:
+ * - point `vtkOriginalPointIds` (vtkIdType): id of the same point in the input, the smallest one of
+ *   merged points; -1 for new points, which after remeshing are nearly all. The points on both sides of
+ *   a seam have the same id.
+ * - point `Seam` (unsigned char): 1 where the surface was cut open along a seam, 0 elsewhere.
+ * - cell `vtkOriginalCellIds` (vtkIdType): id of the input cell; -1 on filled holes and caps.
+ * - cell `Filled` (unsigned char): 1 on filled holes and on the caps of removed handles, 0 elsewhere.
  *
- * Empty input gives empty output. Errors, each with an empty output: no polygons or strips, coordinates
- * that are not finite, zero area, a one-sided surface, parameters that make no sense or name what is
- * not there (a point off the surface, a component that does not exist, a plane that misses), a boundary
- * too long to be filled unasked, handles if HandleMode is ERROR.
+ * Field data (one tuple each unless stated otherwise):
+ * - `DroppedCells` (vtkIdType): number of vertices and lines of the input.
+ * - `MergedPoints` (vtkIdType): number of points that were merged into another.
+ * - `UnusedPoints` (vtkIdType): number of points without a face.
+ * - `DroppedFaces` (vtkIdType): sum of the next two.
+ * - `DroppedDegenerateFaces` (vtkIdType): number of faces without area that were dropped.
+ * - `DroppedDuplicateFaces` (vtkIdType): number of repeated faces that were dropped.
+ * - `ClosedCracks` (vtkIdType): number of boundary edges that were split at points that lie on them
+ *   (T-junctions).
+ * - `SplitPoints` (vtkIdType): number of copies of points made where the surface was not a manifold.
+ * - `Components` (vtkIdType): number of connected components.
+ * - `DroppedComponents` (vtkIdType): number of components that were dropped.
+ * - `DroppedComponentArea` (double, input units squared): area of the dropped components.
+ * - `ReorientedFaces` (vtkIdType): number of faces whose orientation was reversed.
+ * - `RemovedSpikes` (vtkIdType): number of spikes and pits, single points, that were flattened.
+ * - `RemovedFins` (vtkIdType): number of fins, several points each, that were flattened.
+ * - `LeftFolded` (vtkIdType): number of folds that flattening would not have improved.
+ * - `FoldAreaChange` (double, input units squared): change of the area by flattening folds.
+ * - `FilledHoles` (vtkIdType): number of filled boundary loops.
+ * - `FilledArea` (double, input units squared): area of the patches that fill them.
+ * - `Genus` (vtkIdType): genus of the component before handles are treated.
+ * - `RemovedHandles` (vtkIdType): number of removed handles and tunnels.
+ * - `HandleLoopLengths` (double, input units, one tuple per removed handle): length of the loop that
+ *   was cut.
+ * - `HandleAreaRemoved` (double, input units squared): area that removing handles took away.
+ * - `HandleAreaAdded` (double, input units squared): area of the caps.
+ * - `HandleDisplacement` (double, input units): greatest distance by which a kept point was moved.
+ * - `RemeshEdgeLength` (double, input units): target edge length; 0 without remeshing.
+ * - `HoleCentre` (double x 3, input units): centre of the hole that was cut.
+ * - `HoleRadius` (double, input units): geodesic radius of that hole; 0 if none was cut.
+ * - `SeamLength` (double, input units): length of the seam; 0 if there is none.
+ * - `RemovedArea` (double, input units squared): area of the hole, or of the side of the plane that was
+ *   cut off.
+ * - `RemovedRegionPoints` (vtkIdType): number of points of the region of interest in the hole, where
+ *   the surface has no other position for it.
+ * - `SeamRegionPoints` (vtkIdType): number of points of the region of interest on the cut of handles or
+ *   of a tube.
+ * - `BoundaryVertices` (vtkIdType): number of boundary vertices of the disk.
+ * - `BoundaryLength` (double, input units): length of the boundary of the disk.
+ * - `SurfaceArea` (double, input units squared): area of the disk.
+ * - `SmallestAngle` (double, degrees): smallest angle of a face of the disk.
+ * - `SelfIntersectionsBefore` (vtkIdType): number of pairs of intersecting faces of the repaired
+ *   component; see CountSelfIntersections.
+ * - `SelfIntersections` (vtkIdType): number of pairs of intersecting faces of the disk; see
+ *   CountSelfIntersections.
+ *
+ * An empty input gives an empty output. The following are errors, each with an empty output: no
+ * polygons or strips; coordinates that are not finite; zero area; a one-sided surface; parameters out
+ * of range or that name something that does not exist (a point off the surface, a component, a plane
+ * that misses the surface); a boundary too long to be filled without being asked; handles if HandleMode
+ * is HANDLES_ARE_ERRORS.
  *
  * Sources: Gueziec, Taubin, Lazarus, Horn, "Cutting and Stitching: Converting Sets of Polygons to
- * Manifold Surfaces", TVCG 2001; Liepa, "Filling Holes in Meshes", SGP 2003; Botsch and Kobbelt, "A
- * Remeshing Approach to Multiresolution Modeling", SGP 2004; Crane, Weischedel, Wardetzky, "Geodesics in
- * Heat", TOG 2013; Rivara, "Algorithms for Refining Triangular Grids", IJNME 1984; Eppstein, "Dynamic
- * Generators of Topologically Embedded Graphs", SODA 2003 (tree-cotree); Xin and Wang, "Improving Chen
- * and Han's Algorithm on the Discrete Geodesic Problem", TOG 2009. All but the last but one as
- * implemented in CGAL.
+ * Manifold Surfaces", TVCG 2001; Liepa, "Filling Holes in Meshes", SGP 2003; Xin and Wang, "Improving
+ * Chen and Han's Algorithm on the Discrete Geodesic Problem", TOG 2009 (these three as implemented in
+ * CGAL); Botsch and Kobbelt, "A Remeshing Approach to Multiresolution Modeling", SGP 2004; Crane,
+ * Weischedel, Wardetzky, "Geodesics in Heat", TOG 2013; Rivara, "Algorithms for Refining Triangular
+ * Grids", IJNME 1984; Eppstein, "Dynamic Generators of Topologically Embedded Graphs", SODA 2003
+ * (tree-cotree).
  *
  * @sa vtkConformalDiskFilter vtkOMTAreaPreservingFilter
  */
