@@ -22,7 +22,8 @@ namespace flattening
 namespace
 {
 
-// A polygon of so many covers nine tenths of the disk.
+// The fewest vertices of a boundary that came with the input. Derived: a regular octagon covers nine
+// tenths of its disk. With fewer, the flat map leaves more of the disk empty.
 constexpr int LeastBoundaryVertices = 8;
 
 double boundaryLength(const TriangleMesh& mesh)
@@ -35,7 +36,7 @@ double boundaryLength(const TriangleMesh& mesh)
   return length;
 }
 
-// Flags of vertices made of others: whether all of those are flagged, or any.
+// Flags of vertices that are made of others: set if all, or any, of these others are flagged.
 std::vector<char> flagsOf(const VertexOrigins& origins, const std::vector<char>& flags, bool all)
 {
   std::vector<char> result(origins.rows(), all);
@@ -49,12 +50,23 @@ std::vector<char> flagsOf(const VertexOrigins& origins, const std::vector<char>&
   return result;
 }
 
+// Counts the flagged vertices on the seam.
+int countOnSeam(const std::vector<char>& flags, const CutSurface& cut)
+{
+  int count = 0;
+  for (std::size_t v = 0; v < flags.size(); ++v)
+  {
+    count += flags[v] && cut.OnSeam[v] ? 1 : 0;
+  }
+  return count;
+}
+
 class Opening
 {
 public:
   Opening(DiskSurface& disk, const OpenEnds& ends, const SurfaceToDiskOptions& options)
     : Disk(disk)
-    , Figures(disk.Report)
+    , Report(disk.Report)
     , Options(options)
     , Hole(options.Hole)
     , Ends(ends.Ends)
@@ -65,22 +77,23 @@ public:
     }
   }
 
-  // Cutting handles opens a closed surface; but what was asked for by name is done as well.
+  // A cut graph opens a closed surface too; a hole or a seam is cut as well if its place was given.
   void open(const ProgressCallback& progress)
   {
-    if (this->Figures.Genus == 0 || this->Options.Handles != HandleMode::Cut)
+    const bool cutsGraph = this->Report.Genus > 0 && this->Options.Handles == HandleMode::Keep;
+    if (!cutsGraph)
     {
-      this->openOnce(progress);
-      return;
+      this->cutHoleOrSeam(progress);
     }
-    const bool opensTwice = this->Options.Cut == CutMode::Seam
-                              ? !this->Options.SeamPoints.empty()
-                              : this->Options.Cut == CutMode::Hole && this->Options.Hole.Centre;
-    if (opensTwice)
+    else if (this->hasPlaceOfCut())
     {
-      this->openOnce(subrange(progress, 0.0, 0.4));
+      this->cutHoleOrSeam(subrange(progress, 0.0, 0.4));
+      this->cutGraph(subrange(progress, 0.4, 1.0));
     }
-    this->cutHandles(subrange(progress, opensTwice ? 0.4 : 0.0, 1.0));
+    else
+    {
+      this->cutGraph(progress);
+    }
   }
 
 private:
@@ -88,22 +101,25 @@ private:
   bool isClosed() const { return this->Ends == OpenEnds::Kind::None; }
   bool isTube() const { return this->Ends == OpenEnds::Kind::Two; }
 
-  void cutHandles(const ProgressCallback& progress)
+  bool hasPlaceOfCut() const
+  {
+    return this->Options.Cut == CutMode::Seam
+             ? !this->Options.SeamPoints.empty()
+             : this->Options.Cut == CutMode::Hole && this->Options.Hole.Centre;
+  }
+
+  void cutGraph(const ProgressCallback& progress)
   {
     HandleLoops handles = handleLoops(this->mesh(), subrange(progress, 0.0, 0.7));
     this->followFlags(handles.Surface);
     follow(this->Disk.Surface, std::move(handles.Surface));
     CutSurface cut = cutToDisk(this->mesh(), handles.Loops, subrange(progress, 0.7, 1.0));
-    const std::vector<char> region = this->avoided();
-    for (std::size_t v = 0; v < region.size(); ++v)
-    {
-      this->Figures.SeamRegionPoints += region[v] && cut.OnSeam[v] ? 1 : 0;
-    }
+    this->Report.SeamRegionPoints += countOnSeam(this->avoided(), cut);
     this->followSeam(std::move(cut));
     this->resolveBoundary(this->Hole.BoundaryVertices);
   }
 
-  void openOnce(const ProgressCallback& progress)
+  void cutHoleOrSeam(const ProgressCallback& progress)
   {
     if (this->Options.Cut == CutMode::Seam &&
         (this->isClosed() || this->isTube() || !this->Options.SeamPoints.empty()))
@@ -141,12 +157,7 @@ private:
     if (this->isTube() && !this->Options.RegionOfInterest.empty())
     {
       const std::vector<char> region = flagsOf(cut.Surface.Vertices, this->avoided(), false);
-      int points = 0; // on both sides of the seam
-      for (std::size_t v = 0; v < region.size(); ++v)
-      {
-        points += region[v] && cut.OnSeam[v] ? 1 : 0;
-      }
-      this->Figures.SeamRegionPoints = points / 2;
+      this->Report.SeamRegionPoints = countOnSeam(region, cut) / 2; // the seam has two sides
     }
     this->followSeam(std::move(cut));
   }
@@ -170,10 +181,11 @@ private:
       this->Disk.Seam.begin(),
       [](char now, char earlier) { return now || earlier; });
     follow(this->Disk.Surface, std::move(cut.Surface));
-    this->Figures.SeamLength += 0.5 * (boundaryLength(this->mesh()) - before);
+    this->Report.SeamLength += 0.5 * (boundaryLength(this->mesh()) - before);
   }
 
-  // The vertices of an earlier seam, if there is one, on the surface that comes next.
+  // Carries the flags of an earlier seam over to the next surface: a vertex is on the seam if all that
+  // it is made of are.
   void followFlags(const DerivedMesh& next)
   {
     if (!this->Disk.Seam.empty())
@@ -186,15 +198,15 @@ private:
   {
     this->Hole.Avoided = this->avoided();
     OpenedSurface opened = cutGeodesicHole(this->mesh(), this->Hole, progress);
-    this->Figures.HoleCentre = opened.Centre;
-    this->Figures.HoleRadius = opened.Radius;
-    this->Figures.RemovedArea += opened.RemovedArea;
-    this->Figures.RemovedRegionPoints = opened.RemovedAvoided;
+    this->Report.HoleCentre = opened.Centre;
+    this->Report.HoleRadius = opened.Radius;
+    this->Report.RemovedArea += opened.RemovedArea;
+    this->Report.RemovedRegionPoints = opened.RemovedAvoided;
     follow(this->Disk.Surface, std::move(opened.Surface));
   }
 
-  // Cutting along a graph of edges leaves as many boundary vertices as they have, and a boundary of the
-  // input may have but three.
+  // A cut graph makes only as many boundary vertices as it has edges, and a boundary of the input may
+  // have only three.
   void resolveBoundary(int vertices)
   {
     DerivedMesh refined = refineBoundary(this->mesh(), vertices);
@@ -206,7 +218,7 @@ private:
   }
 
   DiskSurface& Disk;
-  SurfaceToDiskReport& Figures;
+  SurfaceToDiskReport& Report;
   const SurfaceToDiskOptions& Options;
   GeodesicHoleOptions Hole;
   OpenEnds::Kind Ends;

@@ -3,7 +3,6 @@
 
 #include "Base/Errors.h"
 #include "Disk/DiskOpening.h"
-#include "Disk/PlaneCut.h"
 #include "Disk/TubeSeam.h"
 #include "Mesh/MeshMeasures.h"
 #include "Mesh/MeshTopology.h"
@@ -27,8 +26,13 @@ namespace
 {
 
 constexpr double Pi = 3.14159265358979323846;
-constexpr double RemeshedAngle = 1.0;    // degrees; remeshed surfaces keep far from it but at a cut
-constexpr double FilledAreaShare = 0.05; // of a circle as long as the longest loop that is filled
+// The smallest angle along a cut of a remeshed surface, degrees: the default of the option
+// SmallestAngle. Remeshing itself leaves no angle near it, so only faces that the cut made are changed.
+constexpr double RemeshedAngle = 1.0;
+// The area of a circle as long as the longest loop that is filled unasked, as a share of the surface's
+// area. A convention: longer loops are errors, as a patch there would be a large part of the surface.
+constexpr double FilledAreaShare = 0.05;
+constexpr int RemeshIterations = 3; // a convention, as in CGAL's examples
 
 void requireValid(const TriangleMesh& soup, const SurfaceToDiskOptions& options)
 {
@@ -62,7 +66,8 @@ void requireValid(const TriangleMesh& soup, const SurfaceToDiskOptions& options)
   }
 }
 
-// The two sides of a seam coincide; they are one for this purpose.
+// Counts pairs of intersecting faces. The two sides of a seam coincide, so their vertices are joined
+// first.
 int countSelfIntersections(const TriangleMesh& mesh, const ProgressCallback& progress)
 {
   const std::vector<int> representative = coincidentPoints(mesh.Vertices, 0.0);
@@ -77,7 +82,7 @@ int countSelfIntersections(const TriangleMesh& mesh, const ProgressCallback& pro
   return static_cast<int>(selfIntersections(joined, progress).size());
 }
 
-// One surface on its way to a disk; each step is a stage of surfaceToDisk.
+// A surface on its way to a disk; make() lists the steps.
 class DiskMaker
 {
 public:
@@ -96,13 +101,13 @@ public:
     if (this->Options.CountSelfIntersections)
     {
       report(progress, 0.17, "looking for self-intersections");
-      this->Figures.SelfIntersectionsBefore =
+      this->Report.SelfIntersectionsBefore =
         countSelfIntersections(this->mesh(), subrange(progress, 0.17, 0.19));
     }
-    if (this->Options.FlattenFolds && this->Options.Handles != HandleMode::Cut)
+    if (this->Options.FlattenFolds && this->Options.Handles != HandleMode::Keep)
     {
       report(progress, 0.19, "flattening spikes and fins");
-      this->Figures.Folds = flattenSpikesAndFins(this->Disk.Surface.Mesh);
+      this->Report.Folds = flattenSpikesAndFins(this->Disk.Surface.Mesh);
     }
     if (this->Options.Cut == CutMode::Plane)
     {
@@ -110,7 +115,7 @@ public:
     }
     this->closeBoundaries(subrange(progress, 0.24, 0.28));
     this->requireHandlesWanted();
-    if (this->Options.Handles == HandleMode::Remove && this->Figures.Genus > 0)
+    if (this->Options.Handles == HandleMode::Remove && this->Report.Genus > 0)
     {
       this->removeHandles(subrange(progress, 0.28, 0.4));
     }
@@ -118,7 +123,7 @@ public:
     {
       this->remesh(subrange(progress, 0.4, 0.75));
     }
-    else if (this->Options.Handles != HandleMode::Cut)
+    else if (this->Options.Handles != HandleMode::Keep)
     {
       this->condition(subrange(progress, 0.4, 0.75));
     }
@@ -132,7 +137,7 @@ public:
     report(progress, 0.98, "looking for self-intersections");
     if (this->Options.CountSelfIntersections)
     {
-      this->Figures.SelfIntersections =
+      this->Report.SelfIntersections =
         countSelfIntersections(this->mesh(), subrange(progress, 0.98, 1.0));
     }
     report(progress, 1.0, "done");
@@ -141,11 +146,20 @@ public:
 
 private:
   const TriangleMesh& mesh() const { return this->Disk.Surface.Mesh; }
+  double area() const { return faceAreas(this->mesh().Vertices, this->mesh().Faces).sum(); }
+
+  // Drops all other faces and returns their area.
+  double keepFaces(const std::vector<int>& faces)
+  {
+    const double before = this->area();
+    follow(this->Disk.Surface, extractFaces(this->mesh(), faces));
+    return before - this->area();
+  }
 
   void repair(const TriangleMesh& soup)
   {
     RepairedSurface repaired = repairTriangleSoup(soup, this->Options.MergeTolerance);
-    this->Figures.Repair = repaired.Report;
+    this->Report.Repair = repaired.Report;
     this->Disk.Surface = std::move(repaired.Surface);
     this->Reversed = std::move(repaired.Reversed);
     this->OneSided = std::move(repaired.OneSided);
@@ -156,9 +170,7 @@ private:
     const SurfaceComponents components = connectedComponents(this->mesh());
     const std::vector<int> faces =
       components.faces(chooseComponent(this->mesh(), components, this->Options.Component));
-    this->Figures.Components = components.Count;
-    const double whole = faceAreas(this->mesh().Vertices, this->mesh().Faces).sum();
-
+    this->Report.Components = components.Count;
     std::vector<char> reversed;
     reversed.reserve(faces.size());
     for (const int f : faces)
@@ -174,11 +186,9 @@ private:
     this->Reversed = std::move(reversed);
     if (components.Count > 1)
     {
-      follow(this->Disk.Surface, extractFaces(this->mesh(), faces));
-      this->Figures.DroppedComponentArea =
-        whole - faceAreas(this->mesh().Vertices, this->mesh().Faces).sum();
+      this->Report.DroppedComponentArea = this->keepFaces(faces);
     }
-    if (this->Figures.Repair.SplitPoints > 0)
+    if (this->Report.Repair.SplitPoints > 0)
     {
       follow(this->Disk.Surface, stitchCoincidentBorders(this->mesh()));
     }
@@ -188,14 +198,14 @@ private:
   {
     TriangleMesh& mesh = this->Disk.Surface.Mesh;
     const bool closed = analyseTopology(mesh.Faces, mesh.vertexCount()).BoundaryLoops.empty();
-    this->Figures.ReorientedFaces = orientOutward(mesh, this->Reversed, closed);
+    this->Report.ReorientedFaces = orientOutward(mesh, this->Reversed, closed);
   }
 
   void keepSideOfPlane(const ProgressCallback& progress)
   {
     PlaneCutSurface side =
       cutAtPlane(this->mesh(), this->Options.Plane, this->Options.Hole.BoundaryVertices, progress);
-    this->Figures.RemovedArea = side.RemovedArea;
+    this->Report.RemovedArea = side.RemovedArea;
     follow(this->Disk.Surface, std::move(side.Surface));
     const SurfaceComponents parts = connectedComponents(this->mesh());
     if (parts.Count > 1)
@@ -205,19 +215,17 @@ private:
       {
         choice.By = ComponentChoice::Rule::Largest;
       }
-      const double whole = faceAreas(this->mesh().Vertices, this->mesh().Faces).sum();
-      follow(this->Disk.Surface,
-        extractFaces(this->mesh(), parts.faces(chooseComponent(this->mesh(), parts, choice))));
-      this->Figures.RemovedArea += whole - faceAreas(this->mesh().Vertices, this->mesh().Faces).sum();
+      this->Report.RemovedArea +=
+        this->keepFaces(parts.faces(chooseComponent(this->mesh(), parts, choice)));
     }
   }
 
-  // Fills all boundary loops but the one that is to be the disk's.
+  // Fills all boundary loops but the one that becomes the disk's, or the two ends of a tube.
   void closeBoundaries(const ProgressCallback& progress)
   {
     report(progress, 0.0, "filling holes");
     MeshTopology topology = analyseTopology(this->mesh().Faces, this->mesh().vertexCount());
-    this->Figures.Genus = topology.Genus;
+    this->Report.Genus = topology.Genus;
     std::vector<std::vector<int>>& loops = topology.BoundaryLoops;
     const int kept = chooseBoundary(this->mesh().Vertices, loops, this->Options.Boundary);
     const std::vector<int> ends =
@@ -243,30 +251,30 @@ private:
     if (!loops.empty())
     {
       FilledSurface filled = fillHoles(this->mesh(), loops, { this->fillLengthLimit() }, progress);
-      this->Figures.FilledHoles = filled.FilledHoles;
-      this->Figures.FilledArea = filled.FilledArea;
+      this->Report.FilledHoles = filled.FilledHoles;
+      this->Report.FilledArea = filled.FilledArea;
       this->Pierced |= filled.PiercingPatches > 0;
       follow(this->Disk.Surface, std::move(filled.Surface));
     }
   }
 
-  // Cut graphs of handles open surfaces of one boundary only.
+  // The cut graph of handles that are kept needs a surface with one boundary at most: the second end of
+  // such a tube is filled.
   bool seamOpensTube() const
   {
     return this->Options.Cut == CutMode::Seam && this->Options.SeamPoints.empty() &&
-           (this->Figures.Genus == 0 || this->Options.Handles == HandleMode::Remove);
+           (this->Report.Genus == 0 || this->Options.Handles == HandleMode::Remove);
   }
 
   double fillLengthLimit() const
   {
-    const double area = faceAreas(this->mesh().Vertices, this->mesh().Faces).sum();
     return this->Options.FillLengthLimit > 0.0 ? this->Options.FillLengthLimit
-                                               : std::sqrt(4.0 * Pi * FilledAreaShare * area);
+                                               : std::sqrt(4.0 * Pi * FilledAreaShare * this->area());
   }
 
   void requireHandlesWanted() const
   {
-    const int genus = this->Figures.Genus;
+    const int genus = this->Report.Genus;
     if (genus > 0 && this->Options.Handles == HandleMode::Error)
     {
       throw TopologyError("the surface has genus " + std::to_string(genus) + ", that is " +
@@ -279,18 +287,18 @@ private:
   void removeHandles(const ProgressCallback& progress)
   {
     SurfaceWithoutHandles removed = flattening::removeHandles(this->mesh(), progress);
-    this->Figures.Handles = removed.Report;
+    this->Report.Handles = removed.Report;
     this->Pierced |= removed.Report.PiercingCaps > 0;
     follow(this->Disk.Surface, std::move(removed.Surface));
   }
 
   void remesh(const ProgressCallback& progress)
   {
-    this->Figures.RemeshEdgeLength = this->Options.TargetEdgeLength != 0.0
-                                       ? this->Options.TargetEdgeLength
-                                       : this->Options.RelativeEdgeLength * meanEdgeLength(this->mesh());
+    this->Report.RemeshEdgeLength = this->Options.TargetEdgeLength != 0.0
+                                      ? this->Options.TargetEdgeLength
+                                      : this->Options.RelativeEdgeLength * meanEdgeLength(this->mesh());
     follow(this->Disk.Surface,
-      remeshIsotropically(this->mesh(), this->Figures.RemeshEdgeLength, 3, progress));
+      remeshIsotropically(this->mesh(), this->Report.RemeshEdgeLength, RemeshIterations, progress));
   }
 
   void condition(const ProgressCallback& progress)
@@ -305,19 +313,19 @@ private:
   {
     this->Disk.Seam.resize(this->mesh().vertexCount(), 0);
     const std::vector<int> boundary = requireDisk(this->mesh());
-    this->Figures.BoundaryVertices = static_cast<int>(boundary.size());
-    this->Figures.BoundaryLength = loopLength(this->mesh().Vertices, boundary);
-    this->Figures.SurfaceArea = faceAreas(this->mesh().Vertices, this->mesh().Faces).sum();
-    this->Figures.SmallestAngle = smallestAngle(this->mesh());
+    this->Report.BoundaryVertices = static_cast<int>(boundary.size());
+    this->Report.BoundaryLength = loopLength(this->mesh().Vertices, boundary);
+    this->Report.SurfaceArea = this->area();
+    this->Report.SmallestAngle = smallestAngle(this->mesh());
   }
 
   const SurfaceToDiskOptions& Options;
   DiskSurface Disk;
-  SurfaceToDiskReport& Figures = Disk.Report;
-  std::vector<char> Reversed;
-  std::vector<char> OneSided;
+  SurfaceToDiskReport& Report = Disk.Report;
+  std::vector<char> Reversed; // per face: whether the repair reversed its orientation
+  std::vector<char> OneSided; // per face: whether its component is one-sided
   OpenEnds Ends;
-  bool Pierced = false; // a patch or a cap passes through other faces
+  bool Pierced = false; // whether a patch or a cap intersects other faces
 };
 
 } // namespace

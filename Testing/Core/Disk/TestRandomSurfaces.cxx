@@ -120,7 +120,7 @@ SurfaceToDiskOptions randomOptions(std::uint64_t seed, const TriangleMesh& mesh)
   }
   if (random.chance(0.4))
   {
-    options.Handles = HandleMode::Cut;
+    options.Handles = HandleMode::Keep;
   }
   else if (random.chance(0.05))
   {

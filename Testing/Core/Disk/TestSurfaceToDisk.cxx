@@ -204,7 +204,7 @@ TEST(SurfaceToDisk, CutsAHandleOpenAndLosesNothing)
 {
   const TriangleMesh whole = torus(60, 24);
   SurfaceToDiskOptions options;
-  options.Handles = HandleMode::Cut;
+  options.Handles = HandleMode::Keep;
   const DiskSurface disk = surfaceToDisk(whole, options);
   EXPECT_EQ(disk.Report.Genus, 1);
   EXPECT_EQ(disk.Report.Handles.Handles, 0);
@@ -222,7 +222,7 @@ TEST(SurfaceToDisk, CutsHandlesAndTheHoleOrSeamAskedFor)
   const TriangleMesh whole = torus(90, 30);
   const double area = totalArea(whole);
   SurfaceToDiskOptions options;
-  options.Handles = HandleMode::Cut;
+  options.Handles = HandleMode::Keep;
   const double cutAlone = surfaceToDisk(whole, options).Report.SeamLength;
 
   options.Hole.Centre = Eigen::Vector3d(0, 2.5, 0);
@@ -270,7 +270,7 @@ TEST(SurfaceToDisk, CountsTheRegionThatTheCutOfHandlesRunsThrough)
 {
   const TriangleMesh whole = torus(60, 24);
   SurfaceToDiskOptions options;
-  options.Handles = HandleMode::Cut;
+  options.Handles = HandleMode::Keep;
   const DiskSurface plain = surfaceToDisk(whole, options);
   EXPECT_EQ(plain.Report.SeamRegionPoints, 0);
   std::set<int> onCut; // vertices of the input

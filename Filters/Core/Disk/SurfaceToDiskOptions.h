@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What surfaceToDisk is asked to do, and what it returns.
+#pragma once
+
+#include "Disk/BoundaryChoice.h"
+#include "Disk/GeodesicHole.h"
+#include "Disk/PlaneCut.h"
+#include "Handles/HandleRemoval.h"
+#include "Mesh/DerivedMesh.h"
+#include "Mesh/SurfaceComponents.h"
+#include "Repair/SpikeRemoval.h"
+#include "Repair/SurfaceRepair.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace flattening
+{
+
+/// What happens to handles and tunnels before the surface is opened.
+enum class HandleMode
+{
+  Remove, ///< they are cut and capped (removeHandles)
+  Keep,   ///< the surface keeps its shape, and one more cut opens the handles: a short graph of edges
+          ///< (cutToDisk). It opens a closed surface too, which then gets a hole or a seam only if a
+          ///< point is given for it
+  Error   ///< a TopologyError names the genus
+};
+
+/// How the surface is cut. Handles that are kept need a cut graph besides, see HandleMode.
+enum class CutMode
+{
+  Hole, ///< a closed surface loses a geodesic disk (cutGeodesicHole)
+  Seam, ///< the surface is cut along a geodesic path and loses nothing (cutGeodesicSeam); a tube with
+        ///< two open ends (endsOfTube) is cut from end to end (placeTubeSeam)
+  Plane ///< one side of a plane is kept (cutAtPlane)
+};
+
+struct SurfaceToDiskOptions
+{
+  /// Points within this distance of each other are merged (input units, >= 0); 0: only points that
+  /// coincide exactly.
+  double MergeTolerance = 0.0;
+  ComponentChoice Component;
+  BoundaryChoice Boundary;
+  /// Whether spikes, pits and fins of one voxel are flattened (flattenSpikesAndFins). Ignored if handles
+  /// are kept.
+  bool FlattenFolds = true;
+  /// The longest boundary loop that is filled (input units, >= 0); 0: the circumference of a circle of
+  /// 5 % of the surface's area.
+  double FillLengthLimit = 0.0;
+  HandleMode Handles = HandleMode::Remove;
+  CutMode Cut = CutMode::Hole;
+  /// The hole that is cut if the component is closed or nearly closed (isPuncture). Its BoundaryVertices
+  /// hold for every boundary that a cut makes.
+  GeodesicHoleOptions Hole;
+  /// Points through which the seam runs, in order (input units). If there is none, a closed surface is
+  /// cut between two of its extremities (placeSeam), a tube from end to end, and any other open surface
+  /// is not cut.
+  std::vector<Eigen::Vector3d> SeamPoints;
+  CuttingPlane Plane;
+  /// One flag per point of the input: not 0 where no hole or seam may be placed; empty: anywhere. Cut
+  /// graphs and the seams of tubes do not avoid it.
+  std::vector<char> RegionOfInterest;
+  /// Without remeshing, angles below this one are opened by local changes (withoutSmallAngles), because
+  /// slivers cannot be flattened well; degrees, 0 (off) to 15. Ignored if handles are kept.
+  double SmallestAngle = 1.0;
+  bool Remesh = false;
+  /// Edge length of remeshing (input units); 0: RelativeEdgeLength times the mean edge length.
+  double TargetEdgeLength = 0.0;
+  /// In mean edge lengths of the surface, > 0.
+  double RelativeEdgeLength = 0.9;
+  /// Whether the pairs of faces that intersect are counted, in the component and in the disk.
+  bool CountSelfIntersections = true;
+};
+
+/// What was changed, and measures of the disk. Lengths and areas are in input units.
+struct SurfaceToDiskReport
+{
+  RepairReport Repair;
+  int Components = 0;
+  double DroppedComponentArea = 0.0;
+  int ReorientedFaces = 0; ///< faces of the component whose orientation was reversed
+  FlattenedFolds Folds;
+  int FilledHoles = 0;
+  double FilledArea = 0.0;
+  int Genus = 0; ///< before handles were removed or cut
+  HandleRemovalReport Handles;
+  double RemeshEdgeLength = 0.0; ///< 0 if the surface was not remeshed
+  Eigen::Vector3d HoleCentre = Eigen::Vector3d::Zero();
+  double HoleRadius = 0.0;     ///< geodesic; 0 if no hole was cut
+  double SeamLength = 0.0;     ///< of the seam and the cut graph; 0 if there is neither
+  double RemovedArea = 0.0;    ///< of the hole and of the part beyond the plane
+  int RemovedRegionPoints = 0; ///< points of the region of interest that the hole could not avoid
+  int SeamRegionPoints = 0;    ///< points of the region of interest on a cut graph or the seam of a tube
+  int BoundaryVertices = 0;
+  double BoundaryLength = 0.0;
+  double SurfaceArea = 0.0;
+  double SmallestAngle = 0.0;      ///< of all faces, degrees
+  int SelfIntersectionsBefore = 0; ///< pairs of intersecting faces in the repaired component
+  int SelfIntersections = 0;       ///< pairs of intersecting faces in the disk
+};
+
+struct DiskSurface
+{
+  DerivedMesh Surface;
+  std::vector<char> Seam; ///< per vertex: 1 on a seam or a cut graph
+  SurfaceToDiskReport Report;
+};
+
+} // namespace flattening
