@@ -426,7 +426,7 @@ TEST(SurfaceToDiskModes, ReportsEveryFigure)
   EXPECT_EQ(figure(output, "Patient"), 42); // field data of the input are kept
   EXPECT_EQ(output->GetFieldData()->GetNumberOfArrays(), static_cast<int>(names.size()) + 1);
 
-  for (const char* file : { "Filters/vtkSurfaceToDiskFilter.h", "README.md", "docs/surface_to_disk.md" })
+  for (const char* file : { "Filters/vtkSurfaceToDiskFilter.h", "docs/reference.md" })
   {
     std::ifstream stream(std::string(DATA_DIRECTORY "/../") + file);
     const std::string text{ std::istreambuf_iterator<char>(stream), {} };
