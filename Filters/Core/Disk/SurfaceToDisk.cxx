@@ -10,7 +10,6 @@
 #include "Remeshing/FaceConditioning.h"
 #include "Remeshing/IsotropicRemeshing.h"
 #include "Remeshing/SliverRemoval.h"
-#include "Repair/BorderStitching.h"
 #include "Repair/CoincidentPoints.h"
 #include "Repair/ConsistentOrientation.h"
 #include "Repair/HoleFilling.h"

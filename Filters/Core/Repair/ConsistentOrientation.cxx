@@ -6,6 +6,7 @@
 #include "Mesh/MeshTopology.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 
 #include <Eigen/Geometry>
 
@@ -20,9 +21,9 @@ namespace flattening
 namespace
 {
 
-using Polygons = std::vector<std::array<std::size_t, 3>>;
+namespace PMP = CGAL::Polygon_mesh_processing;
 
-// Most isosurfaces are: finding out takes a tenth of the time of making them so.
+// Most isosurfaces are oriented manifolds: finding out takes a tenth of the time of making them so.
 bool isOrientedManifold(const TriangleMesh& mesh)
 {
   try
@@ -36,7 +37,8 @@ bool isOrientedManifold(const TriangleMesh& mesh)
   }
 }
 
-struct OrientationRecord : CGAL::Polygon_mesh_processing::Default_orientation_visitor
+// Records in `Result` what CGAL reverses and copies.
+struct OrientationRecord : PMP::Default_orientation_visitor
 {
   OrientedMesh* Result = nullptr;
 
@@ -51,6 +53,7 @@ struct OrientationRecord : CGAL::Polygon_mesh_processing::Default_orientation_vi
 
 using FacesOfEdges = std::map<std::pair<int, int>, std::vector<int>>;
 
+// Only of the faces that are `concerned`.
 FacesOfEdges facesOfEdges(const FaceMatrix& faces, const std::vector<char>& concerned)
 {
   FacesOfEdges edges;
@@ -64,7 +67,8 @@ FacesOfEdges facesOfEdges(const FaceMatrix& faces, const std::vector<char>& conc
   return edges;
 }
 
-// A cut at an edge of just two faces has one reason only: no orientation suits both.
+// Marks the faces beside a one-sided edge: an edge of just two faces is cut only if no orientation suits
+// both. Faces without copied vertices have no such edge.
 void markOneSidedEdges(OrientedMesh& oriented, const TriangleMesh& before)
 {
   std::vector<char> copied(before.vertexCount(), 0);
@@ -118,7 +122,7 @@ OrientedMesh orientConsistently(const TriangleMesh& mesh)
   {
     points.push_back(pointOf(mesh.Vertices, v));
   }
-  Polygons polygons(mesh.faceCount());
+  std::vector<std::array<std::size_t, 3>> polygons(mesh.faceCount());
   for (int f = 0; f < mesh.faceCount(); ++f)
   {
     for (int k = 0; k < 3; ++k)
@@ -128,8 +132,7 @@ OrientedMesh orientConsistently(const TriangleMesh& mesh)
   }
   OrientationRecord record;
   record.Result = &oriented;
-  CGAL::Polygon_mesh_processing::orient_polygon_soup(
-    points, polygons, CGAL::parameters::visitor(record));
+  PMP::orient_polygon_soup(points, polygons, CGAL::parameters::visitor(record));
 
   oriented.Mesh.Vertices.conservativeResize(static_cast<Eigen::Index>(points.size()), 3);
   for (std::size_t v = mesh.vertexCount(); v < points.size(); ++v)
@@ -153,8 +156,8 @@ OrientedMesh orientConsistently(const TriangleMesh& mesh)
 int orientOutward(TriangleMesh& component, const std::vector<char>& reversed, bool closed)
 {
   const int faces = component.faceCount();
-  double volume = 0.0;       // six times; about the centroid, to lose fewer digits
-  double reversedArea = 0.0; // minus the area of the faces that were kept
+  double volume = 0.0;       // six times the volume; about the centroid, to lose fewer digits
+  double reversedArea = 0.0; // area of the reversed faces minus area of the others
   const Eigen::RowVector3d centre = component.Vertices.colwise().mean();
   const Eigen::VectorXd areas = faceAreas(component.Vertices, component.Faces);
   int reversedFaces = 0;
@@ -173,6 +176,13 @@ int orientOutward(TriangleMesh& component, const std::vector<char>& reversed, bo
     reversedFaces = faces - reversedFaces;
   }
   return reversedFaces;
+}
+
+DerivedMesh stitchCoincidentBorders(const TriangleMesh& mesh)
+{
+  EditableSurface surface(mesh);
+  PMP::stitch_borders(surface.mesh());
+  return surface.derived();
 }
 
 } // namespace flattening

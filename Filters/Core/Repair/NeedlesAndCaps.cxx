@@ -1,50 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Repair/NeedlesAndCaps.h"
 
+#include "Mesh/SliverThresholds.h"
+
+#include <Eigen/Geometry>
+
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
-#include <numeric>
+#include <queue>
+#include <utility>
 
 namespace flattening
 {
 namespace
 {
 
-using Triangle = std::array<int, 3>;
+using VertexClasses = boost::disjoint_sets_with_storage<>;
 
-// Classes of joined vertices; the smallest of each represents it.
-class JoinedVertices
-{
-public:
-  explicit JoinedVertices(Eigen::Index count)
-    : Parent(count)
-  {
-    std::iota(this->Parent.begin(), this->Parent.end(), 0);
-  }
-
-  int representative(int v)
-  {
-    while (this->Parent[v] != v)
-    {
-      v = this->Parent[v] = this->Parent[this->Parent[v]];
-    }
-    return v;
-  }
-
-  // Returns whether they were two.
-  bool join(int a, int b)
-  {
-    a = this->representative(a);
-    b = this->representative(b);
-    this->Parent[std::max(a, b)] = std::min(a, b);
-    return a != b;
-  }
-
-private:
-  std::vector<int> Parent;
-};
-
-// Joins the ends of the face's shortest edge if that is too short.
-bool joinIfNeedle(const Points3& vertices, const Triangle& face, JoinedVertices& joined)
+// Joins the ends of the face's shortest edge if that is too short. Returns whether they were two.
+bool joinIfNeedle(const Points3& vertices, const Triangle& face, VertexClasses& classes)
 {
   std::array<double, 3> length;
   for (int k = 0; k < 3; ++k)
@@ -52,55 +28,186 @@ bool joinIfNeedle(const Points3& vertices, const Triangle& face, JoinedVertices&
     length[k] = (vertices.row(face[k]) - vertices.row(face[(k + 1) % 3])).norm();
   }
   const auto [shortest, longest] = std::minmax_element(length.begin(), length.end());
-  if (*shortest > SmallestEdgeShare * *longest)
+  if (*shortest > slivers::NeedleEdge * *longest)
   {
     return false;
   }
   const auto k = shortest - length.begin();
-  return joined.join(face[k], face[(k + 1) % 3]);
+  const int from = classes.find_set(face[k]);
+  const int to = classes.find_set(face[(k + 1) % 3]);
+  classes.link(from, to);
+  return from != to;
 }
+
+RemovedSlivers collapseNeedles(const Points3& vertices, FaceList& list)
+{
+  RemovedSlivers removed;
+  VertexClasses classes(vertices.rows());
+  const boost::counting_iterator<std::size_t> first(0);
+  const boost::counting_iterator<std::size_t> last(vertices.rows());
+  for (int joined = -1; joined != 0;)
+  {
+    joined = static_cast<int>(std::count_if(list.Faces.begin(),
+      list.Faces.end(),
+      [&](const Triangle& face) { return joinIfNeedle(vertices, face, classes); }));
+    if (joined > 0)
+    {
+      classes.compress_sets(first, last);
+      classes.normalize_sets(first, last); // the smallest vertex represents each class
+      for (Triangle& face : list.Faces)
+      {
+        std::transform(
+          face.begin(), face.end(), face.begin(), [&classes](int v) { return classes.find_set(v); });
+      }
+      removed.JoinedVertices += joined;
+      removed.Faces += list.dropIf([&list](std::size_t f) { return repeatsVertex(list.Faces[f]); });
+    }
+  }
+  return removed;
+}
+
+class CapDissolver
+{
+public:
+  CapDissolver(const Points3& vertices, FaceList& list)
+    : Vertices(vertices)
+    , List(list)
+    , Alive(list.Faces.size(), 1)
+  {
+  }
+
+  // Returns the number of caps at the start.
+  int run()
+  {
+    for (std::size_t f = 0; f < this->List.Faces.size(); ++f)
+    {
+      this->enqueueIfCap(static_cast<int>(f));
+    }
+    const int found = static_cast<int>(this->Queue.size());
+    if (found == 0)
+    {
+      return 0;
+    }
+    this->FacesOfVertex.resize(this->Vertices.rows());
+    for (std::size_t f = 0; f < this->List.Faces.size(); ++f)
+    {
+      this->enlist(static_cast<int>(f));
+    }
+    // Longest first: a split then only makes edges that are shorter, so that it ends.
+    while (!this->Queue.empty())
+    {
+      const int f = this->Queue.top().second;
+      this->Queue.pop();
+      if (this->Alive[f])
+      {
+        this->dissolve(f);
+      }
+    }
+    this->List.dropIf([this](std::size_t f) { return !this->Alive[f]; });
+    return found;
+  }
+
+private:
+  double squaredLength(int a, int b) const
+  {
+    return (this->Vertices.row(a) - this->Vertices.row(b)).squaredNorm();
+  }
+
+  // Rotates the corners so that the longest edge is the one from the first to the second.
+  Triangle longestEdgeFirst(const Triangle& t) const
+  {
+    int longest = 0;
+    for (int k = 1; k < 3; ++k)
+    {
+      if (this->squaredLength(t[k], t[(k + 1) % 3]) >
+          this->squaredLength(t[longest], t[(longest + 1) % 3]))
+      {
+        longest = k;
+      }
+    }
+    return { t[longest], t[(longest + 1) % 3], t[(longest + 2) % 3] };
+  }
+
+  void enqueueIfCap(int f)
+  {
+    const Triangle t = this->longestEdgeFirst(this->List.Faces[f]);
+    const Eigen::Vector3d edge = this->Vertices.row(t[1]) - this->Vertices.row(t[0]);
+    const Eigen::Vector3d side = this->Vertices.row(t[2]) - this->Vertices.row(t[0]);
+    if (edge.cross(side).norm() > slivers::CapAltitude * edge.squaredNorm())
+    {
+      return;
+    }
+    // Rounding decides which of a needle's long edges is the longest: splitting at one, then at the
+    // other would never end.
+    const double shortest = std::min(this->squaredLength(t[1], t[2]), side.squaredNorm());
+    if (shortest > slivers::NeedleEdge * slivers::NeedleEdge * edge.squaredNorm())
+    {
+      this->Queue.emplace(edge.squaredNorm(), f);
+    }
+  }
+
+  void enlist(int f)
+  {
+    for (const int v : this->List.Faces[f])
+    {
+      this->FacesOfVertex[v].push_back(f);
+    }
+  }
+
+  void dissolve(int f)
+  {
+    const auto [from, to, between] = this->longestEdgeFirst(this->List.Faces[f]);
+    this->Alive[f] = 0;
+    const std::vector<int> candidates = this->FacesOfVertex[from];
+    for (const int g : candidates)
+    {
+      const Triangle beyond = this->List.Faces[g];
+      if (this->Alive[g] && std::find(beyond.begin(), beyond.end(), to) != beyond.end())
+      {
+        this->Alive[g] = 0;
+        this->addPart(beyond, to, between, this->List.Origins[g]);
+        this->addPart(beyond, from, between, this->List.Origins[g]);
+      }
+    }
+  }
+
+  void addPart(Triangle whole, int replaced, int replacement, int origin)
+  {
+    if (std::find(whole.begin(), whole.end(), replacement) != whole.end())
+    {
+      return; // the mirror image of the cap: nothing is left of it
+    }
+    std::replace(whole.begin(), whole.end(), replaced, replacement);
+    const int f = static_cast<int>(this->List.Faces.size());
+    this->List.Faces.push_back(whole);
+    this->List.Origins.push_back(origin);
+    this->Alive.push_back(1);
+    this->enlist(f);
+    this->enqueueIfCap(f);
+  }
+
+  const Points3& Vertices;
+  FaceList& List;
+  std::vector<char> Alive; // per face
+  std::vector<std::vector<int>> FacesOfVertex;
+  std::priority_queue<std::pair<double, int>> Queue; // squared length of the longest edge, face
+};
 
 } // namespace
 
-CollapsedNeedles collapseNeedles(const Points3& vertices,
-  std::vector<Triangle>& faces,
-  std::vector<int>& origins)
+RemovedSlivers removeNeedlesAndCaps(const Points3& vertices, FaceList& faces)
 {
-  CollapsedNeedles collapsed;
-  JoinedVertices joined(vertices.rows());
-  for (bool found = true; found;)
+  RemovedSlivers removed;
+  // Either step may make new work for the other.
+  for (bool changed = true; changed;)
   {
-    found = false;
-    for (const Triangle& face : faces)
-    {
-      if (joinIfNeedle(vertices, face, joined))
-      {
-        ++collapsed.Vertices;
-        found = true;
-      }
-    }
-    std::size_t kept = 0;
-    for (std::size_t f = 0; found && f < faces.size(); ++f)
-    {
-      for (int& v : faces[f])
-      {
-        v = joined.representative(v);
-      }
-      const auto [a, b, c] = faces[f];
-      if (a != b && b != c && c != a)
-      {
-        faces[kept] = faces[f];
-        origins[kept++] = origins[f];
-      }
-    }
-    if (found)
-    {
-      collapsed.Faces += static_cast<int>(faces.size() - kept);
-      faces.resize(kept);
-      origins.resize(kept);
-    }
+    const RemovedSlivers needles = collapseNeedles(vertices, faces);
+    const int caps = CapDissolver(vertices, faces).run();
+    removed.JoinedVertices += needles.JoinedVertices;
+    removed.Faces += needles.Faces + caps;
+    changed = needles.JoinedVertices > 0 || caps > 0;
   }
-  return collapsed;
+  return removed;
 }
 
 } // namespace flattening

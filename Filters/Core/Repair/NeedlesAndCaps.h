@@ -1,31 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Triangles with two corners that are all but one point.
+/// The removal of triangles without area: needles, which have an edge of almost no length, and caps,
+/// which have a vertex on the opposite edge.
 #pragma once
 
 #include "Mesh/TriangleMesh.h"
-
-#include <array>
-#include <vector>
+#include "Repair/FaceList.h"
 
 namespace flattening
 {
 
-/// The shortest edge of a face that is kept, as share of its longest: below, rounding decides its shape.
-constexpr double SmallestEdgeShare = 1e-9;
-
-struct CollapsedNeedles
+struct RemovedSlivers
 {
-  int Vertices = 0; ///< joined to another one
-  int Faces = 0;    ///< gone with an edge
+  int JoinedVertices = 0; ///< vertices joined to another one
+  int Faces = 0;          ///< needles and caps
 };
 
-/// Collapses the edges that are shorter than SmallestEdgeShare of the longest edge of a face beside
-/// them, until there is none: of the vertices joined, the one with the smallest index stays, where it
-/// is.
-/// @p faces (no repeated vertices) and @p origins (what each face is a part of) change together; several
-/// faces may then have the same vertices.
-CollapsedNeedles collapseNeedles(const Points3& vertices,
-  std::vector<std::array<int, 3>>& faces,
-  std::vector<int>& origins);
+/// Removes needles and caps until there is none.
+///
+/// Needles: edges shorter than slivers::NeedleEdge of the longest edge of a face beside them are
+/// collapsed. Of the vertices joined, the one with the smallest index stays, where it is.
+///
+/// Caps: a face whose altitude is below slivers::CapAltitude of its longest edge is dropped, and the
+/// faces beyond that edge are split at the vertex that lies on it, which leaves no T-junction. Both
+/// parts inherit the origin.
+///
+/// @param faces no face may repeat a vertex. Afterwards several may have the same vertices.
+RemovedSlivers removeNeedlesAndCaps(const Points3& vertices, FaceList& faces);
 
 } // namespace flattening

@@ -3,13 +3,11 @@
 
 #include "Base/Errors.h"
 #include "Repair/CoincidentPoints.h"
-#include "Repair/CollinearFaces.h"
 #include "Repair/ConsistentOrientation.h"
 #include "Repair/NeedlesAndCaps.h"
 #include "Repair/TJunctions.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <utility>
 
@@ -17,8 +15,6 @@ namespace flattening
 {
 namespace
 {
-
-using Triangle = std::array<int, 3>;
 
 void requireFinite(const TriangleMesh& soup)
 {
@@ -43,75 +39,26 @@ void requireFinite(const TriangleMesh& soup)
   }
 }
 
-bool repeatsVertex(const Triangle& t)
-{
-  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-}
-
-// The faces left after merging, with the input face of each.
-struct FaceList
-{
-  std::vector<Triangle> Faces;
-  std::vector<int> Origins;
-
-  template <typename Drop>
-  int dropIf(Drop&& drop)
-  {
-    std::size_t kept = 0;
-    for (std::size_t f = 0; f < this->Faces.size(); ++f)
-    {
-      if (!drop(f))
-      {
-        this->Faces[kept] = this->Faces[f];
-        this->Origins[kept++] = this->Origins[f];
-      }
-    }
-    const int dropped = static_cast<int>(this->Faces.size() - kept);
-    this->Faces.resize(kept);
-    this->Origins.resize(kept);
-    return dropped;
-  }
-};
-
+// Of the faces with the same three vertices, the first one stays.
 int dropDuplicates(FaceList& list)
 {
-  struct Key
+  std::vector<std::pair<Triangle, int>> sorted; // by the vertices, then by the index of the face
+  sorted.reserve(list.Faces.size());
+  for (Triangle face : list.Faces)
   {
-    Triangle Vertices;
-    int Face;
-  };
-  std::vector<Key> keys(list.Faces.size());
-  for (std::size_t f = 0; f < keys.size(); ++f)
-  {
-    keys[f] = { list.Faces[f], static_cast<int>(f) };
-    std::sort(keys[f].Vertices.begin(), keys[f].Vertices.end());
+    std::sort(face.begin(), face.end());
+    sorted.emplace_back(face, static_cast<int>(sorted.size()));
   }
-  std::sort(keys.begin(),
-    keys.end(),
-    [](const Key& a, const Key& b)
-    { return a.Vertices != b.Vertices ? a.Vertices < b.Vertices : a.Face < b.Face; });
-  std::vector<char> duplicate(keys.size(), 0);
-  for (std::size_t i = 1; i < keys.size(); ++i)
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<char> duplicate(sorted.size(), 0);
+  for (std::size_t i = 1; i < sorted.size(); ++i)
   {
-    duplicate[keys[i].Face] = keys[i].Vertices == keys[i - 1].Vertices;
+    duplicate[sorted[i].second] = sorted[i].first == sorted[i - 1].first;
   }
   return list.dropIf([&duplicate](std::size_t f) { return duplicate[f] != 0; });
 }
 
-// Each of the two steps may bring new work for the other.
-void removeDegenerateFaces(const Points3& vertices, FaceList& list, RepairReport& report)
-{
-  for (bool changed = true; changed;)
-  {
-    const CollapsedNeedles needles = collapseNeedles(vertices, list.Faces, list.Origins);
-    const int collinear = dissolveCollinearFaces(vertices, list.Faces, list.Origins);
-    report.MergedPoints += needles.Vertices;
-    report.DegenerateFaces += needles.Faces + collinear;
-    changed = needles.Vertices > 0 || collinear > 0;
-  }
-}
-
-// Merges the corners of the faces; counts what that concerns.
+// The faces between representatives of coincident points; counts the points merged and unused.
 FaceList mergedFaces(const TriangleMesh& soup, double tolerance, RepairReport& report)
 {
   const std::vector<int> representative = coincidentPoints(soup.Vertices, tolerance);
@@ -136,7 +83,7 @@ FaceList mergedFaces(const TriangleMesh& soup, double tolerance, RepairReport& r
   return list;
 }
 
-// The faces with the vertices that they use; says which those were.
+// A mesh of the faces with only the vertices that they use; `original` gets the index of each.
 TriangleMesh compactMesh(const Points3& vertices, const FaceList& list, std::vector<int>& original)
 {
   std::vector<int> index(vertices.rows(), -1);
@@ -186,9 +133,11 @@ RepairedSurface repairTriangleSoup(const TriangleMesh& soup, double tolerance)
   RepairReport& report = repaired.Report;
   FaceList list = mergedFaces(soup, tolerance, report);
   report.DegenerateFaces = list.dropIf([&list](std::size_t f) { return repeatsVertex(list.Faces[f]); });
-  removeDegenerateFaces(soup.Vertices, list, report);
+  const RemovedSlivers slivers = removeNeedlesAndCaps(soup.Vertices, list);
+  report.MergedPoints += slivers.JoinedVertices;
+  report.DegenerateFaces += slivers.Faces;
   report.DuplicateFaces = dropDuplicates(list);
-  report.ClosedCracks = closeCracks(soup.Vertices, list.Faces, list.Origins, tolerance);
+  report.ClosedCracks = closeTJunctions(soup.Vertices, list, tolerance);
   if (list.Faces.empty())
   {
     throw InvalidInput("the surface has zero area: all of its " + std::to_string(soup.faceCount()) +

@@ -12,11 +12,11 @@ namespace flattening
 /// What repairTriangleSoup changed.
 struct RepairReport
 {
-  int MergedPoints = 0;    ///< points joined to one that coincides, all but or within the tolerance
+  int MergedPoints = 0;    ///< points joined to another one within the tolerance or by a needle
   int UnusedPoints = 0;    ///< points of no triangle
-  int DegenerateFaces = 0; ///< dropped: a repeated vertex, or corners on one line
-  int DuplicateFaces = 0;  ///< dropped: the same three vertices as an earlier face
-  int ClosedCracks = 0;    ///< places where an open edge was split at a point that lies on it
+  int DegenerateFaces = 0; ///< dropped: faces that repeat a vertex, needles and caps
+  int DuplicateFaces = 0;  ///< dropped: faces with the same three vertices as an earlier one
+  int ClosedCracks = 0;    ///< T-junctions: places where an open edge was split at a point on it
   int SplitPoints = 0;     ///< copies of vertices that cut the surface apart where it was not manifold
 };
 
@@ -28,13 +28,9 @@ struct RepairedSurface
   RepairReport Report;
 };
 
-/// Merges coincident points (see coincidentPoints for @p tolerance), drops degenerate and duplicate
-/// faces, closes cracks without width (closeCracks), and makes the rest an oriented manifold
-/// (orientConsistently).
-///
-/// A face is degenerate if an edge is shorter than 1e-9 of another, which is collapsed
-/// (collapseNeedles), or if its altitude is below 1e-10 of its longest edge. The latter leaves no crack:
-/// the face beyond its longest edge is split at the vertex between (dissolveCollinearFaces).
+/// Merges coincident points (see coincidentPoints for @p tolerance, in input units), removes needles and
+/// caps (removeNeedlesAndCaps) and duplicate faces, closes T-junctions (closeTJunctions), and makes the
+/// rest an oriented manifold (orientConsistently).
 /// @throws InvalidInput if there is no face, a vertex in use is not finite, or no face has an area.
 RepairedSurface repairTriangleSoup(const TriangleMesh& soup, double tolerance = 0.0);
 

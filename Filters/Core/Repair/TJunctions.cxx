@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Repair/TJunctions.h"
 
-#include "Repair/NeedlesAndCaps.h"
+#include "Mesh/SliverThresholds.h"
 
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/box_intersection_d.h>
@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <random>
 #include <tuple>
 #include <utility>
@@ -19,11 +20,11 @@ namespace flattening
 namespace
 {
 
-using Triangle = std::array<int, 3>;
 using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
 
-constexpr double OffEdge = 1e-10;         // of the edge's length
-constexpr double LeastHeightRatio = 10.0; // of the third corner's distance to the point's
+// How many times as high as the distance of a vertex from the edge the face must be over the edge: a
+// guard against splitting a face that is itself as thin as the gap, which would fold it.
+constexpr double LeastHeightRatio = 10.0;
 
 struct OpenEdge
 {
@@ -36,7 +37,7 @@ struct OpenEdge
 struct PointOnEdge
 {
   int Edge;
-  double Along; // from 0 to 1
+  double Along; // share of the edge before the vertex
   int Vertex;
 
   bool operator<(const PointOnEdge& other) const
@@ -46,8 +47,9 @@ struct PointOnEdge
   }
 };
 
-// Ends of open edges, and few others: a vertex around which some edge has an odd number of faces. The
-// codes of the neighbours cancel where all are met twice, but for a chance of 2^-64.
+// Flags the vertices around which some edge has an odd number of faces: the ends of open edges and few
+// others. The random codes of the neighbours cancel where all are met an even number of times; otherwise
+// they cancel with a chance of 2^-64.
 std::vector<char> verticesOfOpenEdges(const std::vector<Triangle>& faces, Eigen::Index vertexCount)
 {
   std::mt19937_64 random;
@@ -69,8 +71,7 @@ std::vector<char> verticesOfOpenEdges(const std::vector<Triangle>& faces, Eigen:
 std::vector<OpenEdge> openEdges(const std::vector<Triangle>& faces, Eigen::Index vertexCount)
 {
   const std::vector<char> candidate = verticesOfOpenEdges(faces, vertexCount);
-  using Keyed = std::pair<std::pair<int, int>, OpenEdge>; // by its ends
-  std::vector<Keyed> edges;
+  std::vector<OpenEdge> edges;
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
     for (int k = 0; k < 3; ++k)
@@ -79,44 +80,37 @@ std::vector<OpenEdge> openEdges(const std::vector<Triangle>& faces, Eigen::Index
       const int to = faces[f][(k + 1) % 3];
       if (candidate[from] && candidate[to])
       {
-        edges.push_back(
-          { std::minmax(from, to), { from, to, faces[f][(k + 2) % 3], static_cast<int>(f) } });
+        edges.push_back({ from, to, faces[f][(k + 2) % 3], static_cast<int>(f) });
       }
     }
   }
+  const auto ends = [](const OpenEdge& edge) { return std::minmax(edge.From, edge.To); };
+  std::map<std::pair<int, int>, int> faceCount;
+  for (const OpenEdge& edge : edges)
+  {
+    ++faceCount[ends(edge)];
+  }
+  edges.erase(
+    std::remove_if(
+      edges.begin(), edges.end(), [&](const OpenEdge& edge) { return faceCount[ends(edge)] > 1; }),
+    edges.end());
   std::sort(edges.begin(),
     edges.end(),
-    [](const Keyed& a, const Keyed& b)
-    { return std::tie(a.first, a.second.Face) < std::tie(b.first, b.second.Face); });
-  std::vector<OpenEdge> open;
-  for (std::size_t i = 0, next = 0; i < edges.size(); i = next)
-  {
-    for (next = i + 1; next < edges.size() && edges[next].first == edges[i].first;)
-    {
-      ++next;
-    }
-    if (next == i + 1)
-    {
-      open.push_back(edges[i].second);
-    }
-  }
-  std::sort(open.begin(),
-    open.end(),
     [](const OpenEdge& a, const OpenEdge& b)
     { return std::tie(a.Face, a.From) < std::tie(b.Face, b.From); });
-  return open;
+  return edges;
 }
 
-class CrackSearch
+class TJunctionSearch
 {
 public:
-  CrackSearch(const Points3& vertices, double tolerance)
+  TJunctionSearch(const Points3& vertices, double tolerance)
     : Vertices(vertices)
     , Tolerance(tolerance)
   {
   }
 
-  // Sorted along each edge.
+  // The vertices on the edges, sorted by edge and along it.
   std::vector<PointOnEdge> pointsOn(const std::vector<OpenEdge>& edges) const
   {
     std::vector<Box> boxesOfEdges;
@@ -144,7 +138,7 @@ public:
       boxesOfPoints.end(),
       [&](const Box& edge, const Box& point)
       {
-        const double along = this->placeOn(edges[edge.info()], point.info());
+        const double along = this->shareOn(edges[edge.info()], point.info());
         if (along > 0.0)
         {
           found.push_back({ edge.info(), along, point.info() });
@@ -155,7 +149,7 @@ public:
   }
 
 private:
-  double reach(double length) const { return std::max(this->Tolerance, OffEdge * length); }
+  double reach(double length) const { return std::max(this->Tolerance, slivers::CapAltitude * length); }
 
   Eigen::AlignedBox3d boxAround(const OpenEdge& edge) const
   {
@@ -165,8 +159,8 @@ private:
     return { from.cwiseMin(to) - margin, from.cwiseMax(to) + margin };
   }
 
-  // Share of the edge before the vertex; 0 if that is not on it.
-  double placeOn(const OpenEdge& edge, int v) const
+  // The share of the edge before the vertex; 0 if the vertex is not on it.
+  double shareOn(const OpenEdge& edge, int v) const
   {
     if (v == edge.From || v == edge.To || v == edge.Apex)
     {
@@ -178,7 +172,7 @@ private:
     const Eigen::Vector3d apex = this->Vertices.row(edge.Apex).transpose() - from;
     const double length = along.norm();
     const double share = point.dot(along) / (length * length);
-    const double offEnds = std::max(this->Tolerance / length, 2.0 * SmallestEdgeShare);
+    const double offEnds = std::max(this->Tolerance / length, 2.0 * slivers::NeedleEdge);
     if (!(share > offEnds && share < 1.0 - offEnds))
     {
       return 0.0;
@@ -192,7 +186,7 @@ private:
   double Tolerance;
 };
 
-// Splits the part of a face with the edge from @p before to @p end at @p middle.
+// Splits the part of a face that has the edge from `before` to `end` at `middle`.
 void splitPart(std::vector<Triangle>& parts, int before, int end, int middle)
 {
   const auto has = [](const Triangle& part, int v)
@@ -208,13 +202,11 @@ void splitPart(std::vector<Triangle>& parts, int before, int end, int middle)
 
 } // namespace
 
-int closeCracks(const Points3& vertices,
-  std::vector<Triangle>& faces,
-  std::vector<int>& origins,
-  double tolerance)
+int closeTJunctions(const Points3& vertices, FaceList& list, double tolerance)
 {
+  std::vector<Triangle>& faces = list.Faces;
   const std::vector<OpenEdge> edges = openEdges(faces, vertices.rows());
-  const std::vector<PointOnEdge> points = CrackSearch(vertices, tolerance).pointsOn(edges);
+  const std::vector<PointOnEdge> points = TJunctionSearch(vertices, tolerance).pointsOn(edges);
   std::vector<Triangle> parts;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
@@ -231,7 +223,7 @@ int closeCracks(const Points3& vertices,
     {
       faces[edge.Face] = parts.front();
       faces.insert(faces.end(), parts.begin() + 1, parts.end());
-      origins.insert(origins.end(), parts.size() - 1, origins[edge.Face]);
+      list.Origins.insert(list.Origins.end(), parts.size() - 1, list.Origins[edge.Face]);
     }
   }
   return static_cast<int>(points.size());

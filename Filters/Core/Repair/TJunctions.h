@@ -1,24 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Cracks without width: points in the middle of open edges ("T-junctions").
+/// T-junctions: vertices in the middle of an open edge, where the surface has a crack without width.
 #pragma once
 
 #include "Mesh/TriangleMesh.h"
-
-#include <array>
-#include <vector>
+#include "Repair/FaceList.h"
 
 namespace flattening
 {
 
-/// Splits every face whose open edge (an edge of one face only) has ends of other open edges on it at
-/// these, so that the faces on the other side fit. On it means: off its ends, and not farther from it
-/// than @p tolerance (input units) or 1e-10 of its length, whichever is more, nor than a tenth of the
-/// face's height over it.
-/// @p faces (no repeated vertices) and @p origins (what each face is a part of) change together; parts
-/// hand the origin on. Returns the number of places where an edge was split.
-int closeCracks(const Points3& vertices,
-  std::vector<std::array<int, 3>>& faces,
-  std::vector<int>& origins,
-  double tolerance = 0.0);
+/// Splits every face with an open edge (an edge of one face only) at the ends of other open edges that
+/// lie on it, so that the faces on the other side fit. A vertex lies on an edge if it is off the edge's
+/// ends and no farther from the edge than @p tolerance (input units) or slivers::CapAltitude of its
+/// length, whichever is more, nor than a tenth of the face's height over the edge. Parts inherit the
+/// origin.
+/// @param faces no face may repeat a vertex.
+/// @returns the number of places where an edge was split.
+int closeTJunctions(const Points3& vertices, FaceList& faces, double tolerance = 0.0);
 
 } // namespace flattening
