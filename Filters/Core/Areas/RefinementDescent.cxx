@@ -2,14 +2,13 @@
 #include "Areas/RefinementDescent.h"
 
 #include "Base/Errors.h"
-#include "Base/InterruptibleCall.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
+#include <utility>
 
 namespace flattening
 {
@@ -35,13 +34,13 @@ constexpr int FactorTrials = 5;
 constexpr double LeastCurvature = 1e-12;
 constexpr int PerTask = 4096;
 
-// The mesh's own order, found on one unknown per vertex and expanded, in a quarter of the time.
+// The mesh's own order, found on one dof per vertex and expanded, in a quarter of the time.
 EliminationOrder expandedOrder(const FaceMatrix& faces,
-  const DegreesOfFreedom& unknowns,
+  const DegreesOfFreedom& dofs,
   SparseCholesky::Ordering ordering,
   const ProgressCallback& progress)
 {
-  const int vertexCount = unknowns.vertexCount();
+  const int vertexCount = dofs.vertexCount();
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(3 * faces.rows() + vertexCount);
   for (int v = 0; v < vertexCount; ++v)
@@ -57,21 +56,17 @@ EliminationOrder expandedOrder(const FaceMatrix& faces,
       entries.emplace_back(std::max(a, b), std::min(a, b), 1.0);
     }
   }
-  const auto pattern = std::make_shared<SparseMatrix>(vertexCount, vertexCount);
-  pattern->setFromTriplets(entries.begin(), entries.end());
-  const auto ofVertices = std::make_shared<EliminationOrder>();
-  callInterruptibly([pattern, ordering, ofVertices]()
-    { *ofVertices = SparseCholesky::orderOf(*pattern, ordering); },
-    progress,
-    0.0,
-    "Face refinement: order of elimination");
+  SparseMatrix pattern(vertexCount, vertexCount);
+  pattern.setFromTriplets(entries.begin(), entries.end());
+  const EliminationOrder ofVertices = SparseCholesky::orderOf(
+    std::move(pattern), ordering, progress, 0.0, "Face refinement: order of elimination");
   EliminationOrder order;
   order.Fill = std::numeric_limits<double>::infinity();
-  for (const int v : ofVertices->Unknowns)
+  for (const int v : ofVertices.Unknowns)
   {
-    for (int k = 0; k < unknowns.countOf(v); ++k)
+    for (int k = 0; k < dofs.countOf(v); ++k)
     {
-      order.Unknowns.push_back(unknowns.first(v) + k);
+      order.Unknowns.push_back(dofs.first(v) + k);
     }
   }
   return order;
@@ -106,22 +101,22 @@ double crossProduct(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 } // namespace
 
 RefinementDescent::RefinementDescent(RefinementEnergy& energy,
-  const DegreesOfFreedom& unknowns,
+  const DegreesOfFreedom& dofs,
   const FaceMatrix& faces,
   SparseCholesky::Kernel kernel,
   const ProgressCallback& progress)
   : Energy(energy)
-  , Unknowns(unknowns)
+  , Dofs(dofs)
   , Faces(faces)
-  , Cholesky(std::make_shared<SparseCholesky>(
-      expandedOrder(faces,
-        unknowns,
-        kernel == SparseCholesky::Kernel::Blocks ? SparseCholesky::Ordering::Thorough
-                                                 : SparseCholesky::Ordering::Quick,
-        progress),
-      kernel))
+  , Cholesky(expandedOrder(faces,
+               dofs,
+               kernel == SparseCholesky::Kernel::Blocks ? SparseCholesky::Ordering::Thorough
+                                                        : SparseCholesky::Ordering::Quick,
+               progress),
+      kernel)
   , Damping(FirstDamping)
 {
+  this->Cholesky.expectConstantPattern();
 }
 
 void RefinementDescent::resetDamping()
@@ -130,35 +125,20 @@ void RefinementDescent::resetDamping()
 }
 
 // With more damping where slivers leave the last digits of the matrix indefinite.
-void RefinementDescent::factorise(const FlatState& state, const ProgressCallback& progress)
+void RefinementDescent::factorise(const DomainMap& map, const ProgressCallback& progress)
 {
-  const auto matrix = std::make_shared<SparseMatrix>(this->Energy.hessian(state));
+  SparseMatrix matrix = this->Energy.hessian(map);
   double added = 0.0;
   for (int trial = 0; trial < FactorTrials; ++trial)
   {
-    for (Eigen::Index column = 0; column < matrix->cols(); ++column)
+    for (Eigen::Index column = 0; column < matrix.cols(); ++column)
     {
-      matrix->valuePtr()[matrix->outerIndexPtr()[column]] +=
+      matrix.valuePtr()[matrix.outerIndexPtr()[column]] +=
         this->Damping - added; // the diagonal is first
     }
     added = this->Damping;
-    callInterruptibly(
-      [cholesky = this->Cholesky, matrix, isAnalysed = this->Analysed]()
-      {
-        if (isAnalysed)
-        {
-          cholesky->recompute(*matrix);
-        }
-        else
-        {
-          cholesky->compute(*matrix);
-        }
-      },
-      progress,
-      0.0,
-      "Face refinement: factorization");
-    this->Analysed = true;
-    if (this->Cholesky->info() == Eigen::Success)
+    this->Cholesky.compute(matrix, progress, 0.0, "Face refinement: factorization");
+    if (this->Cholesky.info() == Eigen::Success)
     {
       this->Updates.clear();
       return;
@@ -180,7 +160,7 @@ Eigen::VectorXd RefinementDescent::direction(const Eigen::VectorXd& gradient) co
     shares[i] = update.Step.dot(rest) / update.Product;
     rest -= shares[i] * update.Change;
   }
-  Eigen::VectorXd step = this->Cholesky->solve(rest);
+  Eigen::VectorXd step = this->Cholesky.solve(rest);
   for (std::size_t i = 0; i < this->Updates.size(); ++i)
   {
     const Update& update = this->Updates[i];
@@ -190,7 +170,7 @@ Eigen::VectorXd RefinementDescent::direction(const Eigen::VectorXd& gradient) co
 }
 
 // Where the first face has no area any more, if boundary vertices went straight on.
-double RefinementDescent::lengthToFlip(const FlatState& state, const Eigen::VectorXd& step) const
+double RefinementDescent::lengthToFlip(const DomainMap& map, const Eigen::VectorXd& step) const
 {
   const int m = static_cast<int>(this->Faces.rows());
   const int tasks = (m + PerTask - 1) / PerTask;
@@ -198,11 +178,11 @@ double RefinementDescent::lengthToFlip(const FlatState& state, const Eigen::Vect
   const auto motion = [&](int v) -> Eigen::Vector2d
   {
     Eigen::Vector2d own = Eigen::Vector2d::Zero();
-    for (int k = 0; k < this->Unknowns.countOf(v); ++k)
+    for (int k = 0; k < this->Dofs.countOf(v); ++k)
     {
-      own[k] = step[this->Unknowns.first(v) + k];
+      own[k] = step[this->Dofs.first(v) + k];
     }
-    return this->Unknowns.directions(state, v) * own;
+    return this->Dofs.directions(map, v) * own;
   };
   tbb::parallel_for(0,
     tasks,
@@ -217,7 +197,7 @@ double RefinementDescent::lengthToFlip(const FlatState& state, const Eigen::Vect
         for (int k = 0; k < 2; ++k)
         {
           const int b = this->Faces(f, k + 1);
-          sides[k] = state.Positions.row(b) - state.Positions.row(a);
+          sides[k] = map.Positions.row(b) - map.Positions.row(a);
           changes[k] = motion(b) - base;
         }
         const double length = smallestPositiveRoot(crossProduct(changes[0], changes[1]),
@@ -229,12 +209,12 @@ double RefinementDescent::lengthToFlip(const FlatState& state, const Eigen::Vect
   return *std::min_element(parts.begin(), parts.end());
 }
 
-double RefinementDescent::round(FlatState& state, const ProgressCallback& progress)
+double RefinementDescent::round(DomainMap& map, const ProgressCallback& progress)
 {
   Eigen::VectorXd gradient;
   report(progress, 0.0, "Face refinement: whole mesh");
-  const double before = this->Energy.gradient(state, gradient);
-  this->factorise(state, progress);
+  const double before = this->Energy.gradient(map, gradient);
+  this->factorise(map, progress);
   double energy = before;
   for (int k = 0; k <= QuasiNewtonSteps; ++k)
   {
@@ -248,15 +228,15 @@ double RefinementDescent::round(FlatState& state, const ProgressCallback& progre
     double length = 1.0;
     if (this->KeepsOrientation)
     {
-      length = std::min(length, FlipShare * this->lengthToFlip(state, step));
+      length = std::min(length, FlipShare * this->lengthToFlip(map, step));
     }
-    FlatState next;
+    DomainMap next;
     double nextEnergy = 0.0;
     bool accepted = false;
     for (int halving = 0; halving < LargestHalvings && !accepted; ++halving)
     {
       length *= halving == 0 ? 1.0 : 0.5;
-      next = this->Unknowns.moved(state, step, length);
+      next = this->Dofs.moved(map, step, length);
       nextEnergy = this->Energy.value(next);
       accepted = nextEnergy <= energy + ArmijoShare * length * slope;
     }
@@ -278,7 +258,7 @@ double RefinementDescent::round(FlatState& state, const ProgressCallback& progre
       this->Updates.push_back(std::move(update));
     }
     const double gain = energy - nextEnergy;
-    state = std::move(next);
+    map = std::move(next);
     energy = nextEnergy;
     gradient = std::move(nextGradient);
     if (gain < LeastGain * energy)

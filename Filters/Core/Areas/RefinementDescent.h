@@ -5,7 +5,6 @@
 #include "Areas/RefinementEnergy.h"
 #include "Base/Progress.h"
 
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -20,7 +19,7 @@ class RefinementDescent
 public:
   /// Finds an order of elimination. @throws Cancelled.
   RefinementDescent(RefinementEnergy& energy,
-    const DegreesOfFreedom& unknowns,
+    const DegreesOfFreedom& dofs,
     const FaceMatrix& faces,
     SparseCholesky::Kernel kernel = SparseCholesky::Kernel::Blocks,
     const ProgressCallback& progress = {});
@@ -34,18 +33,17 @@ public:
 
   /// Makes the steps. Returns the share of the energy that it fell by; 0 if no step could be made.
   /// @throws Cancelled, ConvergenceError if the system cannot be factored.
-  double round(FlatState& state, const ProgressCallback& progress = {});
+  double round(DomainMap& map, const ProgressCallback& progress = {});
 
 private:
-  void factorise(const FlatState& state, const ProgressCallback& progress);
+  void factorise(const DomainMap& map, const ProgressCallback& progress);
   Eigen::VectorXd direction(const Eigen::VectorXd& gradient) const;
-  double lengthToFlip(const FlatState& state, const Eigen::VectorXd& step) const;
+  double lengthToFlip(const DomainMap& map, const Eigen::VectorXd& step) const;
 
   RefinementEnergy& Energy;
-  const DegreesOfFreedom& Unknowns;
+  const DegreesOfFreedom& Dofs;
   const FaceMatrix& Faces;
-  std::shared_ptr<SparseCholesky> Cholesky; // a factorization that is abandoned has it, too
-  bool Analysed = false;
+  SparseCholesky Cholesky;
   bool KeepsOrientation = false;
   double Damping; // of the Hessian's diagonal
   struct Update

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Base/LaggedCholeskySolver.h"
 
-#include "Base/InterruptibleCall.h"
-
 #include <cmath>
 
 namespace flattening
@@ -23,12 +21,10 @@ constexpr const char* SolutionStage = "Solution";
 bool LaggedCholeskySolver::factor(const SparseMatrix& lower, const ProgressCallback& progress)
 {
   this->takeNewOrder();
-  const auto owned = std::make_shared<const SparseMatrix>(lower);
-  callInterruptibly(
-    [factor = this->Factor, owned]() { factor->compute(*owned); }, progress, 0.0, FactorStage);
+  this->Factor.compute(lower, progress, 0.0, FactorStage);
   ++this->Factorizations;
   this->LogReduction = -HUGE_VAL;
-  this->Size = this->Factor->info() == Eigen::Success ? lower.rows() : -1;
+  this->Size = this->Factor.info() == Eigen::Success ? lower.rows() : -1;
   return this->Size >= 0;
 }
 
@@ -42,14 +38,14 @@ void LaggedCholeskySolver::takeNewOrder()
 {
   if (this->NewOrder.valid())
   {
-    this->Factor->setOrder(this->NewOrder.get());
+    this->Factor.setOrder(this->NewOrder.get());
   }
 }
 
 const EliminationOrder& LaggedCholeskySolver::order()
 {
   this->takeNewOrder();
-  return this->Factor->order();
+  return this->Factor.order();
 }
 
 bool LaggedCholeskySolver::iterate(const SparseMatrix& lower,
@@ -66,7 +62,7 @@ bool LaggedCholeskySolver::iterate(const SparseMatrix& lower,
   for (int k = 0; k < MostIterations; ++k)
   {
     report(progress, 0.0, SolutionStage);
-    const Eigen::VectorXd preconditioned = this->Factor->solve(residual);
+    const Eigen::VectorXd preconditioned = this->Factor.solve(residual);
     const double descent = residual.dot(preconditioned);
     direction = k == 0 ? preconditioned : (preconditioned + descent / previous * direction).eval();
     previous = descent;
@@ -108,7 +104,7 @@ bool LaggedCholeskySolver::solve(const SparseMatrix& lower,
   {
     return false;
   }
-  solution = this->Factor->solve(rightSide);
+  solution = this->Factor.solve(rightSide);
   return rightSide.dot(solution) >= 0.0; // small indefinite matrices are factored all the same
 }
 

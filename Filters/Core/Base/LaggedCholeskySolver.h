@@ -6,7 +6,6 @@
 #include "Base/SparseFactorization.h"
 
 #include <future>
-#include <memory>
 
 namespace flattening
 {
@@ -53,9 +52,7 @@ private:
   void takeNewOrder();
 
   std::future<EliminationOrder> NewOrder;
-  // Shared with the call that computes it, which an abort leaves behind.
-  std::shared_ptr<SparseCholesky> Factor =
-    std::make_shared<SparseCholesky>(SparseCholesky::Ordering::Quick);
+  SparseCholesky Factor{ SparseCholesky::Ordering::Quick };
   Eigen::Index Size = -1;    // of the factor; -1 without one
   double LogReduction = 0.0; // of the residual by one iteration for the last system
   int Factorizations = 0;

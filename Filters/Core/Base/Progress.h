@@ -33,4 +33,15 @@ inline ProgressCallback subrange(const ProgressCallback& progress, double begin,
   { return progress(begin + (end - begin) * fraction, stage); };
 }
 
+/// A step that is a single point of a longer job's progress: whatever it reports becomes @p fraction and
+/// @p stage.
+inline ProgressCallback atFraction(const ProgressCallback& progress, double fraction, const char* stage)
+{
+  if (!progress)
+  {
+    return {};
+  }
+  return [progress, fraction, stage](double, const char*) { return progress(fraction, stage); };
+}
+
 } // namespace flattening

@@ -1,89 +1,303 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Base/SparseFactorization.h"
 
+#include "Base/InterruptibleCall.h"
+
+#include <Eigen/CholmodSupport>
+#include <Eigen/UmfPackSupport>
+
+#ifdef SURFACEFLATTENING_OPENMP
+#include <omp.h>
+#endif
+
+#include <mutex>
+#include <utility>
+
 namespace flattening
 {
 namespace
 {
 
-// An order that makes the factor so many times as large as it was is given up.
+// An order is given up that makes the factor so many times as large as it was. A factorization takes
+// about a quarter longer then (time grows as the power 3/2 of the fill), so that the search for a new
+// order, which costs one, pays after four more. Greater values slow long sequences down, smaller ones
+// search too often.
 constexpr double GreatestGrowth = 1.15;
+
+std::mutex& blas()
+{
+  static std::mutex mutex;
+  return mutex;
+}
+
+// A lock that serializes calls of BLAS, because not every BLAS may be called from several threads (the
+// serial build of OpenBLAS returns wrong numbers then). It also keeps OpenMP from starting threads:
+// CHOLMOD would start four, however few cores there are, and have them wait for each other at every
+// supernode; a factorization of a million unknowns takes a third longer on two idle cores and several
+// times as long on busy ones.
+class BlasLock
+{
+public:
+  BlasLock()
+    : Lock(blas())
+  {
+#ifdef SURFACEFLATTENING_OPENMP
+    this->OpenMPLevels = omp_get_max_active_levels();
+    omp_set_max_active_levels(0);
+#endif
+  }
+  ~BlasLock()
+  {
+#ifdef SURFACEFLATTENING_OPENMP
+    omp_set_max_active_levels(this->OpenMPLevels);
+#endif
+  }
+  BlasLock(const BlasLock&) = delete;
+  BlasLock& operator=(const BlasLock&) = delete;
+
+private:
+  std::unique_lock<std::mutex> Lock;
+  int OpenMPLevels = 0; // of nested parallel regions, as it was before
+};
 
 } // namespace
 
-std::unique_ptr<BlasLock> SparseCholesky::turn() const
+struct SparseCholesky::Factor : Eigen::CholmodDecomposition<SparseMatrix, Eigen::Lower>
 {
-  return this->UsesBlas ? std::make_unique<BlasLock>() : nullptr;
+  Factor(Ordering search, EliminationOrder order, Kernel kernel)
+    : Search(search)
+    , Order(std::move(order))
+    , UsesBlas(kernel == Kernel::Blocks)
+  {
+    if (kernel == Kernel::Entries)
+    {
+      this->cholmod().final_asis = 0;
+      this->cholmod().final_ll = 1;
+      this->cholmod().supernodal = CHOLMOD_SIMPLICIAL;
+      this->cholmod().print = 0;
+    }
+  }
+
+  void factor(const SparseMatrix& matrix)
+  {
+    if (!(this->HasConstantPattern && this->m_analysisIsOk) && !this->reuseOrder(matrix))
+    {
+      this->findOrder(matrix);
+    }
+    const std::unique_ptr<BlasLock> lock = this->blasLock();
+    this->factorize(matrix);
+  }
+
+  // Analyses the pattern in the order that is known. False if that order does not serve.
+  bool reuseOrder(const SparseMatrix& matrix)
+  {
+    if (static_cast<Eigen::Index>(this->Order.Unknowns.size()) != matrix.rows())
+    {
+      return false;
+    }
+    cholmod_common& common = this->cholmod();
+    cholmod_sparse view = Eigen::viewAsCholmod(matrix.selfadjointView<Eigen::Lower>());
+    const int methods = common.nmethods;
+    common.nmethods = 1; // only the first method, which is the given order
+    cholmod_factor* factor = cholmod_analyze_p(&view, this->Order.Unknowns.data(), nullptr, 0, &common);
+    common.nmethods = methods;
+    if (!factor || common.lnz > GreatestGrowth * this->Order.Fill)
+    {
+      cholmod_free_factor(&factor, &common);
+      return false;
+    }
+    cholmod_free_factor(&this->m_cholmodFactor, &common);
+    this->m_cholmodFactor = factor;
+    this->m_isInitialized = true;
+    this->m_info = Eigen::Success;
+    this->m_analysisIsOk = true;
+    this->m_factorizationIsOk = false;
+    return true;
+  }
+
+  void findOrder(const SparseMatrix& matrix)
+  {
+    cholmod_common& common = this->cholmod();
+    const int methods = common.nmethods;
+    const int first = common.method[0].ordering;
+    if (this->Search == Ordering::Quick)
+    {
+      common.nmethods = 1;
+      common.method[0].ordering = CHOLMOD_AMD;
+    }
+    this->analyzePattern(matrix);
+    common.nmethods = methods;
+    common.method[0].ordering = first;
+    const auto* order = static_cast<const int*>(this->m_cholmodFactor->Perm);
+    this->Order.Unknowns.assign(order, order + matrix.rows());
+    this->Order.Fill = common.lnz;
+  }
+
+  std::unique_ptr<BlasLock> blasLock() const
+  {
+    return this->UsesBlas ? std::make_unique<BlasLock>() : nullptr;
+  }
+
+  Ordering Search;
+  EliminationOrder Order;
+  bool UsesBlas;
+  bool HasConstantPattern = false;
+};
+
+SparseCholesky::SparseCholesky(Ordering ordering)
+  : Shared(std::make_shared<Factor>(ordering, EliminationOrder(), Kernel::Blocks))
+{
 }
 
-// Analyses the pattern in the order that is known. False if that order does not serve.
-bool SparseCholesky::reuseOrder(const SparseMatrix& matrix)
+SparseCholesky::SparseCholesky(EliminationOrder order, Kernel kernel)
+  : Shared(std::make_shared<Factor>(Ordering::Quick, std::move(order), kernel))
 {
-  if (static_cast<Eigen::Index>(this->Order.Unknowns.size()) != matrix.rows())
-  {
-    return false;
-  }
-  cholmod_common& common = this->cholmod();
-  cholmod_sparse view = Eigen::viewAsCholmod(matrix.selfadjointView<Eigen::Lower>());
-  const int methods = common.nmethods;
-  common.nmethods = 1; // of which the first is the given order
-  cholmod_factor* factor = cholmod_analyze_p(&view, this->Order.Unknowns.data(), nullptr, 0, &common);
-  common.nmethods = methods;
-  if (!factor || common.lnz > GreatestGrowth * this->Order.Fill)
-  {
-    cholmod_free_factor(&factor, &common);
-    return false;
-  }
-  cholmod_free_factor(&this->m_cholmodFactor, &common);
-  this->m_cholmodFactor = factor;
-  this->m_isInitialized = true;
-  this->m_info = Eigen::Success;
-  this->m_analysisIsOk = true;
-  this->m_factorizationIsOk = false;
-  return true;
 }
 
-void SparseCholesky::findOrder(const SparseMatrix& matrix)
+SparseCholesky::SparseCholesky(const SparseMatrix& matrix)
+  : SparseCholesky(Ordering::Quick)
 {
-  cholmod_common& common = this->cholmod();
-  const int methods = common.nmethods;
-  const int first = common.method[0].ordering;
-  if (this->Search == Ordering::Quick)
-  {
-    common.nmethods = 1;
-    common.method[0].ordering = CHOLMOD_AMD;
-  }
-  this->analyzePattern(matrix);
-  common.nmethods = methods;
-  common.method[0].ordering = first;
-  const auto* order = static_cast<const int*>(this->m_cholmodFactor->Perm);
-  this->Order.Unknowns.assign(order, order + matrix.rows());
-  this->Order.Fill = common.lnz;
+  this->compute(matrix);
+}
+
+SparseCholesky::~SparseCholesky() = default;
+
+void SparseCholesky::compute(const SparseMatrix& matrix)
+{
+  this->Shared->factor(matrix);
+}
+
+void SparseCholesky::compute(SparseMatrix matrix,
+  const ProgressCallback& progress,
+  double fraction,
+  const char* stage)
+{
+  callInterruptibly(
+    [factor = this->Shared, owned = std::make_shared<const SparseMatrix>(std::move(matrix))]()
+    { factor->factor(*owned); },
+    progress,
+    fraction,
+    stage);
+}
+
+void SparseCholesky::expectConstantPattern()
+{
+  this->Shared->HasConstantPattern = true;
+}
+
+Eigen::ComputationInfo SparseCholesky::info() const
+{
+  return this->Shared->info();
+}
+
+Eigen::MatrixXd SparseCholesky::solve(const Eigen::Ref<const Eigen::MatrixXd>& rightSide) const
+{
+  const std::unique_ptr<BlasLock> lock = this->Shared->blasLock();
+  return this->Shared->solve(rightSide);
+}
+
+const EliminationOrder& SparseCholesky::order() const
+{
+  return this->Shared->Order;
+}
+
+void SparseCholesky::setOrder(EliminationOrder order)
+{
+  this->Shared->Order = std::move(order);
 }
 
 EliminationOrder SparseCholesky::orderOf(const SparseMatrix& pattern, Ordering ordering)
 {
-  SparseCholesky cholesky(ordering);
-  cholesky.findOrder(pattern);
-  return cholesky.order();
+  Factor factor(ordering, {}, Kernel::Blocks);
+  factor.findOrder(pattern);
+  return factor.Order;
 }
 
-SparseCholesky& SparseCholesky::recompute(const SparseMatrix& matrix)
+EliminationOrder SparseCholesky::orderOf(SparseMatrix pattern,
+  Ordering ordering,
+  const ProgressCallback& progress,
+  double fraction,
+  const char* stage)
 {
-  const std::unique_ptr<BlasLock> lock = this->turn();
-  this->factorize(matrix);
-  return *this;
+  const auto result = std::make_shared<EliminationOrder>();
+  callInterruptibly(
+    [result, ordering, owned = std::make_shared<const SparseMatrix>(std::move(pattern))]()
+    { *result = orderOf(*owned, ordering); },
+    progress,
+    fraction,
+    stage);
+  return *result;
 }
 
-SparseCholesky& SparseCholesky::compute(const SparseMatrix& matrix)
+struct SparseLu::Factors : Eigen::UmfPackLU<SparseMatrix>
 {
-  if (!this->reuseOrder(matrix))
+  explicit Factors(SparseMatrix matrix)
+    : Matrix(std::move(matrix))
   {
-    this->findOrder(matrix);
   }
-  const std::unique_ptr<BlasLock> lock = this->turn();
-  this->factorize(matrix);
-  return *this;
+
+  void factor()
+  {
+    const BlasLock lock;
+    this->compute(this->Matrix);
+  }
+
+  // @param system UMFPACK_A, or UMFPACK_At for the transposed matrix
+  Eigen::MatrixXd solution(int system, const Eigen::Ref<const Eigen::MatrixXd>& rightSide) const
+  {
+    Eigen::MatrixXd solution(rightSide.rows(), rightSide.cols());
+    const BlasLock lock;
+    double control[UMFPACK_CONTROL];
+    double info[UMFPACK_INFO];
+    umfpack_di_defaults(control);
+    control[UMFPACK_IRSTEP] = 0; // callers refine by residuals of their own
+    for (Eigen::Index k = 0; k < rightSide.cols(); ++k)
+    {
+      umfpack_di_solve(system,
+        this->mp_matrix.outerIndexPtr(),
+        this->mp_matrix.innerIndexPtr(),
+        this->mp_matrix.valuePtr(),
+        solution.col(k).data(),
+        rightSide.col(k).data(),
+        this->m_numeric,
+        control,
+        info);
+    }
+    return solution;
+  }
+
+  const SparseMatrix Matrix; // which UMFPACK reads again for every solution
+};
+
+SparseLu::SparseLu(SparseMatrix matrix)
+  : SparseLu(std::move(matrix), {}, 0.0, "")
+{
+}
+
+SparseLu::SparseLu(SparseMatrix matrix,
+  const ProgressCallback& progress,
+  double fraction,
+  const char* stage)
+  : Shared(std::make_shared<Factors>(std::move(matrix)))
+{
+  callInterruptibly([factors = this->Shared]() { factors->factor(); }, progress, fraction, stage);
+}
+
+SparseLu::~SparseLu() = default;
+
+Eigen::ComputationInfo SparseLu::info() const
+{
+  return this->Shared->info();
+}
+
+Eigen::MatrixXd SparseLu::solve(const Eigen::Ref<const Eigen::MatrixXd>& rightSide) const
+{
+  return this->Shared->solution(UMFPACK_A, rightSide);
+}
+
+Eigen::MatrixXd SparseLu::solveTransposed(const Eigen::Ref<const Eigen::MatrixXd>& rightSide) const
+{
+  return this->Shared->solution(UMFPACK_At, rightSide);
 }
 
 } // namespace flattening

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The sparse factorization that all of Core uses.
+/// Direct solvers for sparse linear systems. They may be used in several threads at once, which wait for
+/// each other where a solver calls BLAS, and an abort does not wait until a long factorization has
+/// ended.
 #pragma once
 
-#include "Base/BlasLock.h"
+#include "Base/Progress.h"
 
-#include <Eigen/CholmodSupport>
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace flattening
@@ -16,19 +17,17 @@ namespace flattening
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-/// In which order the unknowns of a matrix are eliminated, and what came of it.
+/// The order in which the unknowns of a matrix are eliminated.
 struct EliminationOrder
 {
   std::vector<int> Unknowns;
-  double Fill = 0.0; ///< entries of the factor
+  double Fill = 0.0; ///< number of entries of the factor
 };
 
-/// CHOLMOD's. A matrix of the same size as the one before is taken for the next of a sequence whose
-/// patterns change little, as Newton's method makes them: the order of elimination, which takes about as
-/// long to find as the factors do, is kept as long as it serves. May be used in several threads at once,
-/// which wait for each other (BlasLock).
-/// Kernel::Entries does without BLAS and without waiting.
-class SparseCholesky : public Eigen::CholmodDecomposition<SparseMatrix, Eigen::Lower>
+/// The Cholesky factorization of CHOLMOD. A matrix of the same size as the one before is taken for the
+/// next of a sequence whose patterns change little, as those of Newton's method do: the order of
+/// elimination, which takes about as long to find as the factor, is kept as long as it serves.
+class SparseCholesky
 {
 public:
   /// How hard to look for an order of elimination. The thorough search (METIS) of a large matrix takes
@@ -39,71 +38,84 @@ public:
     Thorough
   };
 
-  /// Blocks of columns, or entry by entry, which is as fast for some thousands of unknowns.
+  /// A factor is computed by blocks of columns (with BLAS), or entry by entry, which is as fast for some
+  /// thousands of unknowns and never waits for another thread.
   enum class Kernel
   {
     Blocks,
     Entries
   };
 
-  explicit SparseCholesky(Ordering ordering = Ordering::Thorough)
-    : Search(ordering)
-  {
-  }
-  /// For one factorization.
-  explicit SparseCholesky(const SparseMatrix& matrix)
-    : Search(Ordering::Quick)
-  {
-    this->compute(matrix);
-  }
-  ~SparseCholesky() = default;
+  explicit SparseCholesky(Ordering ordering = Ordering::Thorough);
+  /// Begins with the order of a matrix of nearly the same pattern. Where it does not serve, a quick
+  /// search finds another one.
+  explicit SparseCholesky(EliminationOrder order, Kernel kernel = Kernel::Blocks);
+  /// Factors @p matrix in an order from a quick search.
+  explicit SparseCholesky(const SparseMatrix& matrix);
+  ~SparseCholesky();
+  SparseCholesky(const SparseCholesky&) = delete;
+  SparseCholesky& operator=(const SparseCholesky&) = delete;
 
-  /// An order to begin with, that of a matrix of nearly the same pattern. Rows and fill are this
-  /// matrix's.
-  explicit SparseCholesky(EliminationOrder order, Kernel kernel = Kernel::Blocks)
-    : Search(Ordering::Quick)
-    , Order(std::move(order))
-    , UsesBlas(kernel == Kernel::Blocks)
-  {
-    if (kernel == Kernel::Entries)
-    {
-      this->cholmod().final_asis = 0;
-      this->cholmod().final_ll = 1;
-      this->cholmod().supernodal = CHOLMOD_SIMPLICIAL;
-      this->cholmod().print = 0;
-    }
-  }
+  /// Factors the symmetric matrix whose lower triangle is that of @p matrix; info() tells the result.
+  void compute(const SparseMatrix& matrix);
+  /// Does the same in another thread and reports @p fraction and @p stage meanwhile (callInterruptibly).
+  /// @throws Cancelled as soon as @p progress returns false; only destruction is allowed then
+  void compute(SparseMatrix matrix,
+    const ProgressCallback& progress,
+    double fraction,
+    const char* stage);
 
-  SparseCholesky& compute(const SparseMatrix& matrix);
+  /// Promises that all matrices have the pattern of the first one, so that only that one is analysed.
+  void expectConstantPattern();
 
-  /// The same for a matrix of exactly the pattern of the one before.
-  SparseCholesky& recompute(const SparseMatrix& matrix);
+  /// Success if the last matrix was positive definite.
+  Eigen::ComputationInfo info() const;
+
+  /// The solution for every column of @p rightSide.
+  Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& rightSide) const;
+
+  /// The order of the last matrix, with the fill of the matrix that it was found for.
+  const EliminationOrder& order() const;
+  /// Sets the order to try for the next matrix.
+  void setOrder(EliminationOrder order);
 
   /// An order for matrices of the pattern of @p pattern (lower triangle).
   static EliminationOrder orderOf(const SparseMatrix& pattern, Ordering ordering);
-
-  /// Of the last matrix.
-  const EliminationOrder& order() const { return this->Order; }
-  /// The order to try for the next matrix.
-  void setOrder(EliminationOrder order) { this->Order = std::move(order); }
-
-  template <typename Derived>
-  typename Derived::PlainObject solve(const Eigen::MatrixBase<Derived>& rightSide) const
-  {
-    const std::unique_ptr<BlasLock> lock = this->turn();
-    return Base::solve(rightSide);
-  }
+  /// Finds it in another thread and reports meanwhile. @throws Cancelled.
+  static EliminationOrder orderOf(SparseMatrix pattern,
+    Ordering ordering,
+    const ProgressCallback& progress,
+    double fraction,
+    const char* stage);
 
 private:
-  using Base = Eigen::CholmodDecomposition<SparseMatrix, Eigen::Lower>;
-  bool reuseOrder(const SparseMatrix& matrix);
-  void findOrder(const SparseMatrix& matrix);
+  struct Factor;
+  std::shared_ptr<Factor> Shared; // with the thread that computes it and may outlive this object
+};
 
-  std::unique_ptr<BlasLock> turn() const; // to use BLAS, if this does
+/// The LU factorization of UMFPACK for matrices that are not symmetric. Solutions are not refined.
+class SparseLu
+{
+public:
+  explicit SparseLu(SparseMatrix matrix);
+  /// Factors in another thread and reports @p fraction and @p stage meanwhile (callInterruptibly).
+  /// @throws Cancelled.
+  SparseLu(SparseMatrix matrix, const ProgressCallback& progress, double fraction, const char* stage);
+  ~SparseLu();
+  SparseLu(const SparseLu&) = delete;
+  SparseLu& operator=(const SparseLu&) = delete;
 
-  Ordering Search;
-  EliminationOrder Order; // with the fill of the matrix that it was found for
-  bool UsesBlas = true;
+  /// Success if the matrix is not singular.
+  Eigen::ComputationInfo info() const;
+
+  /// The solution for every column of @p rightSide.
+  Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& rightSide) const;
+  /// The same for the transposed matrix.
+  Eigen::MatrixXd solveTransposed(const Eigen::Ref<const Eigen::MatrixXd>& rightSide) const;
+
+private:
+  struct Factors;
+  std::shared_ptr<Factors> Shared; // with the thread that computes them and may outlive this object
 };
 
 } // namespace flattening

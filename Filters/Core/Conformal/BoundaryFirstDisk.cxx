@@ -2,9 +2,7 @@
 #include "Conformal/BoundaryFirstDisk.h"
 
 #include "Base/Errors.h"
-#include "Base/InterruptibleCall.h"
 #include "Base/SparseFactorization.h"
-#include "Base/StandingProgress.h"
 #include "Conformal/BoundaryAngles.h"
 #include "Conformal/ConvexCombinationDisk.h"
 #include "Conformal/CotangentWeights.h"
@@ -16,8 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <string>
+#include <utility>
 
 namespace flattening
 {
@@ -66,13 +64,10 @@ public:
     }
     // The factors are known up to a constant: one of them is held.
     entries.emplace_back(loop.front(), loop.front(), 1.0);
-    const auto laplacian = std::make_shared<SparseMatrix>(t.vertexCount(), t.vertexCount());
-    laplacian->setFromTriplets(entries.begin(), entries.end());
-    callInterruptibly([cholesky = this->Cholesky, laplacian]() { cholesky->compute(*laplacian); },
-      progress,
-      0.5,
-      LaplacianStage);
-    if (this->Cholesky->info() != Eigen::Success)
+    SparseMatrix laplacian(t.vertexCount(), t.vertexCount());
+    laplacian.setFromTriplets(entries.begin(), entries.end());
+    this->Cholesky.compute(std::move(laplacian), progress, 0.5, LaplacianStage);
+    if (this->Cholesky.info() != Eigen::Success)
     {
       throw ConvergenceError(
         "the cotangent Laplacian could not be factored: remesh the surface (Surface To Disk, Remesh)");
@@ -88,7 +83,7 @@ public:
     {
       right[this->Loop[k]] += exteriorAngles[k];
     }
-    return this->Cholesky->solve(right);
+    return this->Cholesky.solve(right);
   }
   Eigen::VectorXd boundaryFactors(const Eigen::VectorXd& exteriorAngles) const
   {
@@ -98,9 +93,7 @@ public:
 private:
   const std::vector<int>& Loop;
   Eigen::VectorXd Defects; // 2 pi, or pi on the boundary, minus the angle sum
-  // Shared with the call that computes it, which an abort leaves behind.
-  std::shared_ptr<SparseCholesky> Cholesky =
-    std::make_shared<SparseCholesky>(SparseCholesky::Ordering::Quick);
+  SparseCholesky Cholesky{ SparseCholesky::Ordering::Quick };
 };
 
 // Mean of each entry, which belongs to the edge after a vertex, and the one before.

@@ -2,14 +2,14 @@
 #include "Conformal/ConvexCombinationDisk.h"
 
 #include "Base/Errors.h"
-#include "Base/InterruptibleCall.h"
-#include "Base/SparseLu.h"
+#include "Base/SparseFactorization.h"
 #include "Conformal/BoundaryAngles.h"
 #include "Mesh/ComplexPositions.h"
 
 #include <cmath>
-#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace flattening
 {
@@ -22,30 +22,6 @@ using Complex = std::complex<double>;
 constexpr double GreatestShare = 0.49;
 constexpr int Refinements = 1;
 constexpr const char* Stage = "Convex combination map";
-
-// One of the two, of the matrix.
-struct WeightFactors
-{
-  SparseMatrix Matrix;
-  std::unique_ptr<SparseCholesky> Cholesky;
-  std::unique_ptr<SparseLu> Lu;
-
-  void factor(WeightSymmetry symmetry)
-  {
-    if (symmetry == WeightSymmetry::Symmetric)
-    {
-      this->Cholesky = std::make_unique<SparseCholesky>(this->Matrix);
-    }
-    else
-    {
-      this->Lu = std::make_unique<SparseLu>(this->Matrix);
-    }
-  }
-  bool isFactored() const
-  {
-    return (this->Cholesky ? this->Cholesky->info() : this->Lu->info()) == Eigen::Success;
-  }
-};
 
 class ConvexCombinations
 {
@@ -90,8 +66,8 @@ public:
     if (!this->Inner.empty())
     {
       const Eigen::VectorXd inner = vertexShares(this->Inner);
-      const Eigen::VectorXd passed = this->Factors->Cholesky ? this->Factors->Cholesky->solve(inner)
-                                                             : this->Factors->Lu->solveTransposed(inner);
+      const Eigen::VectorXd passed =
+        this->Cholesky ? this->Cholesky->solve(inner) : this->Lu->solveTransposed(inner);
       for (const NeighbourWeight& w : this->Weights)
       {
         all[w.To] += this->Row[w.To] < 0 ? w.Weight * passed[this->Row[w.From]] : 0.0;
@@ -118,8 +94,8 @@ public:
         const Complex pull = w.Weight * (position[w.To] - position[w.From]);
         residual.row(this->Row[w.From]) += Eigen::RowVector2d(pull.real(), pull.imag());
       }
-      const Eigen::MatrixXd change = this->Factors->Cholesky ? this->Factors->Cholesky->solve(residual)
-                                                             : this->Factors->Lu->solve(residual);
+      const Eigen::MatrixXd change =
+        this->Cholesky ? this->Cholesky->solve(residual) : this->Lu->solve(residual);
       for (std::size_t i = 0; i < this->Inner.size(); ++i)
       {
         position[this->Inner[i]] += Complex(change(i, 0), change(i, 1));
@@ -142,13 +118,19 @@ private:
         entries.emplace_back(i, this->Row[w.To], -w.Weight);
       }
     }
-    SparseMatrix& matrix = this->Factors->Matrix;
-    matrix.resize(this->Inner.size(), this->Inner.size());
+    SparseMatrix matrix(this->Inner.size(), this->Inner.size());
     matrix.setFromTriplets(entries.begin(), entries.end());
-    callInterruptibly(
-      [factors = this->Factors, symmetry]() { factors->factor(symmetry); }, progress, 0.2, Stage);
+    if (symmetry == WeightSymmetry::Symmetric)
+    {
+      this->Cholesky.emplace(SparseCholesky::Ordering::Quick);
+      this->Cholesky->compute(std::move(matrix), progress, 0.2, Stage);
+    }
+    else
+    {
+      this->Lu.emplace(std::move(matrix), progress, 0.2, Stage);
+    }
     report(progress, 0.6, Stage);
-    if (!this->Factors->isFactored())
+    if ((this->Cholesky ? this->Cholesky->info() : this->Lu->info()) != Eigen::Success)
     {
       throw ConvergenceError("the weights of neighbours could not be factored: remesh the surface "
                              "(Surface To Disk, Remesh)");
@@ -159,8 +141,9 @@ private:
   std::vector<int> Row; // of every vertex; -1 on the boundary
   std::vector<int> Inner;
   std::vector<NeighbourWeight> Weights; // of inner vertices
-  // Shared with the call that computes them, which an abort leaves behind.
-  std::shared_ptr<WeightFactors> Factors = std::make_shared<WeightFactors>();
+  // The factors of the matrix: Cholesky if it is symmetric, otherwise LU.
+  std::optional<SparseCholesky> Cholesky;
+  std::optional<SparseLu> Lu;
 };
 
 ComplexVector onCircle(ComplexVector points)

@@ -3,7 +3,7 @@
 
 #include "Base/Errors.h"
 #include "Base/LaggedCholeskySolver.h"
-#include "Base/StandingProgress.h"
+#include "Base/Progress.h"
 #include "Conformal/CurvatureSystem.h"
 
 #include <algorithm>

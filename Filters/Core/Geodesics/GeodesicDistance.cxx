@@ -2,7 +2,6 @@
 #include "Geodesics/GeodesicDistance.h"
 
 #include "Base/Errors.h"
-#include "Base/InterruptibleCall.h"
 #include "Base/SparseFactorization.h"
 #include "Intrinsic/IntrinsicTriangulation.h"
 
@@ -11,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -129,15 +127,13 @@ public:
     const Eigen::VectorXd& rightSide,
     const ProgressCallback& progress)
   {
-    const auto owned = std::make_shared<const SparseMatrix>(std::move(matrix));
-    callInterruptibly(
-      [factor = this->Factor, owned]() { factor->compute(*owned); }, progress, 0.0, Stage);
+    this->Factor.compute(std::move(matrix), progress, 0.0, Stage);
     Eigen::VectorXd solution;
-    if (this->Factor->info() == Eigen::Success)
+    if (this->Factor.info() == Eigen::Success)
     {
-      solution = this->Factor->solve(rightSide);
+      solution = this->Factor.solve(rightSide);
     }
-    if (this->Factor->info() != Eigen::Success || !solution.allFinite())
+    if (this->Factor.info() != Eigen::Success || !solution.allFinite())
     {
       throw ConvergenceError(
         "distances on the surface could not be computed: remesh it (Surface To Disk, "
@@ -147,9 +143,7 @@ public:
   }
 
 private:
-  // Shared with the call that computes it, which an abort leaves behind.
-  std::shared_ptr<SparseCholesky> Factor =
-    std::make_shared<SparseCholesky>(SparseCholesky::Ordering::Quick);
+  SparseCholesky Factor{ SparseCholesky::Ordering::Quick };
 };
 
 // Of the heat method, up to a constant.

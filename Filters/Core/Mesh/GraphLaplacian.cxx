@@ -2,10 +2,9 @@
 #include "Mesh/GraphLaplacian.h"
 
 #include "Base/Errors.h"
-#include "Base/InterruptibleCall.h"
 
 #include <algorithm>
-#include <memory>
+#include <utility>
 
 namespace flattening
 {
@@ -87,11 +86,11 @@ void relaxSprings(const std::vector<Spring>& springs,
       entries.emplace_back(std::max(i, j), std::min(i, j), -s.Weight);
     }
   }
-  const auto laplacian = std::make_shared<SparseMatrix>(vertex.size(), vertex.size());
-  laplacian->setFromTriplets(entries.begin(), entries.end());
-  const auto cholesky = std::make_shared<SparseCholesky>(orderOfRows(order, row, vertex));
-  callInterruptibly([laplacian, cholesky]() { cholesky->compute(*laplacian); }, progress, 0.2, Stage);
-  if (cholesky->info() != Eigen::Success)
+  SparseMatrix laplacian(vertex.size(), vertex.size());
+  laplacian.setFromTriplets(entries.begin(), entries.end());
+  SparseCholesky cholesky(orderOfRows(order, row, vertex));
+  cholesky.compute(std::move(laplacian), progress, 0.2, Stage);
+  if (cholesky.info() != Eigen::Success)
   {
     throw ConvergenceError(
       "the flat metric could not be laid out: remesh the surface (Surface To Disk, Remesh)");
@@ -114,7 +113,7 @@ void relaxSprings(const std::vector<Spring>& springs,
         force.row(row[s.To]) -= f;
       }
     }
-    const Eigen::MatrixX2d change = cholesky->solve(force);
+    const Eigen::MatrixX2d change = cholesky.solve(force);
     for (std::size_t i = 0; i < vertex.size(); ++i)
     {
       position[vertex[i]] += Complex(change(i, 0), change(i, 1));

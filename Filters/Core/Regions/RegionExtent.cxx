@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Regions/RegionExtent.h"
 
-#include "Base/StandingProgress.h"
+#include "Base/Progress.h"
 #include "Geodesics/GeodesicDistance.h"
 #include "Geodesics/GeodesicPath.h"
 #include "Mesh/MeshTopology.h"

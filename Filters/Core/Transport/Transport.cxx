@@ -2,9 +2,7 @@
 #include "Transport/Transport.h"
 
 #include "Base/Errors.h"
-#include "Base/InterruptibleCall.h"
 #include "Base/SparseFactorization.h"
-#include "Base/StandingProgress.h"
 #include "Transport/ConvexPotential.h"
 #include "Transport/InitialWeights.h"
 #include "Transport/VanishingCells.h"
@@ -12,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <sstream>
 #include <vector>
 
@@ -210,16 +207,14 @@ Eigen::VectorXd remainder(const PowerDiagram& diagram,
 // The Newton step that brings the areas of @p diagram nearer to @p aims. Empty if there is none. Where
 // sites nearly coincide, areas depend on differences of the step far below the last digit of a double:
 // the solution is refined with the factor at hand.
-// @param cholesky  shared with the call that computes it, which an abort leaves behind
-PowerDiagram::Weights newtonStep(const std::shared_ptr<SparseCholesky>& cholesky,
+PowerDiagram::Weights newtonStep(SparseCholesky& cholesky,
   const PowerDiagram& diagram,
   const Eigen::VectorXd& aims,
   const ProgressCallback& progress)
 {
   const ReducedSystem system(aims);
-  const auto jacobian = std::make_shared<const SparseMatrix>(system.jacobian(diagram));
-  callInterruptibly([cholesky, jacobian]() { cholesky->compute(*jacobian); }, progress, 0.0, Stage);
-  if (cholesky->info() != Eigen::Success)
+  cholesky.compute(system.jacobian(diagram), progress, 0.0, Stage);
+  if (cholesky.info() != Eigen::Success)
   {
     return {};
   }
@@ -231,7 +226,7 @@ PowerDiagram::Weights newtonStep(const std::shared_ptr<SparseCholesky>& cholesky
   double error = std::numeric_limits<double>::infinity();
   for (int round = 0; round <= LargestRefinements; ++round)
   {
-    const Eigen::VectorXd correction = cholesky->solve(system.reduced(rest));
+    const Eigen::VectorXd correction = cholesky.solve(system.reduced(rest));
     const PowerDiagram::Weights refined = step + system.expanded(correction).cast<DoubleDouble>();
     const Eigen::VectorXd nextRest = remainder(diagram, gap, refined);
     const double nextError = (nextRest.array() / scale.array()).abs().maxCoeff();
@@ -252,7 +247,7 @@ PowerDiagram::Weights newtonStep(const std::shared_ptr<SparseCholesky>& cholesky
 
 // Close to the end the rounding of large cells' areas may hide the progress of small ones from the rule
 // of acceptance: full steps as long as they help. Returns how many; the diagram is that of @p weights.
-int finish(const std::shared_ptr<SparseCholesky>& cholesky,
+int finish(SparseCholesky& cholesky,
   PowerDiagram& diagram,
   PowerDiagram::Weights& weights,
   const Eigen::VectorXd& targets,
@@ -298,7 +293,7 @@ TransportResult transportNewton(PowerDiagram& diagram,
   const double start = largestLogRatio(areas, targets) - std::log(options.Tolerance);
   double fraction = 0.0;
   double way = LongestWay;
-  const auto cholesky = std::make_shared<SparseCholesky>();
+  SparseCholesky cholesky;
   while (error > options.Tolerance)
   {
     const double ratio = largestLogRatio(areas, targets);

@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
 #include <tbb/parallel_for.h>
 
 #include <filesystem>
 #include <iterator>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -45,6 +49,21 @@ SparseMatrix laplacian(int side, int extraEdges)
   }
   SparseMatrix matrix(side * side, side * side);
   matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+// A matrix without symmetry, and without it in its pattern.
+Eigen::MatrixXd unsymmetric(int n)
+{
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> value(-1.0, 1.0);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
+  for (int i = 0; i < n; ++i)
+  {
+    matrix(i, i) = 4.0 + value(random);
+    matrix(i, (i + 1) % n) = value(random);
+    matrix(i, (7 * i + 3) % n) += value(random);
+  }
   return matrix;
 }
 
@@ -122,6 +141,92 @@ TEST(SparseFactorization, StartsNoThreads)
   const SparseMatrix matrix = laplacian(300, 0);
   EXPECT_EQ(SparseCholesky(matrix).info(), Eigen::Success);
   EXPECT_EQ(threads(), before);
+}
+
+TEST(SparseFactorization, AConstantPatternIsAnalysedOnce)
+{
+  const SparseMatrix matrix = laplacian(60, 0);
+  SparseCholesky cholesky(SparseCholesky(matrix).order());
+  cholesky.expectConstantPattern();
+  EXPECT_LT(residual(cholesky, matrix), 1e-11);
+  const EliminationOrder order = cholesky.order();
+  EXPECT_LT(residual(cholesky, 2.0 * matrix), 1e-11);
+  EXPECT_EQ(cholesky.order().Unknowns, order.Unknowns);
+}
+
+// It is aborted in the middle, and its objects are gone before it has come to its end.
+TEST(SparseFactorization, AnAbortLeavesNothingBroken)
+{
+  const SparseMatrix matrix = laplacian(300, 0);
+  const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(matrix.rows(), -1.0, 1.0);
+  const auto stopAtSecondReport = []()
+  {
+    return ProgressCallback(
+      [reports = 0](double fraction, const char* stage) mutable
+      {
+        EXPECT_EQ(fraction, 0.25);
+        EXPECT_STREQ(stage, "factor");
+        return ++reports < 2;
+      });
+  };
+  const auto attempt = [](const auto& work)
+  {
+    try
+    {
+      work();
+    }
+    catch (const Cancelled&)
+    {
+    }
+  };
+  attempt([&]() { SparseCholesky().compute(matrix, stopAtSecondReport(), 0.25, "factor"); });
+  attempt([&]() { SparseLu(matrix, stopAtSecondReport(), 0.25, "factor"); });
+  attempt(
+    [&]()
+    {
+      SparseCholesky::orderOf(
+        matrix, SparseCholesky::Ordering::Thorough, stopAtSecondReport(), 0.25, "factor");
+    });
+  SparseCholesky reported;
+  reported.compute(
+    matrix, [](double, const char*) { return true; }, 0.25, "factor");
+  SparseCholesky plain;
+  plain.compute(matrix);
+  EXPECT_EQ(reported.solve(right), plain.solve(right));
+}
+
+TEST(SparseFactorization, AnAbortBeforeTheStartFactorsNothing)
+{
+  const SparseMatrix matrix = laplacian(10, 0);
+  const ProgressCallback stop = [](double, const char*) { return false; };
+  SparseCholesky cholesky;
+  EXPECT_THROW(cholesky.compute(matrix, stop, 0.0, "factor"), Cancelled);
+  EXPECT_THROW(SparseLu(matrix, stop, 0.0, "factor"), Cancelled);
+  EXPECT_THROW(
+    SparseCholesky::orderOf(matrix, SparseCholesky::Ordering::Quick, stop, 0.0, "factor"), Cancelled);
+}
+
+TEST(SparseLu, SolvesTheMatrixAndItsTranspose)
+{
+  const Eigen::MatrixXd dense = unsymmetric(200);
+  const SparseMatrix matrix = dense.sparseView();
+  const SparseLu factors(matrix);
+  ASSERT_EQ(factors.info(), Eigen::Success);
+  Eigen::MatrixXd right(200, 2);
+  right.col(0).setLinSpaced(-1.0, 2.0);
+  right.col(1).setConstant(3.0);
+  const Eigen::PartialPivLU<Eigen::MatrixXd> reference(dense);
+  EXPECT_LT((factors.solve(right) - reference.solve(right)).cwiseAbs().maxCoeff(), 1e-13);
+  const Eigen::VectorXd transposed = dense.transpose().partialPivLu().solve(right.col(0));
+  EXPECT_LT((factors.solveTransposed(right.col(0)) - transposed).cwiseAbs().maxCoeff(), 1e-13);
+}
+
+TEST(SparseLu, SaysThatAMatrixIsSingular)
+{
+  Eigen::MatrixXd dense = unsymmetric(20);
+  dense.row(4).setZero();
+  const SparseMatrix matrix = dense.sparseView();
+  EXPECT_NE(SparseLu(matrix).info(), Eigen::Success);
 }
 
 } // namespace
