@@ -1,11 +1,9 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, times Surface To Disk on surfaces of real scans with up to 700 handles and
-# every stage of the flattening on a real brain and on surfaces as in the paper, compares the methods of the
-# conformal disk on the same, compares area-preserving maps on half a brain, changes the weight of a region, carries
-# a million points to flat maps and back, looks up pixels there, computes mesh saliency, and prints the figures as
-# Markdown tables; draws the conformal disk's error on surfaces with known maps, area error against angle error of the
-# area-preserving maps, and time against size. The JSON output of Google Benchmark and the pictures stay in the build
+# Installs what is missing, builds, runs the benchmarks and writes their figures into the tables of docs/benchmarks.md and
+# the other pages of docs that have such tables. The pictures and the JSON output of Google Benchmark stay in the build
 # folder. Safe to run again. Let nothing else run meanwhile.
+#   Utilities/benchmark.sh                            all of it
+#   Utilities/benchmark.sh --benchmark_filter=brain   arguments go to Google Benchmark; the tables are printed alone
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -18,6 +16,9 @@ for benchmark in BenchmarkSurfaceToDisk BenchmarkFlattening BenchmarkConformal B
   "$build/Testing/bin/$benchmark" --benchmark_out="${results[-1]}" --benchmark_out_format=json "$@" >/dev/null
 done
 python3 Testing/Benchmarks/markdown_table.py "${results[@]}"
+if [ $# -eq 0 ]; then
+  python3 Testing/Benchmarks/markdown_table.py --pages docs "${results[@]}"
+fi
 
 convergence=$build/Testing/BenchmarkConvergence.json
 "$build/Testing/bin/BenchmarkConvergence" --benchmark_out="$convergence" --benchmark_out_format=json >/dev/null

@@ -1,8 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prints the JSON output of the benchmarks as Markdown tables: markdown_table.py results.json ..."""
+"""Prints the JSON output of the benchmarks as Markdown tables, or writes them into the pages that have a place for them:
 
+    markdown_table.py [--pages <folder>] results.json ...
+
+A place is what lies between the lines "<!-- benchmark.sh: NAME -->" and "<!-- end -->"; NAME is a key of TABLES, or "run"
+for the day, the commit and the machine."""
+
+import argparse
 import json
+import os
+import re
+import subprocess
 import sys
+import time
+from pathlib import Path
 
 
 def figure(counter, form, unit=""):
@@ -134,7 +145,7 @@ METHODS = {
     "in factorizations": figure("conformal_ratio", ".1f"),
     "mean angle error": figure("angle_error", ".2f", "°"),
     "AngleDistortion P95": figure("angle_distortion_p95", ".3f"),
-    "turned over": figure("repaired", ".0f"),
+    "untangled": figure("repaired", ".0f"),
     "flipped": figure("flipped", ".0f"),
     "curvature error": figure_if_given("curvature_error", ".0e"),
 }
@@ -185,36 +196,88 @@ def table(columns, benchmarks):
         yield "| " + " | ".join(cell(benchmark) for cell in columns.values()) + " |"
 
 
-def main(paths):
+TABLES = {
+    "times": TIMES,
+    "errors": ERRORS,
+    "cells": CELLS,
+    "plain_newton": PLAIN,
+    "paper": PAPER,
+    "flows": FLOWS,
+    "handles": HANDLES,
+    "methods": METHODS,
+    "area_maps": AREA_MAPS,
+    "changed_weight": INTERACTIVE,
+    "flat_map": FLAT_MAP,
+    "saliency": SALIENCY,
+}
+PLACE = re.compile(r"(<!-- benchmark\.sh: (\w+) -->\n\n).*?(\n<!-- end -->)", re.DOTALL)
+
+
+def kinds_of(benchmarks):
+    """The names of the tables that the benchmarks of one program fill."""
+    if "genus" in benchmarks[0]:
+        return ["handles"]
+    if "conformal_ratio" in benchmarks[0]:
+        return ["methods"]
+    if any("map_cpu_seconds" in b for b in benchmarks):
+        return ["area_maps"]
+    if "warm_seconds" in benchmarks[0]:
+        return ["changed_weight"]
+    if "greatest_error" in benchmarks[0]:
+        return ["flat_map"]
+    if "saliency_seconds" in benchmarks[0]:
+        return ["saliency"]
+    return ["times", "errors", "cells", "plain_newton", "paper", "flows"]
+
+
+def rows_of(kind, benchmarks):
+    rows = [b for b in benchmarks if kind not in ("cells", "plain_newton") or "transport_seconds" in b]
+    if kind != "plain_newton":
+        rows = [b for b in rows if ("paper_seconds" in b) == (kind in ("paper", "flows"))]
+    return [b for b in rows if kind != "flows" or "lie_steps" in b]
+
+
+def tables_of(paths):
+    """{name of a table: its lines as one text}."""
+    found = {}
     for path in paths:
-        with open(path, encoding="utf-8") as file:
-            run = json.load(file)["benchmarks"]
+        run = json.loads(Path(path).read_text(encoding="utf-8"))["benchmarks"]
         for b in (b for b in run if b.get("error_occurred")):
             print(f"{b['name']}: {b['error_message']}", file=sys.stderr)
         benchmarks = [b for b in run if not b.get("error_occurred")]
-        if "genus" in benchmarks[0]:
-            kinds = [HANDLES]
-        elif "conformal_ratio" in benchmarks[0]:
-            kinds = [METHODS]
-        elif any("map_cpu_seconds" in b for b in benchmarks):
-            kinds = [AREA_MAPS]
-        elif "warm_seconds" in benchmarks[0]:
-            kinds = [INTERACTIVE]
-        elif "greatest_error" in benchmarks[0]:
-            kinds = [FLAT_MAP]
-        elif "saliency_seconds" in benchmarks[0]:
-            kinds = [SALIENCY]
-        else:
-            kinds = [TIMES, ERRORS, CELLS, PLAIN, PAPER, FLOWS]
-        for columns in kinds:
-            rows = [b for b in benchmarks if columns not in (CELLS, PLAIN) or "transport_seconds" in b]
-            if columns is not PLAIN:
-                rows = [b for b in rows if ("paper_seconds" in b) == (columns in (PAPER, FLOWS))]
-            if columns is FLOWS:
-                rows = [b for b in rows if "lie_steps" in b]
+        for kind in kinds_of(benchmarks) if benchmarks else []:
+            rows = rows_of(kind, benchmarks)
             if rows:
-                print("\n".join(table(columns, rows)), end="\n\n")
+                found[kind] = "\n".join(table(TABLES[kind], rows)) + "\n"
+    return found
+
+
+def description_of_this_run():
+    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
+    return f"{time.strftime('%-d %B %Y')}, commit {commit or 'unknown'}, {os.cpu_count()} cores.\n"
+
+
+def write_into_pages(folder, found):
+    texts = {"run": description_of_this_run(), **found}
+    for page in sorted(Path(folder).glob("*.md")):
+        text = page.read_text(encoding="utf-8")
+        renewed = PLACE.sub(lambda place: place[1] + texts[place[2]] + place[3] if place[2] in texts else place[0], text)
+        if renewed != text:
+            page.write_text(renewed, encoding="utf-8")
+            print(f"Renewed: {page}")
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--pages", help="folder of pages to write the tables into")
+    parser.add_argument("results", nargs="+")
+    arguments = parser.parse_args()
+    found = tables_of(arguments.results)
+    if arguments.pages:
+        write_into_pages(arguments.pages, found)
+    else:
+        print("\n".join(found.values()))
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    main()
