@@ -3,6 +3,7 @@
 
 #include "Core/FlatMap/DistortionMeasures.h"
 #include "Core/FlatMap/DistortionSummary.h"
+#include "Internal/ArrayConversion.h"
 #include "Internal/ChosenArray.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/Labels.h"
@@ -45,7 +46,7 @@ using flattening::TriangleMesh;
 using Label = long long;
 using Regions = std::map<Label, std::vector<int>>; // faces of each label
 
-// The growth that vtkOMTAreaPreservingFilter was asked for at each vertex; empty if it was not.
+// The growth that was asked of vtkOMTAreaPreservingFilter at each vertex (n); empty if none was.
 Eigen::VectorXd weightsFromTargetArea(vtkPolyData* input, const TriangleMesh& surface)
 {
   vtkDataArray* targets = input->GetPointData()->GetArray("TargetArea");
@@ -75,7 +76,7 @@ Eigen::VectorXd weightsFromTargetArea(vtkPolyData* input, const TriangleMesh& su
   return weights;
 }
 
-// Labels per face from an array of labels per face or per vertex.
+// The label of each face (m), from labels of the faces or of the vertices.
 std::vector<Label> faceLabels(const flattening::ChosenArray& chosen, const TriangleMesh& surface)
 {
   const std::vector<Label> labels = flattening::labelsOf(chosen, "the region array");
@@ -94,45 +95,44 @@ std::vector<Label> faceLabels(const flattening::ChosenArray& chosen, const Trian
   return result;
 }
 
-void addCellArray(vtkPolyData* output, const char* name, const Eigen::VectorXd& values)
+Regions facesOfRegions(const flattening::ChosenArray& chosen, const TriangleMesh& surface)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfTuples(values.size());
-  std::copy(values.data(), values.data() + values.size(), array->GetPointer(0));
-  output->GetCellData()->AddArray(array);
-}
-
-template <typename Predicate>
-void addCellFlags(vtkPolyData* output, const char* name, int count, const Predicate& predicate)
-{
-  vtkNew<vtkUnsignedCharArray> array;
-  array->SetName(name);
-  array->SetNumberOfTuples(count);
-  for (int f = 0; f < count; ++f)
+  Regions regions;
+  if (chosen.Array)
   {
-    array->SetValue(f, predicate(f) ? 1 : 0);
+    const std::vector<Label> labelOfFace = faceLabels(chosen, surface);
+    for (int f = 0; f < surface.faceCount(); ++f)
+    {
+      regions[labelOfFace[f]].push_back(f);
+    }
   }
-  output->GetCellData()->AddArray(array);
+  return regions;
 }
 
 void addCellArrays(vtkPolyData* output, const FaceDistortion& distortion)
 {
-  addCellArray(output, "AreaDistortion", distortion.AreaDistortion);
-  addCellArray(output, "AngleDistortion", distortion.AngleDistortion);
-  addCellArray(output, "AreaRatio", distortion.AreaRatio);
-  addCellArray(output, "BeltramiMagnitude", distortion.BeltramiMagnitude);
-  addCellArray(output, "StretchL2", distortion.StretchL2);
-  addCellArray(output, "SymmetricDirichlet", distortion.SymmetricDirichlet);
-  addCellArray(output, "AngleError", distortion.AngleError);
-  const int count = distortion.faceCount();
-  addCellFlags(output, "Flipped", count, [&](int f) { return distortion.Flipped[f]; });
-  addCellFlags(output, "Degenerate", count, [&](int f) { return distortion.degenerate(f); });
+  vtkCellData* cells = output->GetCellData();
+  const auto add = [cells](const char* name, const Eigen::VectorXd& values)
+  { cells->AddArray(flattening::newArray<vtkDoubleArray>(name, values)); };
+  add("AreaDistortion", distortion.AreaDistortion);
+  add("AngleDistortion", distortion.AngleDistortion);
+  add("AreaRatio", distortion.AreaRatio);
+  add("BeltramiMagnitude", distortion.BeltramiMagnitude);
+  add("StretchL2", distortion.StretchL2);
+  add("SymmetricDirichlet", distortion.SymmetricDirichlet);
+  add("AngleError", distortion.AngleError);
+  std::vector<char> degenerate(distortion.faceCount());
+  for (int f = 0; f < distortion.faceCount(); ++f)
+  {
+    degenerate[f] = distortion.degenerate(f);
+  }
+  cells->AddArray(flattening::newArray<vtkUnsignedCharArray>("Flipped", distortion.Flipped));
+  cells->AddArray(flattening::newArray<vtkUnsignedCharArray>("Degenerate", degenerate));
 }
 
-// The figures of a summary, in the order of the table's columns. @p visit is called with (name, value).
+// Calls @p visit(name, value) for the values of a summary, in the order of the columns of the table.
 template <typename Visit>
-void forEachFigure(const DistortionSummary& summary, const Visit& visit)
+void forEachValue(const DistortionSummary& summary, const Visit& visit)
 {
   visit("SurfaceArea", summary.SurfaceArea);
   visit("FlatArea", summary.FlatArea);
@@ -150,11 +150,11 @@ void forEachFigure(const DistortionSummary& summary, const Visit& visit)
   }
 }
 
-void setFigures(vtkFieldData* fieldData, const DistortionSummary& total)
+void setReport(vtkFieldData* fieldData, const DistortionSummary& total)
 {
   flattening::setDatum(fieldData, "FlippedFaces", static_cast<long long>(total.FlippedFaces));
   flattening::setDatum(fieldData, "DegenerateFaces", static_cast<long long>(total.DegenerateFaces));
-  forEachFigure(total,
+  forEachValue(total,
     [fieldData](const std::string& name, double value)
     { flattening::setDatum(fieldData, name.c_str(), value); });
 }
@@ -190,24 +190,24 @@ void fillTable(vtkTable* table, const std::vector<Row>& rows)
   addColumn<vtkDoubleArray>(
     table, "AreaErrorPercent", rows, [](const Row& row) { return row.Summary.AreaErrorPercent; });
 
-  std::vector<vtkSmartPointer<vtkDoubleArray>> figures;
+  std::vector<vtkSmartPointer<vtkDoubleArray>> columns;
   for (const Row& row : rows)
   {
-    std::size_t figure = 0;
-    forEachFigure(row.Summary,
+    std::size_t column = 0;
+    forEachValue(row.Summary,
       [&](const std::string& name, double value)
       {
-        if (figure == figures.size())
+        if (column == columns.size())
         {
-          figures.push_back(vtkSmartPointer<vtkDoubleArray>::New());
-          figures.back()->SetName(name.c_str());
+          columns.push_back(vtkSmartPointer<vtkDoubleArray>::New());
+          columns.back()->SetName(name.c_str());
         }
-        figures[figure++]->InsertNextValue(value);
+        columns[column++]->InsertNextValue(value);
       });
   }
-  for (vtkDoubleArray* figure : figures)
+  for (vtkDoubleArray* column : columns)
   {
-    table->AddColumn(figure);
+    table->AddColumn(column);
   }
 }
 
@@ -255,23 +255,12 @@ void vtkDistortionMetrics::Execute(vtkInformationVector** inputVector,
   flattening::report(progress, 0.0, "Reading the flattened surface");
   const TriangleMesh surface = flattening::surfaceOfFlattened(input);
   const flattening::Points2 flat = flattening::toPlanarPositions(input);
-  Eigen::VectorXd weights;
-  if (this->UseTargetArea)
-  {
-    weights = weightsFromTargetArea(input, surface);
-  }
-  Regions regions;
+  const Eigen::VectorXd weights =
+    this->UseTargetArea ? weightsFromTargetArea(input, surface) : Eigen::VectorXd();
   const flattening::ChosenArray chosen = this->UseRegionArray
                                            ? flattening::chosenArray(this, input, "the region array")
                                            : flattening::ChosenArray();
-  if (chosen.Array)
-  {
-    const std::vector<Label> labelOfFace = faceLabels(chosen, surface);
-    for (int f = 0; f < surface.faceCount(); ++f)
-    {
-      regions[labelOfFace[f]].push_back(f);
-    }
-  }
+  const Regions regions = facesOfRegions(chosen, surface);
 
   flattening::report(progress, 0.2, "Measuring the faces");
   const FaceDistortion distortion = flattening::measureDistortion(surface, flat, weights);
@@ -289,7 +278,7 @@ void vtkDistortionMetrics::Execute(vtkInformationVector** inputVector,
   }
   rows.push_back({ -1, "Total", flattening::summariseDistortion(distortion) });
   fillTable(table, rows);
-  setFigures(output->GetFieldData(), rows.back().Summary);
+  setReport(output->GetFieldData(), rows.back().Summary);
   flattening::report(progress, 1.0, "Done");
 }
 

@@ -2,20 +2,18 @@
 #include "Internal/DiskOutput.h"
 
 #include "Core/Mesh/ClosestPointWalk.h"
+#include "Internal/ArrayConversion.h"
 #include "Internal/AttributeTransfer.h"
 #include "Internal/PolyDataConversion.h"
 
 #include <Eigen/Geometry>
 
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -24,27 +22,7 @@ namespace flattening
 namespace
 {
 
-void setGeometry(vtkPolyData* output, const TriangleMesh& mesh)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(mesh.vertexCount());
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-  {
-    points->SetPoint(v, mesh.Vertices.row(v).data());
-  }
-  vtkNew<vtkCellArray> cells;
-  cells->AllocateExact(mesh.faceCount(), 3 * static_cast<vtkIdType>(mesh.faceCount()));
-  for (int f = 0; f < mesh.faceCount(); ++f)
-  {
-    const vtkIdType ids[3] = { mesh.Faces(f, 0), mesh.Faces(f, 1), mesh.Faces(f, 2) };
-    cells->InsertNextCell(3, ids);
-  }
-  output->SetPoints(points);
-  output->SetPolys(cells);
-}
-
-// A vector along the normal of each face.
+// A vector along the normal of each face (m x 3).
 Points3 faceSides(const TriangleMesh& mesh)
 {
   Points3 sides(mesh.faceCount(), 3);
@@ -57,9 +35,9 @@ Points3 faceSides(const TriangleMesh& mesh)
   return sides;
 }
 
-// Turns over the normals that point away from @p sides, as they do where faces were turned over: the
+// Reverses the normals that point away from @p sides, as they do where faces were reoriented: the
 // surface would be drawn black there.
-void turnNormals(vtkDataArray* normals, const Points3& sides)
+void alignNormals(vtkDataArray* normals, const Points3& sides)
 {
   for (Eigen::Index i = 0; i < sides.rows(); ++i)
   {
@@ -71,50 +49,6 @@ void turnNormals(vtkDataArray* normals, const Points3& sides)
       normals->SetTuple(i, normal.data());
     }
   }
-}
-
-void addFlags(vtkDataSetAttributes* attributes, const char* name, const std::vector<char>& flags)
-{
-  vtkNew<vtkUnsignedCharArray> array;
-  array->SetName(name);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(flags.size()));
-  for (std::size_t i = 0; i < flags.size(); ++i)
-  {
-    array->SetValue(static_cast<vtkIdType>(i), flags[i]);
-  }
-  attributes->AddArray(array);
-}
-
-void addIds(vtkDataSetAttributes* attributes, const char* name, const std::vector<vtkIdType>& ids)
-{
-  vtkNew<vtkIdTypeArray> array;
-  array->SetName(name);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(ids.size()));
-  for (std::size_t i = 0; i < ids.size(); ++i)
-  {
-    array->SetValue(static_cast<vtkIdType>(i), ids[i]);
-  }
-  attributes->AddArray(array);
-}
-
-void setVector(vtkFieldData* figures, const char* name, const Eigen::Vector3d& value)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(3);
-  array->InsertNextTuple(value.data());
-  figures->AddArray(array);
-}
-
-void setLengths(vtkFieldData* figures, const char* name, const std::vector<double>& lengths)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  for (const double length : lengths)
-  {
-    array->InsertNextValue(length);
-  }
-  figures->AddArray(array);
 }
 
 } // namespace
@@ -144,29 +78,29 @@ void setDisk(vtkPolyData* output,
     }
   }
 
-  setGeometry(output, surface.Mesh);
+  setTriangles(output, surface.Mesh);
   transferPointData(input->GetPointData(), surface.Vertices, output->GetPointData());
   transferCellData(input->GetCellData(), cells, output->GetCellData());
   if (vtkDataArray* normals = output->GetPointData()->GetNormals())
   {
-    turnNormals(normals, vertexNormals(surface.Mesh));
+    alignNormals(normals, vertexNormals(surface.Mesh));
   }
   if (vtkDataArray* normals = output->GetCellData()->GetNormals())
   {
-    turnNormals(normals, faceSides(surface.Mesh));
+    alignNormals(normals, faceSides(surface.Mesh));
   }
-  addIds(output->GetPointData(), OriginalPointIdsName, points);
-  addFlags(output->GetPointData(), "Seam", disk.Seam);
-  addIds(output->GetCellData(), OriginalCellIdsName, cells);
-  addFlags(output->GetCellData(), "Filled", filled);
+  output->GetPointData()->AddArray(newArray<vtkIdTypeArray>(OriginalPointIdsName, points));
+  output->GetPointData()->AddArray(newArray<vtkUnsignedCharArray>("Seam", disk.Seam));
+  output->GetCellData()->AddArray(newArray<vtkIdTypeArray>(OriginalCellIdsName, cells));
+  output->GetCellData()->AddArray(newArray<vtkUnsignedCharArray>("Filled", filled));
 }
 
 void setReport(vtkPolyData* output, const SurfaceToDiskReport& report, vtkIdType droppedCells)
 {
-  vtkFieldData* figures = output->GetFieldData();
-  const auto count = [figures](const char* name, vtkIdType value)
-  { setDatum(figures, name, static_cast<long long>(value)); };
-  const auto measure = [figures](const char* name, double value) { setDatum(figures, name, value); };
+  vtkFieldData* data = output->GetFieldData();
+  const auto count = [data](const char* name, vtkIdType value)
+  { setDatum(data, name, static_cast<long long>(value)); };
+  const auto measure = [data](const char* name, double value) { setDatum(data, name, value); };
   count("DroppedCells", droppedCells);
   count("MergedPoints", report.Repair.MergedPoints);
   count("UnusedPoints", report.Repair.UnusedPoints);
@@ -187,12 +121,12 @@ void setReport(vtkPolyData* output, const SurfaceToDiskReport& report, vtkIdType
   measure("FilledArea", report.FilledArea);
   count("Genus", report.Genus);
   count("RemovedHandles", report.Handles.Handles);
-  setLengths(figures, "HandleLoopLengths", report.Handles.LoopLengths);
+  data->AddArray(newArray<vtkDoubleArray>("HandleLoopLengths", report.Handles.LoopLengths));
   measure("HandleAreaRemoved", report.Handles.RemovedArea);
   measure("HandleAreaAdded", report.Handles.AddedArea);
   measure("HandleDisplacement", report.Handles.GreatestDisplacement);
   measure("RemeshEdgeLength", report.RemeshEdgeLength);
-  setVector(figures, "HoleCentre", report.HoleCentre);
+  data->AddArray(newTuples<vtkDoubleArray>("HoleCentre", report.HoleCentre.transpose()));
   measure("HoleRadius", report.HoleRadius);
   measure("SeamLength", report.SeamLength);
   measure("RemovedArea", report.RemovedArea);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What Surface To Disk hands over: the disk as polydata, with the arrays of its input and the account
-/// of what was changed.
+/// The output of Surface To Disk: the disk as polydata with the arrays of the input, and the report of
+/// the changes in its field data.
 #pragma once
 
 #include "Core/Disk/SurfaceToDisk.h"
@@ -14,20 +14,16 @@ class vtkPolyData;
 namespace flattening
 {
 
-/// Name of the point array (vtkIdType) with the input point that each point is; -1 if it is none.
-inline constexpr const char* OriginalPointIdsName = "vtkOriginalPointIds";
-/// Name of the cell array (vtkIdType) with the input cell that each cell is a part of; -1 if of none.
-inline constexpr const char* OriginalCellIdsName = "vtkOriginalCellIds";
-
-/// Fills @p output with the disk, all arrays of @p input carried over to it, and the arrays
+/// Fills @p output with the disk, the arrays of @p input transferred to it, and the arrays
 /// vtkOriginalPointIds, vtkOriginalCellIds, Filled and Seam.
-/// @param cellOfTriangle the cell of @p input that each triangle of the disk's origin is a part of.
+/// @param cellOfTriangle the cell of @p input that each triangle of the triangulated input is part of.
 void setDisk(vtkPolyData* output,
   vtkPolyData* input,
   const std::vector<vtkIdType>& cellOfTriangle,
   const DiskSurface& disk);
 
-/// Adds the report to the field data of @p output, one array per figure.
+/// Adds the report to the field data of @p output, one array per value.
+/// @param droppedCells number of vertices and lines of the input.
 void setReport(vtkPolyData* output, const SurfaceToDiskReport& report, vtkIdType droppedCells);
 
 } // namespace flattening

@@ -2,6 +2,7 @@
 #include "Internal/PolyDataConversion.h"
 
 #include "Core/Base/Errors.h"
+#include "Internal/ArrayConversion.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
@@ -17,7 +18,7 @@
 #include <vtkStringArray.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <limits>
 
 namespace flattening
@@ -77,15 +78,16 @@ FaceMatrix toFaces(vtkPolyData* data)
 
 } // namespace
 
+Points3 pointsOf(vtkPolyData* data)
+{
+  return data->GetPoints() ? Points3(toMatrix<3>(data->GetPoints()->GetData())) : Points3(0, 3);
+}
+
 TriangleMesh toTriangleMesh(vtkPolyData* data)
 {
   TriangleMesh mesh;
   mesh.Faces = toFaces(data);
-  mesh.Vertices.resize(data->GetNumberOfPoints(), 3);
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-  {
-    data->GetPoint(i, mesh.Vertices.row(i).data());
-  }
+  mesh.Vertices = pointsOf(data);
   return mesh;
 }
 
@@ -105,11 +107,7 @@ TriangleMesh surfaceOfFlattened(vtkPolyData* flattened)
   }
   TriangleMesh mesh;
   mesh.Faces = toFaces(flattened);
-  mesh.Vertices.resize(flattened->GetNumberOfPoints(), 3);
-  for (vtkIdType i = 0; i < flattened->GetNumberOfPoints(); ++i)
-  {
-    points->GetTuple(i, mesh.Vertices.row(i).data());
-  }
+  mesh.Vertices = toMatrix<3>(points);
   return mesh;
 }
 
@@ -122,13 +120,16 @@ TriangleMesh surfaceInSpace(vtkPolyData* data)
 namespace
 {
 
-// Guards against a surface that was warped back into space: its x and y alone would be nonsense.
+// The deviation from a plane that is rounding, as a share of the extent: between the rounding of single
+// precision, about 1e-7, and a surface that was warped back into space, whose x and y make no sense.
+constexpr double Flatness = 1e-6;
+
 void requireFlat(vtkPolyData* flattened)
 {
   double bounds[6];
   flattened->GetBounds(bounds);
   const double extent = std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
-  if (bounds[5] - bounds[4] > 1e-6 * extent)
+  if (bounds[5] - bounds[4] > Flatness * extent)
   {
     throw InvalidInput("the input is not flat (z runs from " + std::to_string(bounds[4]) + " to " +
                        std::to_string(bounds[5]) +
@@ -141,19 +142,16 @@ void requireFlat(vtkPolyData* flattened)
 Points2 toPlanarPositions(vtkPolyData* flattened)
 {
   requireFlat(flattened);
-  Points2 positions(flattened->GetNumberOfPoints(), 2);
-  for (vtkIdType i = 0; i < flattened->GetNumberOfPoints(); ++i)
+  const Points3 points = pointsOf(flattened);
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
   {
-    double x[3];
-    flattened->GetPoint(i, x);
-    if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+    if (!points.row(i).allFinite())
     {
       throw InvalidInput("point " + std::to_string(i) +
                          " of the flat surface is not finite: clean the data before flattening");
     }
-    positions.row(i) << x[0], x[1];
   }
-  return positions;
+  return points.leftCols<2>();
 }
 
 vtkPoints* newPlanarPoints(const Points2& positions)
@@ -173,56 +171,44 @@ void deactivateNormals(vtkPolyData* flattened)
   flattened->GetCellData()->SetActiveAttribute(-1, vtkDataSetAttributes::NORMALS);
 }
 
+void setTriangles(vtkPolyData* output, const TriangleMesh& mesh)
+{
+  auto points = vtk::TakeSmartPointer(vtkPoints::New(VTK_DOUBLE));
+  points->SetData(newTuples<vtkDoubleArray>("Points", mesh.Vertices));
+  vtkNew<vtkCellArray> cells;
+  cells->AllocateExact(mesh.faceCount(), 3 * static_cast<vtkIdType>(mesh.faceCount()));
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    const vtkIdType ids[3] = { mesh.Faces(f, 0), mesh.Faces(f, 1), mesh.Faces(f, 2) };
+    cells->InsertNextCell(3, ids);
+  }
+  output->SetPoints(points);
+  output->SetPolys(cells);
+}
+
 void addSurfacePoints(vtkPolyData* output, const Points3& surface)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(SurfacePointsName);
-  array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(surface.rows());
-  for (Eigen::Index i = 0; i < surface.rows(); ++i)
-  {
-    array->SetTuple(i, surface.row(i).data());
-  }
-  output->GetPointData()->AddArray(array);
+  output->GetPointData()->AddArray(newTuples<vtkDoubleArray>(SurfacePointsName, surface));
 }
 
 void addPointArray(vtkPolyData* output, const char* name, const Eigen::VectorXd& values)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfTuples(values.size());
-  for (Eigen::Index i = 0; i < values.size(); ++i)
-  {
-    array->SetValue(i, values[i]);
-  }
-  output->GetPointData()->AddArray(array);
+  output->GetPointData()->AddArray(newArray<vtkDoubleArray>(name, values));
 }
 
 void setDatum(vtkFieldData* fieldData, const char* name, double value)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  fieldData->AddArray(array);
+  fieldData->AddArray(newArray<vtkDoubleArray>(name, std::array{ value }));
 }
 
 void setDatum(vtkFieldData* fieldData, const char* name, long long value)
 {
-  vtkNew<vtkIdTypeArray> array;
-  array->SetName(name);
-  array->InsertNextValue(static_cast<vtkIdType>(value));
-  fieldData->AddArray(array);
+  fieldData->AddArray(newArray<vtkIdTypeArray>(name, std::array{ value }));
 }
 
 void setIds(vtkFieldData* fieldData, const char* name, const std::vector<int>& ids)
 {
-  vtkNew<vtkIdTypeArray> array;
-  array->SetName(name);
-  for (const int id : ids)
-  {
-    array->InsertNextValue(id);
-  }
-  fieldData->AddArray(array);
+  fieldData->AddArray(newArray<vtkIdTypeArray>(name, ids));
 }
 
 void setDatum(vtkFieldData* fieldData, const char* name, const std::string& value)

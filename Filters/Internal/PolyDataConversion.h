@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Between vtkPolyData and Core's plain meshes, and the arrays that the filters agree on.
+/// Conversion between vtkPolyData and the meshes of Core, and the arrays that all filters share.
 #pragma once
 
 #include "Core/Mesh/TriangleMesh.h"
@@ -15,46 +15,60 @@ class vtkPolyData;
 namespace flattening
 {
 
-/// Name of the point array (double x 3, input units) that says where each flattened point came from.
+/// Name of the point array (double x 3, input units): where the flat point lies on the surface.
 inline constexpr const char* SurfacePointsName = "SurfacePoints";
+/// Name of the point array (vtkIdType): id of the same point in the input, -1 for a new point.
+inline constexpr const char* OriginalPointIdsName = "vtkOriginalPointIds";
+/// Name of the cell array (vtkIdType): id of the input cell that a cell is part of, -1 for a new cell.
+inline constexpr const char* OriginalCellIdsName = "vtkOriginalCellIds";
 
-/// True if there is nothing to work on: no points, no cells, no vertices of a graph.
+/// Whether the data have neither points nor cells nor vertices of a graph.
 bool isEmpty(vtkDataObject* data);
 
-/// The triangles of @p data with its points; one to one with its points and cells.
+/// The positions of the points (n x 3).
+Points3 pointsOf(vtkPolyData* data);
+
+/// The points and triangles of @p data, one to one with its points and cells.
 /// @throws InvalidInput if it has cells other than triangles.
 TriangleMesh toTriangleMesh(vtkPolyData* data);
 
-/// The triangles of a flattened surface with the points of its array SurfacePoints.
-/// @throws InvalidInput as toTriangleMesh, and if the array is missing or not of 3 components.
+/// The surface in space of a flattened surface: its triangles with the points of its array
+/// SurfacePoints.
+/// @throws InvalidInput as toTriangleMesh does, and if the array is missing or does not have 3
+/// components.
 TriangleMesh surfaceOfFlattened(vtkPolyData* flattened);
 
-/// The surface in space that @p data is or, if it has an array SurfacePoints, was flattened from.
-/// @throws InvalidInput as surfaceOfFlattened.
+/// The surface in space: surfaceOfFlattened if @p data have an array SurfacePoints, else toTriangleMesh.
+/// @throws InvalidInput as these do.
 TriangleMesh surfaceInSpace(vtkPolyData* data);
 
-/// x and y of the points (n x 2). @throws InvalidInput if one is not finite, or if z is not constant (to
-/// 1e-6 of the larger of the extents in x and y).
+/// The x and y coordinates of the points (n x 2).
+/// @throws InvalidInput if a point is not finite, or if z is not constant to 1e-6 of the larger of the
+/// extents in x and y.
 Points2 toPlanarPositions(vtkPolyData* flattened);
 
 /// Points in double precision with z = 0.
 vtkPoints* newPlanarPoints(const Points2& positions);
 
-/// Keeps the arrays of normals but as plain arrays: those of the surface would shade the flat picture.
+/// Turns active normals into plain arrays, as the normals of the surface would shade the flat map.
 void deactivateNormals(vtkPolyData* flattened);
 
-/// Sets @p output's SurfacePoints array from @p surface.
+/// Sets the points, in double precision, and the triangles of @p output.
+void setTriangles(vtkPolyData* output, const TriangleMesh& mesh);
+
+/// Adds the point array SurfacePoints.
 void addSurfacePoints(vtkPolyData* output, const Points3& surface);
 
-/// Adds a per-point array; returns nothing, replaces an array of that name.
+/// Adds a point array of one component; replaces an array of that name.
 void addPointArray(vtkPolyData* output, const char* name, const Eigen::VectorXd& values);
 
-/// One-tuple arrays in field data, so that figures survive composite data sets and client/server.
+/// Stores a value as an array of one tuple in field data, where it survives composite data sets and the
+/// transfer between client and server.
 void setDatum(vtkFieldData* fieldData, const char* name, double value);
 void setDatum(vtkFieldData* fieldData, const char* name, long long value);
 void setDatum(vtkFieldData* fieldData, const char* name, const std::string& value);
 
-/// An array of point ids in field data.
+/// Stores an array of point ids in field data.
 void setIds(vtkFieldData* fieldData, const char* name, const std::vector<int>& ids);
 
 } // namespace flattening
