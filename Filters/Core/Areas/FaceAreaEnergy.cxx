@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Areas/FaceAreaEnergy.h"
 
+#include "Untangling/SmoothPositivePart.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,11 +24,7 @@ FaceAreaEnergy::Value FaceAreaEnergy::value(double area,
 {
   Value result;
   const double r = area / target;
-  const double root = std::sqrt(this->Epsilon * this->Epsilon + r * r);
-  // Without cancellation where r < 0.
-  const double chi = r > 0.0               ? 0.5 * (r + root)
-                     : this->Epsilon > 0.0 ? 0.5 * this->Epsilon * this->Epsilon / (root - r)
-                                           : 0.0;
+  const auto [root, chi] = smoothPositivePart(r, this->Epsilon);
   if (!(chi > 0.0))
   {
     result.Energy = std::numeric_limits<double>::infinity();
@@ -39,12 +37,12 @@ FaceAreaEnergy::Value FaceAreaEnergy::value(double area,
   const double s = shapeWeight;
   // Smoothed as r is, for a face that shrinks to a point must not gain.
   const double q = std::max(dirichlet / target, LeastDirichlet);
-  const double rootOfQ = std::sqrt(this->Epsilon * this->Epsilon + q * q);
+  const SmoothPositivePart chiOfQ = smoothPositivePart(q, this->Epsilon);
 
-  const double shape = s > 0.0 ? s * (std::log(0.5 * (q + rootOfQ)) - logChi) : 0.0;
+  const double shape = s > 0.0 ? s * (std::log(chiOfQ.Value) - logChi) : 0.0;
   result.Energy = target * ((r - 1.0) * (r - 1.0) + this->FlipWeight * (chi - 1.0 - logChi) + shape);
   result.ByArea = 2.0 * (r - 1.0) + this->FlipWeight * (chiByR - byLog) - s * byLog;
-  result.ByDirichlet = s / rootOfQ;
+  result.ByDirichlet = s / chiOfQ.Root;
   // Minus the logarithm is concave where the face is flipped: its curvature counts where positive.
   const double logCurvature = r * byLog * byLog * byLog;
   const double flipCurvature = std::max(0.0, chiByRR + logCurvature);

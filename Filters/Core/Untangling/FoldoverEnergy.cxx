@@ -1,34 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Untangling/FoldoverEnergy.h"
 
+#include "Untangling/SmoothPositivePart.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-#include <cmath>
 #include <limits>
 
 namespace flattening
 {
-namespace
-{
-
-// chi and its first two derivatives by D.
-struct Regularised
-{
-  double Value;
-  double First;
-  double Second;
-};
-
-Regularised regularised(double d, double epsilon)
-{
-  const double root = std::sqrt(epsilon * epsilon + d * d);
-  // Without cancellation where d < 0.
-  const double value = d > 0.0 ? 0.5 * (d + root) : 0.5 * epsilon * epsilon / (root - d);
-  return { value, value / root, 0.5 * epsilon * epsilon / (root * root * root) };
-}
-
-} // namespace
 
 FoldoverEnergy::FoldoverEnergy(const TargetTriangle& target, double areaWeight)
   : AreaWeight(areaWeight)
@@ -52,7 +33,7 @@ double FoldoverEnergy::value(const Corners& corners, double epsilon) const
   {
     return std::numeric_limits<double>::infinity();
   }
-  return (j.squaredNorm() + this->AreaWeight * (d * d + 1.0)) / regularised(d, epsilon).Value;
+  return (j.squaredNorm() + this->AreaWeight * (d * d + 1.0)) / smoothPositivePart(d, epsilon).Value;
 }
 
 FoldoverEnergy::Derivatives FoldoverEnergy::derivatives(const Corners& corners, double epsilon) const
@@ -60,24 +41,25 @@ FoldoverEnergy::Derivatives FoldoverEnergy::derivatives(const Corners& corners, 
   using Vector4 = Eigen::Vector4d;
   const Eigen::Matrix2d m = this->jacobian(corners);
   const Vector4 j(m(0, 0), m(0, 1), m(1, 0), m(1, 1));
-  const Vector4 cofactors(m(1, 1), -m(1, 0), -m(0, 1), m(0, 0)); // of D by J
-  Eigen::Matrix4d curvature = Eigen::Matrix4d::Zero();           // of D by J, twice
+  const Vector4 cofactors(m(1, 1), -m(1, 0), -m(0, 1), m(0, 0)); // gradient of D by J
+  Eigen::Matrix4d curvature = Eigen::Matrix4d::Zero();           // second derivatives of D by J
   curvature(0, 3) = curvature(3, 0) = 1.0;
   curvature(1, 2) = curvature(2, 1) = -1.0;
 
   // The energy is N / chi, N = |J|^2 + w (D^2 + 1).
   const double d = m.determinant();
   const double w = this->AreaWeight;
-  const Regularised chi = regularised(d, epsilon);
+  const auto [root, chi] = smoothPositivePart(d, epsilon);
+  const double chiByD = chi / root;
+  const double chiByDD = 0.5 * epsilon * epsilon / (root * root * root);
   const double n = j.squaredNorm() + w * (d * d + 1.0);
-  const double byD = (2.0 * w * d - n * chi.First / chi.Value) / chi.Value;
-  const double byDD = (2.0 * w - 4.0 * w * d * chi.First / chi.Value +
-                        n * (2.0 * chi.First * chi.First / chi.Value - chi.Second) / chi.Value) /
-                      chi.Value;
-  const double mixed = -2.0 * chi.First / (chi.Value * chi.Value);
+  const double byD = (2.0 * w * d - n * chiByD / chi) / chi;
+  const double byDD =
+    (2.0 * w - 4.0 * w * d * chiByD / chi + n * (2.0 * chiByD * chiByD / chi - chiByDD) / chi) / chi;
+  const double mixed = -2.0 * chiByD / (chi * chi);
 
-  const Vector4 gradient = 2.0 / chi.Value * j + byD * cofactors;
-  const Eigen::Matrix4d hessian = 2.0 / chi.Value * Eigen::Matrix4d::Identity() +
+  const Vector4 gradient = 2.0 / chi * j + byD * cofactors;
+  const Eigen::Matrix4d hessian = 2.0 / chi * Eigen::Matrix4d::Identity() +
                                   mixed * (j * cofactors.transpose() + cofactors * j.transpose()) +
                                   byDD * (cofactors * cofactors.transpose()) + byD * curvature;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(hessian);

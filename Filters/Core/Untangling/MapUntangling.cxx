@@ -12,10 +12,12 @@ namespace flattening
 namespace
 {
 
-// Newton steps times vertices, in vain, however small the map is.
+// Work for patches that stay flipped, in Newton steps times free vertices, that is allowed even for the
+// smallest map: a guard, a fraction of a second. With less, small maps are given up too early.
 constexpr double LeastWork = 5e4;
-// Over all flipped faces, moving single vertices.
-constexpr int LargestSweeps = 10;
+// Most sweeps over all flipped faces in which single vertices move: a guard, for sweeps end as soon as
+// one does not help.
+constexpr int MostSweeps = 10;
 
 std::vector<int> flippedFaces(const UntanglingMesh& mesh)
 {
@@ -30,39 +32,33 @@ std::vector<int> flippedFaces(const UntanglingMesh& mesh)
   return flipped;
 }
 
-// Until no single vertex turns any more faces over, or nearly so.
+// Moves single vertices, in sweeps over the flipped faces, as long as that untangles more faces.
 void moveSingleVertices(UntanglingMesh& mesh)
 {
+  const auto isUntangled = [&mesh](int f)
+  { return mesh.safelyPositive(f) || untangleByOneVertex(mesh, f); };
   std::vector<int> flipped = flippedFaces(mesh);
-  std::size_t left = flipped.size() + 1;
-  for (int sweep = 0; sweep < LargestSweeps && flipped.size() < left; ++sweep)
+  std::size_t before = flipped.size() + 1;
+  for (int sweep = 0; sweep < MostSweeps && flipped.size() < before; ++sweep)
   {
-    left = flipped.size();
-    std::vector<int> remaining;
-    for (const int f : flipped)
-    {
-      if (!mesh.safelyPositive(f) && untangleByOneVertex(mesh, f) < 0)
-      {
-        remaining.push_back(f);
-      }
-    }
-    flipped = remaining;
+    before = flipped.size();
+    flipped.erase(std::remove_if(flipped.begin(), flipped.end(), isUntangled), flipped.end());
   }
 }
 
-class PatchRepairs
+class PatchwiseUntangling
 {
 public:
-  PatchRepairs(UntanglingMesh& mesh, const UntanglingOptions& options)
+  PatchwiseUntangling(UntanglingMesh& mesh, const UntanglingOptions& options)
     : Mesh(mesh)
     , Options(options)
-    , Work(LeastWork + options.WorkPerVertex * mesh.Positions.rows())
+    , WorkLeft(LeastWork + options.WorkPerVertex * mesh.Positions.rows())
     , Hopeless(mesh.Faces.rows(), 0)
   {
   }
 
-  // Grows a patch around the face by 1, 1, 2, 4 ... rings until it can be repaired.
-  void repairAround(int face)
+  // Grows a patch around the face until it can be untangled, and tries after 0, 1, 2, 4, 8 ... rings.
+  void untangleAround(int face)
   {
     if (this->Hopeless[face])
     {
@@ -71,24 +67,25 @@ public:
     UntanglingPatch patch(this->Mesh, face, this->Options.LargestPatch);
     const std::vector<int> first = patch.faces();
     bool grows = true;
-    for (int ring = 0, next = 0; grows && this->Work > 0.0 && this->promising(patch); ++ring)
+    for (int ring = 0, next = 0; grows && this->WorkLeft > 0.0 && this->isPromising(patch); ++ring)
     {
       if (ring == next)
       {
         next = std::max(1, 2 * ring);
-        if (this->repair(patch, Start::AsItIs))
+        if (this->untangle(patch, Start::Map))
         {
           return;
         }
       }
       grows = patch.grow();
     }
-    while (grows && this->promising(patch))
+    while (grows && this->isPromising(patch))
     {
       grows = patch.grow();
     }
-    // All of the rim is fixed in the map then, as the vertices of a circle are.
-    if (grows || !this->promising(patch) || !this->repair(patch, Start::Relaxed))
+    // A patch that cannot grow has a rim of fixed vertices. If that is convex, as a piece of a circle
+    // is, Tutte's map is a start without flipped faces.
+    if (grows || !this->isPromising(patch) || !this->untangle(patch, Start::Tutte))
     {
       for (const int f : first)
       {
@@ -100,66 +97,66 @@ public:
 private:
   enum class Start
   {
-    AsItIs,
-    Relaxed
+    Map,  // the positions in the map
+    Tutte // the equilibrium of equal springs
   };
 
-  bool promising(const UntanglingPatch& patch) const
+  bool isPromising(const UntanglingPatch& patch) const
   {
     const std::vector<int>& faces = patch.faces();
     return !patch.tooLarge() &&
            std::none_of(faces.begin(), faces.end(), [this](int f) { return this->Hopeless[f]; });
   }
 
-  bool repair(const UntanglingPatch& patch, Start start)
+  bool untangle(const UntanglingPatch& patch, Start start)
   {
     UntanglingPatch::Local local = patch.local();
     if (local.Frame.isZero(0.0))
     {
       return false;
     }
-    if (start == Start::Relaxed && local.Flat.FreeVertices < local.Flat.Positions.rows())
+    if (start == Start::Tutte && local.Flat.FreeVertices < local.Flat.Positions.rows())
     {
       relaxPatch(local.Flat);
     }
     const UntangledPatch result = untanglePatch(local.Flat, this->Options.AreaWeight);
-    if (result.Positive && this->place(patch, local))
+    if (result.Positive && this->moveIntoMap(patch, local))
     {
       return true;
     }
-    this->Work -= static_cast<double>(result.Steps) * local.Flat.FreeVertices;
+    this->WorkLeft -= static_cast<double>(result.Steps) * local.Flat.FreeVertices;
     return false;
   }
 
-  // Gives the vertices their places in the map, rounded, if all faces are positive there.
-  bool place(const UntanglingPatch& patch, const UntanglingPatch::Local& local)
+  // Gives the vertices their positions in the map, if all faces are positive after rounding.
+  bool moveIntoMap(const UntanglingPatch& patch, const UntanglingPatch::Local& local)
   {
-    Points2 places =
+    Points2 positions =
       (local.Flat.Positions.topRows(local.Flat.FreeVertices) * local.Frame).rowwise() + local.Origin;
-    this->swap(patch, places);
+    this->swapPositions(patch, positions);
     const std::vector<int>& faces = patch.faces();
     const bool positive =
       std::all_of(faces.begin(), faces.end(), [this](int f) { return this->Mesh.safelyPositive(f); });
     if (!positive)
     {
-      this->swap(patch, places);
+      this->swapPositions(patch, positions);
     }
     return positive;
   }
 
-  void swap(const UntanglingPatch& patch, Points2& places)
+  void swapPositions(const UntanglingPatch& patch, Points2& positions)
   {
     Eigen::Index row = 0;
     for (const int v : patch.vertices())
     {
-      this->Mesh.Positions.row(v).swap(places.row(row++));
+      this->Mesh.Positions.row(v).swap(positions.row(row++));
     }
   }
 
   UntanglingMesh& Mesh;
   const UntanglingOptions& Options;
-  double Work;                // that may still be in vain
-  std::vector<char> Hopeless; // per face: 1 if no patch around it could be repaired
+  double WorkLeft;            // that may still be in vain
+  std::vector<char> Hopeless; // per face: 1 if no patch around it could be untangled
 };
 
 } // namespace
@@ -176,14 +173,14 @@ UntanglingReport untangleMap(const FaceMatrix& faces,
   const Points2 old = positions;
   UntanglingMesh mesh(faces, fixed, targets, positions);
   moveSingleVertices(mesh);
-  PatchRepairs repairs(mesh, options);
+  PatchwiseUntangling patches(mesh, options);
   const std::vector<int> left = flippedFaces(mesh);
   for (std::size_t i = 0; i < left.size(); ++i)
   {
-    report(progress, static_cast<double>(i) / left.size(), "Repair of flipped faces");
+    report(progress, static_cast<double>(i) / left.size(), "Untangling of flipped faces");
     if (!mesh.safelyPositive(left[i]))
     {
-      repairs.repairAround(left[i]);
+      patches.untangleAround(left[i]);
     }
   }
   result.FlippedFaces = countFlippedFaces(positions, faces);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Turns the flipped faces of a flat map over.
+/// Untangling of a flat map: makes its flipped faces positively oriented.
 #pragma once
 
 #include "Base/Progress.h"
@@ -12,30 +12,33 @@ namespace flattening
 
 struct UntanglingOptions
 {
-  /// What a face's area counts against its shape (FoldoverEnergy), dimensionless, >= 0.
+  /// Weight of a face's area against its shape (see FoldoverEnergy), dimensionless, >= 0.
   double AreaWeight = 0.1;
-  /// Most vertices that are moved together; flipped faces that would take more are left.
+  /// Greatest number of vertices that are moved together; flipped faces that need more stay flipped.
   int LargestPatch = 2000;
-  /// Newton steps times vertices that may be in vain, per vertex of the map: what cannot be repaired
-  /// should not take much longer than the map did.
+  /// Bound on the work for patches that stay flipped, as Newton steps times free vertices per vertex of
+  /// the map, >= 0. With 1, vain attempts do not take much longer than a conformal map.
   double WorkPerVertex = 1.0;
 };
 
 struct UntanglingReport
 {
-  int RepairedFaces = 0; ///< flipped or of no area before, positively oriented now
-  int FlippedFaces = 0;  ///< still flipped or of no area
-  int MovedVertices = 0;
-  double GreatestMove = 0.0; ///< of a vertex, in mean lengths of the sides of its faces after the move
+  int RepairedFaces = 0; ///< faces that were flipped or of no area and are positively oriented now
+  int FlippedFaces = 0;  ///< faces that are still flipped or of no area
+  int MovedVertices = 0; ///< number of vertices whose positions have changed
+  double GreatestMove =
+    0.0; ///< longest move, in mean lengths of the sides of the vertex's faces after it
 };
 
-/// Moves as few vertices of the flat map @p positions (n x 2) of @p faces as little as it can until all
-/// faces are positively oriented, by more than the rounding of their corners; those that are @p fixed
-/// (n, not 0) stay. First, single vertices go to the nearest place in the kernel of their star
-/// (untangleByOneVertex). Then, patches are freed around the flipped faces that are left, and grow until
-/// their energy's minimum (untanglePatch) has no flipped face; their rims stay. Where that fails, or
-/// would take much longer than a conformal map does, the map is left as it was. If no face is flipped
-/// and the boundary does not intersect itself, the map is one-to-one.
+/// Moves as few vertices of the flat map @p positions (n x 2) of @p faces by as little as possible until
+/// all faces are positively oriented, by more than the rounding of their corners. Vertices that are @p
+/// fixed (n flags, not 0) stay.
+///
+/// First, single vertices go to the nearest point in the kernel of their star (untangleByOneVertex).
+/// Then, patches around the flipped faces that are left are freed, their rims fixed, and grow until the
+/// minimum of their energy (untanglePatch) has no flipped face. A patch that cannot be untangled, or
+/// only with more work than the options allow, stays as it was. If no face is flipped in the end and the
+/// boundary does not intersect itself, the map is one-to-one.
 /// @throws Cancelled.
 UntanglingReport untangleMap(const FaceMatrix& faces,
   const std::vector<char>& fixed,
@@ -44,8 +47,9 @@ UntanglingReport untangleMap(const FaceMatrix& faces,
   const UntanglingOptions& options = {},
   const ProgressCallback& progress = {});
 
-/// The same for a conformal map of @p surface, whose vertices @p fixed, by their numbers, stay: every
-/// face should keep its shape (similarTriangles).
+/// Untangles a conformal map of @p surface, in which every face should keep its shape
+/// (similarTriangles).
+/// @p fixed lists the vertices that stay.
 /// @throws Cancelled.
 UntanglingReport untangleMap(const TriangleMesh& surface,
   const std::vector<int>& fixed,

@@ -4,6 +4,7 @@
 #include "Base/SparseFactorization.h"
 #include "Mesh/ComplexPositions.h"
 #include "Mesh/GraphLaplacian.h"
+#include "Untangling/SmoothPositivePart.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,23 +15,30 @@ namespace flattening
 namespace
 {
 
-constexpr int LargestSteps = 300;
+// Most Newton steps: a guard against endless work on a patch that cannot be untangled.
+constexpr int MostSteps = 300;
+// The first epsilon, in units of the most negative area ratio or of 1. A choice: with more, the energy
+// hardly notices flipped faces; with less, its first steps are short.
 constexpr double FirstEpsilon = 0.1;
-// Of the flipped face's area ratio: so small an epsilon turns no face over any more.
-constexpr double HopelessShare = 1e-2;
-// Of the energy: where a map without flipped faces is good enough.
-constexpr double SmallestDecrease = 1e-4;
+// The ratio of epsilon to the most negative area ratio at which untangling is given up as hopeless: the
+// energy is then so steep that no step untangles a face. A choice between lost patches and lost time.
+constexpr double HopelessEpsilon = 1e-2;
+// Relative decrease of the energy by a step at which a patch without flipped faces is good enough. Its
+// shape is a matter of taste, so a smaller value only costs steps.
+constexpr double LeastDecrease = 1e-4;
+// Share of the predicted decrease that a step must reach: the usual constant of Armijo's rule.
 constexpr double ArmijoShare = 1e-4;
-constexpr int LargestHalvings = 40;
-// Of the Hessian's diagonal, which may be 0 otherwise.
+// Most halvings of a step: a guard, for 2^-40 of a step moves nothing.
+constexpr int MostHalvings = 40;
+// Share of its own that is added to the diagonal of the Hessian, which may be singular otherwise. A
+// guard: large against rounding, small against everything else.
 constexpr double Damping = 1e-9;
 
-// The next epsilon after a step that has brought the least area ratio to least <= 0 and the energy to a
-// share of what it was: chi of that ratio falls to that share, by a tenth at least.
+// The next epsilon, after a step to the least area ratio @p least <= 0 that reduced the energy to a @p
+// share: chi of that ratio is reduced to the same share, and by at least a tenth.
 double smallerEpsilon(double epsilon, double least, double share)
 {
-  const double root = std::sqrt(epsilon * epsilon + least * least);
-  const double chi = 0.5 * epsilon * epsilon / (root - least);
+  const double chi = smoothPositivePart(least, epsilon).Value;
   const double next = std::min(0.9, share) * chi;
   return 2.0 * std::sqrt(next * (next - least));
 }
@@ -52,12 +60,12 @@ public:
     UntangledPatch result;
     double least = this->leastAreaRatio();
     double epsilon = least > 0.0 ? 0.0 : FirstEpsilon * std::max(1.0, -least);
-    while (result.Steps < LargestSteps && epsilon >= -HopelessShare * least)
+    while (result.Steps < MostSteps && epsilon >= -HopelessEpsilon * least)
     {
       const double before = this->energy(this->Patch.Positions, epsilon);
       const double after = this->follow(this->newtonDirection(epsilon), before, epsilon);
       ++result.Steps;
-      if (least > 0.0 && !(before - after > SmallestDecrease * before))
+      if (least > 0.0 && !(before - after > LeastDecrease * before))
       {
         break;
       }
@@ -99,8 +107,8 @@ private:
     return sum;
   }
 
-  // Row 2 i + c by coordinate c of free vertex i; sets Slope.
-  Eigen::MatrixXd newtonDirection(double epsilon)
+  // Row 2 i + c belongs to coordinate c of free vertex i. Sets Slope, too.
+  Eigen::VectorXd newtonDirection(double epsilon)
   {
     const int unknowns = 2 * this->Patch.FreeVertices;
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(unknowns);
@@ -132,27 +140,25 @@ private:
     SparseMatrix hessian(unknowns, unknowns);
     hessian.setFromTriplets(entries.begin(), entries.end());
     this->Cholesky.compute(hessian);
-    Eigen::MatrixXd direction = Eigen::MatrixXd::Zero(unknowns, 1);
+    Eigen::VectorXd direction = Eigen::VectorXd::Zero(unknowns);
     if (this->Cholesky.info() == Eigen::Success)
     {
       direction = this->Cholesky.solve((-gradient).eval());
     }
-    this->Slope = direction.col(0).dot(gradient);
+    this->Slope = direction.dot(gradient);
     return direction;
   }
 
-  // Goes along the direction as far as the energy falls enough; returns the energy there.
-  double follow(const Eigen::MatrixXd& direction, double before, double epsilon)
+  // Takes a step along the direction that is so short that the energy falls enough, and returns the
+  // energy after it.
+  double follow(const Eigen::VectorXd& direction, double before, double epsilon)
   {
+    const Eigen::Map<const Points2> moves(direction.data(), this->Patch.FreeVertices, 2);
     double length = 1.0;
-    for (int halving = 0; halving < LargestHalvings && this->Slope < 0.0; ++halving)
+    for (int halving = 0; halving < MostHalvings && this->Slope < 0.0; ++halving)
     {
       Points2 trial = this->Patch.Positions;
-      for (int i = 0; i < this->Patch.FreeVertices; ++i)
-      {
-        trial(i, 0) += length * direction(2 * i, 0);
-        trial(i, 1) += length * direction(2 * i + 1, 0);
-      }
+      trial.topRows(this->Patch.FreeVertices) += length * moves;
       const double value = this->energy(trial, epsilon);
       if (value <= before + ArmijoShare * length * this->Slope)
       {
@@ -167,7 +173,7 @@ private:
   FlatPatch& Patch;
   std::vector<FoldoverEnergy> Energies;
   SparseCholesky Cholesky;
-  double Slope = 0.0;
+  double Slope = 0.0; // derivative of the energy along the direction
 };
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Moves the inner vertices of a patch of a flat mesh until no face is flipped.
+/// Untangles a patch of a flat map by minimising an energy over its inner vertices.
 #pragma once
 
 #include "Untangling/FoldoverEnergy.h"
@@ -9,30 +9,31 @@
 namespace flattening
 {
 
-/// A few faces of a flat mesh, with numbers of their own. The first FreeVertices vertices may move.
+/// Some faces of a flat map, with their own numbering. The first FreeVertices vertices may move.
 struct FlatPatch
 {
   Points2 Positions; ///< in units of about the patch's size
   int FreeVertices = 0;
-  FaceMatrix Faces;                    ///< each with a free vertex
-  std::vector<TargetTriangle> Targets; ///< per face, in the same units
+  FaceMatrix Faces;                    ///< each with at least one free vertex
+  std::vector<TargetTriangle> Targets; ///< one per face, in the same units
 };
 
 struct UntangledPatch
 {
-  bool Positive = false; ///< whether, to rounding, no face is flipped; if not, Positions are of no use
-  int Steps = 0;         ///< of Newton's method
+  bool Positive = false; ///< whether no face is flipped, to rounding; if not, discard the positions
+  int Steps = 0;         ///< number of Newton steps
 };
 
 /// Moves the free vertices of @p patch to a minimum of the sum of the faces' energies (FoldoverEnergy,
-/// every face of the same weight), by Newton's method with convex Hessians. While faces are flipped,
+/// with equal weights), by Newton's method with positive semidefinite Hessians. While faces are flipped,
 /// epsilon goes to 0 with the area of the most flipped one (Garanzha et al., section 3.2), until that is
-/// hopeless; once none is, none becomes so again.
+/// hopeless. Once no face is flipped, none flips again.
+/// @param areaWeight  as in FoldoverEnergy, >= 0
 UntangledPatch untanglePatch(FlatPatch& patch, double areaWeight);
 
-/// Moves the free vertices of @p patch to the equilibrium of equal springs along its edges: a start
-/// without flipped faces, however bad, for a patch with a convex rim (Tutte 1963).
-/// @throws ConvergenceError if a free vertex does not hang on the rim.
+/// Moves the free vertices of @p patch to the equilibrium of equal springs along its edges (Tutte 1963).
+/// If the rim is convex, this gives a start without flipped faces, however distorted.
+/// @throws ConvergenceError if a free vertex is not connected to the rim.
 void relaxPatch(FlatPatch& patch);
 
 } // namespace flattening

@@ -10,14 +10,23 @@ namespace flattening
 namespace
 {
 
-// Of the longest side.
+// Least altitude of a target, as a share of its longest side. A choice: a target of no altitude would
+// have an infinite energy, and a flat map cannot tell thinner shapes apart from a line anyway.
 constexpr double LeastAltitude = 0.02;
-// Of the unit disk's radius: what doubles tell apart.
+// Least root of a sum of squared flat lengths, in radii of the unit disk: a guard, for doubles tell
+// points apart to 1e-16. It keeps the logarithm of the scale finite.
 constexpr double LeastLength = 1e-15;
 
-// The triangle with sides (squared) first to second corner, second to third, third to first.
-TargetTriangle triangleOfSides(const double squaredSides[3])
+// A triangle congruent to the face, its altitude over the longest side raised to the least one.
+TargetTriangle openedTriangle(const TriangleMesh& surface, int face)
 {
+  double squaredSides[3]; // from the first to the second corner, second to third, third to first
+  for (int k = 0; k < 3; ++k)
+  {
+    const int a = surface.Faces(face, k);
+    const int b = surface.Faces(face, (k + 1) % 3);
+    squaredSides[k] = (surface.Vertices.row(b) - surface.Vertices.row(a)).squaredNorm();
+  }
   const int longest = static_cast<int>(std::max_element(squaredSides, squaredSides + 3) - squaredSides);
   const double base2 = squaredSides[longest];
   const double left2 = squaredSides[(longest + 2) % 3];
@@ -32,7 +41,8 @@ TargetTriangle triangleOfSides(const double squaredSides[3])
   return { corners[1] - corners[0], corners[2] - corners[0] };
 }
 
-// Logarithm of flat over surface length around every vertex.
+// Logarithm of the ratio of flat to surface length at every vertex, by the root of the sum of the
+// squared lengths of the sides of its faces.
 Eigen::VectorXd logScales(const TriangleMesh& surface, const Points2& positions)
 {
   Eigen::VectorXd flat = Eigen::VectorXd::Zero(surface.vertexCount());
@@ -63,16 +73,12 @@ TargetTriangles similarTriangles(const TriangleMesh& surface, const Points2& pos
   const auto scales = std::make_shared<const Eigen::VectorXd>(logScales(surface, positions));
   return [&surface, scales](int face)
   {
-    double squaredSides[3];
     double logScale = 0.0;
     for (int k = 0; k < 3; ++k)
     {
-      const int a = surface.Faces(face, k);
-      const int b = surface.Faces(face, (k + 1) % 3);
-      squaredSides[k] = (surface.Vertices.row(b) - surface.Vertices.row(a)).squaredNorm();
-      logScale += (*scales)[a] / 3.0;
+      logScale += (*scales)[surface.Faces(face, k)] / 3.0;
     }
-    const TargetTriangle triangle = triangleOfSides(squaredSides);
+    const TargetTriangle triangle = openedTriangle(surface, face);
     return TargetTriangle{ std::exp(logScale) * triangle.Second, std::exp(logScale) * triangle.Third };
   };
 }
@@ -82,14 +88,7 @@ TargetTriangles trianglesOfArea(const TriangleMesh& surface, const Eigen::Vector
   const auto kept = std::make_shared<const Eigen::VectorXd>(areas);
   return [&surface, kept](int face)
   {
-    double squaredSides[3];
-    for (int k = 0; k < 3; ++k)
-    {
-      const int a = surface.Faces(face, k);
-      const int b = surface.Faces(face, (k + 1) % 3);
-      squaredSides[k] = (surface.Vertices.row(b) - surface.Vertices.row(a)).squaredNorm();
-    }
-    const TargetTriangle triangle = triangleOfSides(squaredSides);
+    const TargetTriangle triangle = openedTriangle(surface, face);
     const double area =
       0.5 * (triangle.Second.x() * triangle.Third.y() - triangle.Second.y() * triangle.Third.x());
     const double scale = std::sqrt((*kept)[face] / area);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The triangles that the faces of a flat map should become.
+/// Target triangles: the shapes and sizes that the faces of a flat map should have.
 #pragma once
 
 #include "Mesh/TriangleMesh.h"
@@ -16,19 +16,18 @@ struct TargetTriangle
   Eigen::Vector2d Third;
 };
 
-/// Of face f, its corners in the order of the face's vertices, in the units of the map. Any place and
-/// turn of the triangle in the plane is as good.
+/// The target of a face, with the corners in the order of the face's vertices, in the units of the map.
+/// Its position and rotation in the plane do not matter.
 using TargetTriangles = std::function<TargetTriangle(int face)>;
 
-/// Triangles similar to those of @p surface, of the scale that @p positions (n x 2) have around the
-/// face: the mean over its corners of the logarithmic ratio of flat to surface length there. They are
-/// the targets of a conformal map that should change as little as can be. Slivers are opened to an
-/// altitude of a fiftieth of their longest side, as no map could tell their shapes apart from a line.
-/// Valid whatever becomes of @p positions, while @p surface lives.
+/// Targets for a conformal map that should change as little as possible: triangles similar to those of
+/// @p surface, scaled as @p positions (n x 2) are around the face, by the mean over its corners of the
+/// logarithmic ratio of flat to surface length. Slivers are opened to an altitude of a fiftieth of their
+/// longest side. The result keeps a copy of the scales and a reference to @p surface.
 TargetTriangles similarTriangles(const TriangleMesh& surface, const Points2& positions);
 
-/// Triangles similar to those of @p surface of the areas @p areas (m, > 0). They are the targets of an
-/// area-preserving map. Slivers are opened as above. Valid while @p surface lives.
+/// Targets for an area-preserving map: triangles similar to those of @p surface that have the areas @p
+/// areas (m, > 0). Slivers are opened as above. The result keeps a reference to @p surface.
 TargetTriangles trianglesOfArea(const TriangleMesh& surface, const Eigen::VectorXd& areas);
 
 } // namespace flattening

@@ -11,7 +11,9 @@ namespace flattening
 namespace
 {
 
-// Rounding of a coordinate, of its size: four units in the last place.
+// Bound on the error of a coordinate that is scaled or rotated and rounded, relative to its size: four
+// units in the last place, enough for the products and the sum of a rotation. With less, a rotated map
+// may flip faces that were counted as positive.
 constexpr double Rounding = 0x1p-50;
 
 } // namespace

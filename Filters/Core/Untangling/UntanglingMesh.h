@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A flat map whose flipped faces are to be turned over.
+/// A flat map that is to be untangled.
 #pragma once
 
 #include "Mesh/VertexFaces.h"
@@ -10,8 +10,8 @@
 namespace flattening
 {
 
-/// What one must know of a flat map to move its vertices. The arguments of the constructor must live as
-/// long as it does.
+/// A flat map with everything that is needed to move its vertices. It refers to the arguments of the
+/// constructor, which must outlive it.
 struct UntanglingMesh
 {
   const FaceMatrix& Faces;
@@ -32,11 +32,11 @@ struct UntanglingMesh
   {
   }
 
-  /// Whether face @p f is positively oriented, exactly, and will be so when all positions are scaled or
-  /// turned and rounded again.
+  /// Whether face @p f is positively oriented, by exact arithmetic, and so far from flipping that it
+  /// stays so when all positions are scaled or rotated and rounded again.
   bool safelyPositive(int f) const;
 
-  /// The mean length of the sides of the faces around vertex @p v.
+  /// The mean length of the sides of the faces around vertex @p v, in units of the map.
   double edgeLengthAt(int v) const;
 };
 

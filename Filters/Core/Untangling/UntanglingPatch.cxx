@@ -13,8 +13,11 @@ namespace flattening
 namespace
 {
 
-// Greatest over least stretch: what is less is not worth other coordinates.
+// Ratio of the common stretch's singular values from which on the coordinates undo it. A choice:
+// Newton's method copes with milder stretches, and the plain coordinates are the simpler ones.
 constexpr double LeastAnisotropy = 4.0;
+// Steps of Tyler's fixed point, of which each reduces the error by about half: the stretch need not be
+// exact.
 constexpr int ScatterSteps = 10;
 
 void sortUnique(std::vector<int>& numbers)
@@ -23,8 +26,9 @@ void sortUnique(std::vector<int>& numbers)
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
-// What the maps from the targets to the faces stretch alike, of determinant 1 and symmetric: by the
-// scatter of these maps that counts every face by the direction alone (Tyler, "A distribution-free
+// The stretch that the maps from the targets to the faces have in common: a symmetric matrix of
+// determinant 1, the identity if the stretch is mild. It is the root of a robust scatter matrix of these
+// maps in which every face has the same weight, whatever its size (Tyler, "A distribution-free
 // M-estimator of multivariate scatter", 1987).
 Eigen::Matrix2d commonStretch(const FlatPatch& patch)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The part of a flat mesh that is freed to turn flipped faces over.
+/// The part of a flat map whose vertices may move while flipped faces are untangled.
 #pragma once
 
 #include "Untangling/PatchUntangling.h"
@@ -10,34 +10,36 @@
 namespace flattening
 {
 
-/// Vertices that may move and all faces around them. Where a flipped face (one that is not safely
-/// positive) is among these, its vertices may move too, so that patches that touch are one.
+/// A set of free vertices, which may move, with all faces around them. The corners of a flipped face
+/// (one that is not safely positive) among these faces are free too, so that clusters of flipped faces
+/// that touch lie in one patch.
 class UntanglingPatch
 {
 public:
-  /// Frees the vertices of face @p face but the fixed ones. @p mesh must live as long as the patch does.
-  /// With more than @p mostVertices free it is of no use, and grows no further.
+  /// Frees the corners of face @p face that are not fixed. @p mesh must outlive the patch. A patch with
+  /// more than @p mostVertices free vertices is too large: it must not be used, only grown no further.
   UntanglingPatch(const UntanglingMesh& mesh, int face, int mostVertices);
 
-  /// Both in ascending order.
+  /// The free vertices in ascending order.
   const std::vector<int>& vertices() const { return this->Vertices; }
+  /// The faces around the free vertices in ascending order.
   const std::vector<int>& faces() const { return this->Faces; }
 
-  /// Frees the vertices of all its faces. Returns false if there is none to free.
+  /// Frees the corners of all its faces. Returns false if they were free or fixed already.
   bool grow();
 
   bool tooLarge() const { return static_cast<int>(this->Vertices.size()) > this->MostVertices; }
 
-  /// A copy in coordinates around its own place, of its own size: doubles resolve them however small the
-  /// patch is in the map. Where all faces are stretched alike, as in the neck of a horn, they are so in
-  /// the coordinates no more: which faces are flipped does not change, and no shape is far from its
-  /// target's.
+  /// A copy in coordinates of its own, relative to one of its vertices and in units of its size, which
+  /// doubles resolve however small the patch is in the map. Where all faces are stretched alike, as in
+  /// the neck of a protrusion, the coordinates undo the stretch. That flips no face and untangles none,
+  /// but brings all shapes close to their targets.
   struct Local
   {
-    FlatPatch Flat; ///< numbered as vertices() and faces(), and after these the rim's vertices
+    FlatPatch Flat; ///< vertices() and then those of the rim; faces()
     Eigen::RowVector2d Origin;
-    /// Places in the map are Origin + coordinates * Frame; 0 if there is nothing to free, or all of it
-    /// lies in one place.
+    /// Positions in the map are Origin + coordinates * Frame. The frame is 0 if there is no free vertex
+    /// or all vertices coincide.
     Eigen::Matrix2d Frame = Eigen::Matrix2d::Zero();
   };
   Local local() const;

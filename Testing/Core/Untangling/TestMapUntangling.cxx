@@ -32,7 +32,7 @@ Points2 planar(const TriangleMesh& mesh)
   return mesh.Vertices.leftCols<2>();
 }
 
-// The part within radius is turned by an angle (radians).
+// The part within the radius is rotated by an angle (radians).
 Points2 twisted(const TriangleMesh& mesh, double radius, double angle)
 {
   Points2 positions = planar(mesh);
@@ -61,7 +61,8 @@ std::vector<int> movedVertices(const Points2& before, const Points2& after)
   return moved;
 }
 
-// One vertex beyond the opposite side of one of its faces: it alone moves, no further than back.
+// One vertex lies beyond the opposite side of one of its faces: it alone moves, and not farther than
+// back.
 TEST(MapUntangling, MovesOneVertexIfThatIsEnough)
 {
   const TriangleMesh mesh = ringDisk();
@@ -85,8 +86,8 @@ class Twist : public testing::TestWithParam<double>
 {
 };
 
-// Rings turned against the next ring, wherever in the plane and however small: only they and what is
-// near them move.
+// The inner rings are rotated against the next ring, anywhere in the plane and at any scale: only the
+// vertices near the twist move.
 TEST_P(Twist, IsUndoneWhereItIs)
 {
   const double size = GetParam();
@@ -115,10 +116,10 @@ TEST_P(Twist, IsUndoneWhereItIs)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(FlippedFaceRepair, Twist, testing::Values(1.0, 1e-9));
+INSTANTIATE_TEST_SUITE_P(MapUntangling, Twist, testing::Values(1.0, 1e-9));
 
-// Every inner vertex off its place by up to an edge each way: clusters of flipped faces everywhere,
-// which touch.
+// Every inner vertex is moved by up to an edge length in each coordinate: clusters of flipped faces that
+// touch, everywhere.
 Points2 noisy(const TriangleMesh& mesh, const std::vector<int>& loop)
 {
   const double edge = (mesh.Vertices.row(1) - mesh.Vertices.row(0)).norm();
@@ -140,7 +141,7 @@ Points2 noisy(const TriangleMesh& mesh, const std::vector<int>& loop)
   return positions;
 }
 
-TEST(MapUntangling, TurnsFacesOverInNoise)
+TEST(MapUntangling, UntanglesNoise)
 {
   const TriangleMesh mesh = ringMesh(flatDisk(), 5000).Mesh;
   const std::vector<int> loop = requireDisk(mesh);
@@ -152,9 +153,9 @@ TEST(MapUntangling, TurnsFacesOverInNoise)
   EXPECT_LT(report.MovedVertices, mesh.vertexCount() / 2) << "most have no flipped face that needs them";
 }
 
-// The same among needles, as in the necks of horns. Stretching flips nothing, and so should not change
-// what can be repaired.
-TEST(MapUntangling, TurnsFacesOverAmongNeedles)
+// Needles, as in the necks of protrusions. Stretching a map flips no face, so it should not change which
+// faces can be untangled.
+TEST(MapUntangling, UntanglesNoiseAmongNeedles)
 {
   const TriangleMesh mesh = ringMesh(flatDisk(), 5000).Mesh;
   const std::vector<int> loop = requireDisk(mesh);
@@ -175,9 +176,9 @@ TEST(MapUntangling, TurnsFacesOverAmongNeedles)
   EXPECT_EQ(countFlippedFaces(positions, mesh.Faces), 0);
 }
 
-// Fixed vertices that have changed places: what hangs on them stays flipped, is counted, and nothing
+// Two fixed vertices have changed places: the faces around them stay flipped, are counted, and no vertex
 // moves in vain.
-TEST(MapUntangling, SaysWhatCannotBeRepaired)
+TEST(MapUntangling, ReportsFacesThatStayFlipped)
 {
   const TriangleMesh mesh = ringDisk();
   const std::vector<int> loop = requireDisk(mesh);
@@ -197,8 +198,8 @@ TEST(MapUntangling, SaysWhatCannotBeRepaired)
   EXPECT_EQ(report.MovedVertices, static_cast<int>(movedVertices(before, positions).size()));
 }
 
-// A flipped face far away is repaired all the same.
-TEST(MapUntangling, RepairsWhatItCan)
+// Faces that cannot be untangled do not keep others, far away, from it.
+TEST(MapUntangling, UntanglesTheRestOfAHopelessMap)
 {
   const TriangleMesh mesh = ringDisk();
   const std::vector<int> loop = requireDisk(mesh);
@@ -212,8 +213,8 @@ TEST(MapUntangling, RepairsWhatItCan)
   EXPECT_EQ(report.RepairedFaces, flipped - report.FlippedFaces);
 }
 
-// All of the map must go into the lens between a short arc and its chord, far from where it is: as a
-// piece of the surface must that an edge between two boundary vertices cuts off.
+// The whole map must move into the lens between a short arc and its chord, as a piece of the surface
+// must that an edge between two boundary vertices cuts off.
 TEST(MapUntangling, FitsIntoTheLensOfAChord)
 {
   const TriangleMesh mesh = ringDisk();
@@ -253,7 +254,7 @@ TEST(MapUntangling, CanBeCancelled)
     Cancelled);
 }
 
-// The whole disk as a patch, its faces as they are for targets.
+// The whole disk as a patch, whose targets are the faces of the undistorted disk.
 FlatPatch patchOf(const TriangleMesh& mesh, const Points2& positions)
 {
   FlatPatch patch;
@@ -270,7 +271,7 @@ FlatPatch patchOf(const TriangleMesh& mesh, const Points2& positions)
   return patch;
 }
 
-// Where all faces can have their targets' shapes and areas they get them.
+// Faces get the shapes and areas of their targets where all of them can have these.
 TEST(PatchUntangling, FindsTheTargets)
 {
   const TriangleMesh mesh = ringMesh(flatDisk(), 400).Mesh;
@@ -285,8 +286,8 @@ TEST(PatchUntangling, FindsTheTargets)
   }
 }
 
-// Targets need not be similar to what the map has: faces within half the radius are asked to have twice
-// the area.
+// Targets need not be similar to the faces of the map: those within half the radius ask for twice the
+// area.
 TEST(PatchUntangling, AreasFollowTheirTargets)
 {
   const TriangleMesh mesh = ringMesh(flatDisk(), 400).Mesh;
