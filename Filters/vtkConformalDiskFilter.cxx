@@ -141,7 +141,6 @@ void removeFigures(vtkFieldData* figures)
   for (const char* name : { "NewtonIterations",
          "MaxCurvatureError",
          "LayoutError",
-         "InsertedBoundaryPoints",
          "SpreadPoints",
          "BoundaryIterations",
          "Modulus",
@@ -160,7 +159,6 @@ void setFigures(vtkFieldData* figures, const flattening::ConformalDiskMap& map, 
     count("NewtonIterations", map.NewtonIterations);
     flattening::setDatum(figures, "MaxCurvatureError", map.MaxCurvatureError);
     flattening::setDatum(figures, "LayoutError", map.LayoutError);
-    count("InsertedBoundaryPoints", map.InsertedBoundaryPoints);
   }
   if (method != vtkConformalDiskFilter::MEAN_VALUE)
   {
