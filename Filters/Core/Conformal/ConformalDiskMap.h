@@ -20,7 +20,6 @@ struct ConformalDiskMap
   int NewtonIterations = 0;
   int BoundaryIterations = 0;     ///< of ConformalMethod::BoundaryFirst
   int Flips = 0;                  ///< intrinsic edge flips in all
-  int InsertedBoundaryPoints = 0; ///< always 0: boundary edges flip with their mirror images
   int SpreadVertices = 0;         ///< whose true positions double precision hardly tells apart
   UntanglingReport Repair;        ///< of the faces of the surface, not the intrinsic ones
   int FlippedFaces = 0;           ///< faces of the *original* connectivity not positively oriented
