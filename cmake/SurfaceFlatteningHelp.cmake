@@ -45,7 +45,7 @@ function (surfaceflattening_help variable)
   add_custom_command(
     OUTPUT "${pages}/index.html"
     COMMAND "${Python3_EXECUTABLE}" "${script}" "${pages}" "${repository}" ${xmls}
-    DEPENDS "${script}" "${repository}/README.md" ${xmls} ${docs}
+    DEPENDS "${script}" "${repository}/Utilities/docs/reference.py" "${repository}/README.md" ${xmls} ${docs}
     COMMENT "Writing the pages of ParaView's help"
     VERBATIM)
   set("${variable}"

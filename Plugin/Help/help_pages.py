@@ -14,6 +14,9 @@ from pathlib import Path
 import markdown
 from PIL import Image
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "Utilities/docs"))
+import reference
+
 LEFT_OUT = ("gallery.md",)  # megabytes of pictures
 PAGE_WIDTH = 660  # pixels that the help window shows of a page as it opens
 PICTURES = {  # of filters whose own page of docs/ begins with no picture of them
@@ -32,9 +35,10 @@ class HelpPages:
     def __init__(self, folder, repository):
         self.folder = Path(folder)
         self.docs = Path(repository) / "docs"
-        self.readme = (Path(repository) / "README.md").read_text(encoding="utf-8")
+        self.filters = Path(repository) / "Filters"
+        self.guides = reference.guides(Path(repository))
         self.pages = sorted(p.name for p in self.docs.glob("*.md") if p.name not in LEFT_OUT)
-        self.titles = {}  # of what was written, by file name
+        self.titles = {}  # of the pages that were written, by file name
         shutil.rmtree(self.folder, ignore_errors=True)
         self.folder.mkdir(parents=True)
 
@@ -58,9 +62,11 @@ class HelpPages:
                 picture.convert("RGB").resize((PAGE_WIDTH, height), Image.LANCZOS).save(self.folder / name)
         return name
 
-    def reference(self, match):
-        """What a reference of a page of docs/ becomes: one within help, a picture, or plain text."""
+    def converted_link(self, match):
+        """A link of a page of docs/ becomes a link within help, a picture, or plain text."""
         image, text, target = match.group(1), match.group(2), match.group(3)
+        if image and target.endswith(".svg"):
+            return f"*{text}*"  # ParaView takes no such pictures into a plugin's help
         if image:
             return f"![{text}]({self.picture(target.removeprefix('pictures/'))})"
         page, _, section = target.partition("#")
@@ -73,28 +79,25 @@ class HelpPages:
     def write_docs(self):
         for page in self.pages:
             text = (self.docs / page).read_text(encoding="utf-8")
-            text = re.sub(r"(!?)\[([^\]]*)\]\(([^)\s]+)\)", self.reference, text)
+            text = re.sub(r"(!?)\[([^\]]*)\]\(([^)\s]+)\)", self.converted_link, text)
             title = re.match(r"# (.*)", text).group(1)
             body = markdown.markdown(text, extensions=["tables", "fenced_code", "toc", "sane_lists"])
             self.write(page.removesuffix(".md") + ".html", title, body)
 
-    def pages_about(self, label):
-        """The pages of docs/ that the README's table of filters names for a filter."""
-        row = re.search(rf"^\| {re.escape(label)}, `vtk.*$", self.readme, re.MULTILINE)
-        named = re.findall(r"\(docs/(\w+\.md)", row.group(0)) if row else ["volumes.md"]
-        return [page for page in dict.fromkeys(named) if page in self.pages]
-
     def write_filter(self, group, proxy):
         label = proxy.get("label")
         body = [f"<h1>{html.escape(label)}</h1>", f"<p>{_text(proxy)}</p>"]
-        about = self.pages_about(label)
-        first = [self.first_picture(page) for page in about]
-        picture = PICTURES.get(proxy.get("name")) or next(filter(None, first), None)
+        is_of_vtk = not (self.filters / f"{proxy.get('class')}.h").exists()
+        guide = self.guides.get(label, "volumes.md" if is_of_vtk else None)
+        picture = PICTURES.get(proxy.get("name")) or (self.first_picture(guide) if guide else None)
         if picture:
             body.append(f'<p><img src="{self.picture(picture)}"/></p>')
-        links = [f'<a href="{p.removesuffix(".md")}.html">{html.escape(self.title(p))}</a>' for p in about]
-        if links:
-            body.append(f"<p>More: {'; '.join(links)}</p>")
+        if guide:
+            link = f'<a href="{guide.removesuffix(".md")}.html">{html.escape(self.title(guide))}</a>'
+            body.append(f"<p>Guide: {link}</p>")
+        if not is_of_vtk:
+            anchor = label.lower().replace(" ", "-") + "-arrays"
+            body.append(f'<p>Output: <a href="reference.html#{anchor}">arrays and field data</a></p>')
         body.append('<table border="1" cellpadding="4"><tr><th>setting</th><th>default</th><th>meaning</th></tr>')
         body += [_row(p) for p in proxy if p.tag.endswith("Property") and p.find("Documentation") is not None]
         body.append("</table>")
@@ -117,19 +120,12 @@ class HelpPages:
 
 
 def _text(element):
-    return html.escape(" ".join((element.findtext("Documentation") or "").split()))
+    return html.escape(reference.sentence_of(element))
 
 
 def _row(setting):
-    label = setting.get("label") or re.sub(r"(?<=[a-z])(?=[A-Z])", " ", setting.get("name"))
-    default = setting.get("default_values") or ""
-    names = {e.get("value"): e.get("text") for e in setting.iter("Entry")}
-    if setting.find("BooleanDomain") is not None:
-        names = {"0": "off", "1": "on"}
-    from_data = ("ArrayListDomain", "ArrayRangeDomain", "BoundsDomain", "InputArrayDomain")
-    if any(setting.find(domain) is not None for domain in from_data):
-        default = ""
-    cells = (label, names.get(default, default))
+    default = "" if setting.tag == "InputProperty" else reference.values_of(setting)[1]
+    cells = (reference.label_of(setting), default.strip("*"))
     return "<tr>" + "".join(f"<td>{html.escape(c)}</td>" for c in cells) + f"<td>{_text(setting)}</td></tr>"
 
 

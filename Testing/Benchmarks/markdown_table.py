@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Prints the JSON output of the benchmarks as Markdown tables, or writes them into the pages that have a place for them:
 
-    markdown_table.py [--pages <folder>] results.json ...
+    markdown_table.py [--pages <repository>] results.json ...
 
 A place is what lies between the lines "<!-- benchmark.sh: NAME -->" and "<!-- end -->"; NAME is a key of TABLES, or "run"
 for the day, the commit and the machine."""
@@ -58,6 +58,16 @@ TIMES = {
     "both (s)": figure("area_preserving_seconds", ".2f"),
     "memory (GB)": figure("peak_memory", ".2f"),
 }
+SUMMARY = {
+    "surface": TIMES["surface"],
+    "vertices": TIMES["vertices"],
+    "time (s)": lambda b: (
+        f"{b['surface_to_disk_seconds'] + b['conformal_seconds'] + b['area_preserving_seconds']:.1f}"
+    ),
+    "triangles within 2 %": figure("faces_within_2_percent", ".1f", " %"),
+    "memory (GB)": TIMES["memory (GB)"],
+}
+SUMMARISED = ("half brain, remeshed", "half brain, raw", "whole brain, raw", "half brain, split twice")
 ERRORS = {
     "surface": TIMES["surface"],
     "conformal: angle error": figure("conformal_angle_error", ".2f", "°"),
@@ -197,6 +207,7 @@ def table(columns, benchmarks):
 
 
 TABLES = {
+    "summary": SUMMARY,
     "times": TIMES,
     "errors": ERRORS,
     "cells": CELLS,
@@ -227,10 +238,12 @@ def kinds_of(benchmarks):
         return ["flat_map"]
     if "saliency_seconds" in benchmarks[0]:
         return ["saliency"]
-    return ["times", "errors", "cells", "plain_newton", "paper", "flows"]
+    return ["summary", "times", "errors", "cells", "plain_newton", "paper", "flows"]
 
 
 def rows_of(kind, benchmarks):
+    if kind == "summary":
+        return [b for b in benchmarks if TIMES["surface"](b) in SUMMARISED]
     rows = [b for b in benchmarks if kind not in ("cells", "plain_newton") or "transport_seconds" in b]
     if kind != "plain_newton":
         rows = [b for b in rows if ("paper_seconds" in b) == (kind in ("paper", "flows"))]
@@ -257,9 +270,9 @@ def description_of_this_run():
     return f"{time.strftime('%-d %B %Y')}, commit {commit or 'unknown'}, {os.cpu_count()} cores.\n"
 
 
-def write_into_pages(folder, found):
+def write_into_pages(repository, found):
     texts = {"run": description_of_this_run(), **found}
-    for page in sorted(Path(folder).glob("*.md")):
+    for page in [Path(repository, "README.md"), *sorted(Path(repository, "docs").glob("*.md"))]:
         text = page.read_text(encoding="utf-8")
         renewed = PLACE.sub(lambda place: place[1] + texts[place[2]] + place[3] if place[2] in texts else place[0], text)
         if renewed != text:
@@ -269,7 +282,7 @@ def write_into_pages(folder, found):
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("--pages", help="folder of pages to write the tables into")
+    parser.add_argument("--pages", help="repository whose pages to write the tables into")
     parser.add_argument("results", nargs="+")
     arguments = parser.parse_args()
     found = tables_of(arguments.results)
