@@ -13,7 +13,7 @@ Every step is a function of its own and a proxy with a name of its own in the pi
 settings can be changed afterwards. docs/volumes.md has the steps as clicks and what goes wrong without each.
 
 The figures below are of ch2bet.nii.gz (181 x 217 x 181 voxels of 1 mm, bytes) at isovalue 40, smoothed by
-1 mm: 36 closed surfaces with 15 handles. Utilities/volume_recipe.py prints them.
+1 mm: 36 closed surfaces with 15 handles. Utilities/measurements/volume_recipe.py prints them.
 """
 
 import math

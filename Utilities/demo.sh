@@ -11,12 +11,12 @@ set -euo pipefail
 output=$(realpath -m "${1:-$(dirname "$0")/../demo-output}")
 cd "$(dirname "$0")/.."
 
-source Utilities/build_plugin.sh
+source Utilities/demo/build_plugin.sh
 build_plugin
 
 # The screen is as large as the picture; rendering is in software, as on a server.
 LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 2100x1180x24 -noreset" \
-  pvpython --force-offscreen-rendering Utilities/demo.py --plugin "$plugin" --output "$output"
+  pvpython --force-offscreen-rendering Utilities/demo/demo.py --plugin "$plugin" --output "$output"
 
 echo "To open the scene:"
 echo "  PV_PLUGIN_PATH='${plugin%/*/*}' paraview --state='$output/flattening.pvsm'"

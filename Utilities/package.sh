@@ -20,8 +20,8 @@ if [ "${1:-}" = --test ]; then
   dpkg-deb -c "$package" | awk '{ print $6 }'
   dpkg-deb -f "$package"
   env DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends install "$package"
-  Utilities/package_check.sh installed
+  Utilities/packaging/package_check.sh installed
   env DEBIAN_FRONTEND=noninteractive apt-get -q -y purge "$name"
-  Utilities/package_check.sh removed
+  Utilities/packaging/package_check.sh removed
 fi
 echo "$package"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Utilities/cohort.py on one rank and on two: the same results, a bad file listed, a killed run taken up again;
-Utilities/gathered_surface.py: a surface in pieces over two ranks flattened as in one."""
+"""Utilities/cohort/cohort.py on one rank and on two: the same results, a bad file listed, a killed run taken up again;
+Utilities/cohort/gathered_surface.py: a surface in pieces over two ranks flattened as in one."""
 
 import csv
 import glob
@@ -20,9 +20,9 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-UTILITIES = os.path.join(HERE, "..", "..", "Utilities")
+SCRIPTS = os.path.join(HERE, "..", "..", "Utilities", "cohort")
 sys.path.insert(0, HERE)
-sys.path.insert(0, os.path.join(UTILITIES, "cohort"))
+sys.path.insert(0, SCRIPTS)
 
 import case_files
 import case_pipeline
@@ -45,7 +45,7 @@ folder = tempfile.mkdtemp(dir=os.environ.get("TEMPORARY_DIRECTORY"))
 def command(ranks, script, *arguments, symmetric=()):
     # One core per rank where there are as many: one thread each.
     binding = ["--bind-to", "core" if ranks <= os.cpu_count() else "none"]
-    return [MPIEXEC, "-n", str(ranks), *binding, PVBATCH, *symmetric, os.path.join(UTILITIES, script), *arguments]
+    return [MPIEXEC, "-n", str(ranks), *binding, PVBATCH, *symmetric, os.path.join(SCRIPTS, script), *arguments]
 
 
 def cohort(ranks, output, files, *options):

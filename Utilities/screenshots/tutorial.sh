@@ -2,12 +2,12 @@
 # Plays the clicks of docs/tutorial.md in ParaView's own window on a virtual display, checks the region's area
 # in the spreadsheet, and writes docs/pictures/tutorial/*.png. ParaView starts cold, with an empty home.
 # Safe to run again. Needs Debian's package mricron-data.
-#   Utilities/tutorial.sh [folder]
+#   Utilities/screenshots/tutorial.sh [folder]
 set -euo pipefail
-output=$(realpath -m "${1:-$(dirname "$0")/../docs/pictures/tutorial}")
-cd "$(dirname "$0")/.."
+output=$(realpath -m "${1:-$(dirname "$0")/../../docs/pictures/tutorial}")
+cd "$(dirname "$0")/../.."
 
-source Utilities/build_plugin.sh
+source Utilities/demo/build_plugin.sh
 build_plugin
 
 scratch=$(mktemp -d)
@@ -38,4 +38,4 @@ while kill -0 "$paraview" 2>/dev/null; do
   done
 done
 wait "$paraview"
-pvpython Utilities/tutorial_pictures.py "$output" "$scratch"/*.xwd
+pvpython Utilities/screenshots/tutorial_pictures.py "$output" "$scratch"/*.xwd

@@ -3,13 +3,13 @@
 brain (ch2bet.nii.gz of Debian's package mricron-data, every second voxel), and what flattening makes of each.
 
     PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins \\
-      xvfb-run -a -s "-screen 0 1280x1024x24" pvpython --force-offscreen-rendering Utilities/cut_pictures.py <folder>
+      xvfb-run -a -s "-screen 0 1280x1024x24" pvpython --force-offscreen-rendering Utilities/pictures/cut_pictures.py <folder>
 """
 
 import os
 import sys
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "scans"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "measurements"))
 
 from catalogue import TEMPLATES
 from paraview import simple

@@ -2,13 +2,13 @@
 """Enlarges and shrinks regions of the demo's half brain, large and small ones, with sharp and soft edges, and prints as
 tables in Markdown what the faces of the region came to, as compared with the rest:
 
-    PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins pvpython Utilities/region_factors.py demo-output/flattened.vtp
+    PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins pvpython Utilities/measurements/region_factors.py demo-output/flattened.vtp
 """
 
 import os
 import sys
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "gallery"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "gallery"))
 
 import meshes
 import numpy as np

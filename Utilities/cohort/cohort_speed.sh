@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Times a cohort of eight surfaces, of 53 to 68 thousand vertices, and a ninth one that is cut off in the middle of its
 # file, on one rank and on two, one thread each, and compares the results byte by byte. Let nothing else run meanwhile.
-#   PYTHONPATH=build/lib/python3/dist-packages Utilities/cohort_speed.sh
+#   PYTHONPATH=build/lib/python3/dist-packages Utilities/cohort/cohort_speed.sh
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 PYTHONPATH=$(cd "${PYTHONPATH:?the folder of the package surfaceflattening}" && pwd)

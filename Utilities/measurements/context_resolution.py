@@ -5,13 +5,11 @@ also makes docs/pictures/context_resolution.png.
 
     PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins \\
       xvfb-run -a -s "-screen 0 1280x1024x24" pvpython --force-offscreen-rendering \\
-      Utilities/context_resolution.py [<file.png>]
+      Utilities/measurements/context_resolution.py [<file.png>]
 """
 
 import os
 import sys
-
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "scans"))
 
 from catalogue import TEMPLATES
 from paraview import servermanager, simple

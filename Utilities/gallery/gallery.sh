@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # The paper's figures and tables with this project's data. Installs what is missing, builds, and writes
 # docs/gallery.md and docs/pictures/gallery/*.png. Takes a few minutes once built. Safe to run again.
-#   Utilities/gallery.sh                   all of it
-#   Utilities/gallery.sh city graph        pictures of these examples alone, to gallery-output/; figures printed
+#   Utilities/gallery/gallery.sh                   all of it
+#   Utilities/gallery/gallery.sh city graph        pictures of these examples alone, to gallery-output/; figures printed
 # What the examples begin with goes to gallery-output/ as well, to be opened in ParaView.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 
-source Utilities/build_plugin.sh
+source Utilities/demo/build_plugin.sh
 build_plugin -DSURFACEFLATTENING_BENCHMARKS=ON
 
 if [ $# -gt 0 ]; then
@@ -26,4 +26,4 @@ else
 fi
 # The server must not start anew when its last client leaves: ParaView tries the screen before it uses it.
 LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 2100x1180x24 -noreset" \
-  pvpython --force-offscreen-rendering Utilities/gallery.py --plugin "$plugin" "${where[@]}"
+  pvpython --force-offscreen-rendering Utilities/gallery/gallery.py --plugin "$plugin" "${where[@]}"

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Whether ParaView's programs have the plugin without being told where it is.
-#   Utilities/package_check.sh installed    they do: it loads by itself in pvpython, pvbatch, pvserver and ParaView's
+#   Utilities/packaging/package_check.sh installed    they do: it loads by itself in pvpython, pvbatch, pvserver and ParaView's
 #                                           window, has the version of cmake/SurfaceFlatteningVersion.cmake, and flattens
-#   Utilities/package_check.sh removed      they do not, and no file is left
+#   Utilities/packaging/package_check.sh removed      they do not, and no file is left
 set -euo pipefail
 expected=$1
-version=$(sed -n 's/^set(SURFACEFLATTENING_VERSION \(.*\))$/\1/p' "$(dirname "$0")/../cmake/SurfaceFlatteningVersion.cmake")
+version=$(sed -n 's/^set(SURFACEFLATTENING_VERSION \(.*\))$/\1/p' "$(dirname "$0")/../../cmake/SurfaceFlatteningVersion.cmake")
 unset PV_PLUGIN_PATH PYTHONPATH
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb
 scratch=$(mktemp -d)

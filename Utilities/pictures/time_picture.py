@@ -2,7 +2,7 @@
 """Draws processor time against size, from the JSON output of BenchmarkFlattening (the stages of the flattening, the
 plain Newton iteration, one triangulation and factorization) and BenchmarkAreaMaps (other area-preserving maps).
 
-    pvpython Utilities/time_picture.py flattening.json area_maps.json time_against_size.png
+    pvpython Utilities/pictures/time_picture.py flattening.json area_maps.json time_against_size.png
 """
 
 import sys

@@ -13,8 +13,6 @@ import time
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "demo"))
-
 TEMPLATES = "/usr/share/mricron/templates"  # Debian's package mricron-data
 
 

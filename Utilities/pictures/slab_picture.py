@@ -4,13 +4,13 @@ the flat map of half its surface, at the surface and at depths of 2, 4 and 8 mm.
 
     PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins \\
       xvfb-run -a -s "-screen 0 1280x1024x24" pvpython --force-offscreen-rendering \\
-      Utilities/slab_picture.py <file.png>
+      Utilities/pictures/slab_picture.py <file.png>
 """
 
 import os
 import sys
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "scans"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "measurements"))
 
 from catalogue import TEMPLATES
 from paraview import simple

@@ -2,9 +2,9 @@
 # Pictures of ParaView's window with the plugin, for docs/pictures: the panels of the four filters, the layout of
 # Flatten and Compare with a linked selection, an error message. Needs a build and Debian's packages xvfb, xdotool,
 # x11-apps, python3-pil and mricron-data. Takes three minutes.
-#   Utilities/screenshots.sh [folder of the pictures]
+#   Utilities/screenshots/screenshots.sh [folder of the pictures]
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 pictures=$(realpath "${1:-docs/pictures}")
 plugins=$PWD/${BUILD_DIRECTORY:-build}/lib/paraview-5.11/plugins
 here=$PWD/Utilities/screenshots

@@ -2,7 +2,7 @@
 """Flattens many surfaces or volumes, shared out over the ranks of ParaView's own MPI:
 
     export PYTHONPATH=build/lib/python3/dist-packages
-    mpiexec -n 8 --bind-to core pvbatch --symmetric Utilities/cohort.py --output flat --isovalue 40 scans/*.nii.gz
+    mpiexec -n 8 --bind-to core pvbatch --symmetric Utilities/cohort/cohort.py --output flat --isovalue 40 scans/*.nii.gz
 
 Each rank takes one case after the other, the largest first. A case that fails is listed with its reason, and the others go on. A
 run that was killed is started again with the same command: finished cases are not done again. docs/cohort.md has the
@@ -13,11 +13,8 @@ The exit status is 0 if all cases are finished, 1 if some failed.
 
 import argparse
 import json
-import os
 import sys
 import time
-
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "cohort"))
 
 from case_files import CaseError
 from case_list import in_order, named_cases

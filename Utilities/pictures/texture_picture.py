@@ -4,14 +4,14 @@ a brain (ch2bet.nii.gz of Debian's package mricron-data) and of the surface.
 
     PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins \\
       xvfb-run -a -s "-screen 0 1280x1024x24" pvpython --force-offscreen-rendering \\
-      Utilities/texture_picture.py <file.png>
+      Utilities/pictures/texture_picture.py <file.png>
 """
 
 import os
 import sys
 import tempfile
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "scans"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "measurements"))
 
 from catalogue import TEMPLATES
 from paraview import simple

@@ -2,7 +2,7 @@
 """Draws the JSON output of BenchmarkAreaMaps: mean area error against mean angle error. The map with several angle
 weights is a curve for each surface, other maps are points.
 
-    pvpython Utilities/angle_weight_picture.py area_maps.json angle_weight.png
+    pvpython Utilities/pictures/angle_weight_picture.py area_maps.json angle_weight.png
 """
 
 import sys

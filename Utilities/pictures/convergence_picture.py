@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws the JSON output of BenchmarkConvergence: error of the conformal radius against the number of vertices.
 
-    pvpython Utilities/convergence_picture.py convergence.json convergence.png
+    pvpython Utilities/pictures/convergence_picture.py convergence.json convergence.png
 """
 
 import sys

@@ -8,14 +8,10 @@
 import argparse
 import importlib
 import os
-import sys
 import time
 
-from paraview import simple
-
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "gallery"))
-
 import meshes
+from paraview import simple
 
 EXAMPLES = (
     "brain",
@@ -32,9 +28,9 @@ EXAMPLES = (
 
 HEAD = """# Gallery
 
-The paper's figures and tables with this project's data. `Utilities/gallery.sh` makes this page, its pictures and its
+The paper's figures and tables with this project's data. `Utilities/gallery/gallery.sh` makes this page, its pictures and its
 figures; it takes a few minutes. Every example is a script of its own in `Utilities/gallery/`:
-`Utilities/gallery.sh city` makes its picture alone and prints its figures. What the examples begin with is saved in
+`Utilities/gallery/gallery.sh city` makes its picture alone and prints its figures. What the examples begin with is saved in
 `gallery-output/`, so that they can be made by hand.
 """
 

@@ -4,13 +4,13 @@ conformal map, after the transport alone and after face refinement, coloured by 
 
     PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins \\
       xvfb-run -a -s "-screen 0 1280x1024x24" pvpython --force-offscreen-rendering \\
-      Utilities/refinement_picture.py <file.png>
+      Utilities/pictures/refinement_picture.py <file.png>
 """
 
 import os
 import sys
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "scans"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "measurements"))
 
 from catalogue import TEMPLATES
 from paraview import simple
