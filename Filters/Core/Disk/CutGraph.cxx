@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <string>
 #include <tuple>
 
@@ -159,10 +158,7 @@ std::vector<MeshEdge> joinBoundaries(const TriangleMesh& opened,
 {
   const SurfaceMesh mesh = toSurfaceMesh(opened);
   const BoundaryRegions regions(mesh, boundaryLoops);
-  std::vector<int> rank(boundaryLoops.size(), 0);
-  std::vector<int> parent(boundaryLoops.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  boost::disjoint_sets<int*, int*> joined(rank.data(), parent.data());
+  boost::disjoint_sets_with_storage<> joined(boundaryLoops.size());
 
   std::vector<MeshEdge> paths;
   for (const Crossing& crossing : crossingsByLength(mesh, regions))

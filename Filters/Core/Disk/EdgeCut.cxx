@@ -103,10 +103,7 @@ CutSurface cutAlongEdges(const TriangleMesh& mesh, const std::vector<MeshEdge>& 
   requireEdges(directed, sides);
 
   // Corners on either side of an edge that is not cut share their vertex.
-  std::vector<int> rank(3 * mesh.faceCount(), 0);
-  std::vector<int> parent(3 * mesh.faceCount());
-  std::iota(parent.begin(), parent.end(), 0);
-  boost::disjoint_sets<int*, int*> sectors(rank.data(), parent.data());
+  boost::disjoint_sets_with_storage<> sectors(3 * static_cast<std::size_t>(mesh.faceCount()));
   for (std::size_t s = 0; s + 1 < sides.size(); ++s)
   {
     if (sides[s].sameEdge(sides[s + 1]) &&

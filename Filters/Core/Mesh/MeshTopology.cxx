@@ -3,6 +3,8 @@
 
 #include "Base/Errors.h"
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
@@ -13,18 +15,19 @@ namespace flattening
 namespace
 {
 
-// One side of a face, keyed by its undirected edge.
+// A side of a face.
 struct Side
 {
-  std::uint64_t Edge;
+  std::uint64_t Edge; // the same for all sides of an edge
   int From;
   int To;
   int Face;
 };
 
+// The sides of all faces, sorted by edge and then by face.
 std::vector<Side> sortedSides(const FaceMatrix& faces, int vertexCount)
 {
-  // Sides are put with the smaller of their vertices first; few are left to be sorted there.
+  // A counting sort by the smaller vertex of each side leaves few sides per vertex to be sorted.
   std::vector<std::size_t> begin(static_cast<std::size_t>(vertexCount) + 1, 0);
   for (int f = 0; f < faces.rows(); ++f)
   {
@@ -76,41 +79,21 @@ std::string edgeName(const Side& side)
   return "edge (" + std::to_string(side.From) + ", " + std::to_string(side.To) + ")";
 }
 
-struct DisjointSets
-{
-  std::vector<int> Parent;
-
-  explicit DisjointSets(int n)
-    : Parent(n)
-  {
-    std::iota(this->Parent.begin(), this->Parent.end(), 0);
-  }
-  int find(int i)
-  {
-    while (this->Parent[i] != i)
-    {
-      i = this->Parent[i] = this->Parent[this->Parent[i]];
-    }
-    return i;
-  }
-  void join(int i, int j) { this->Parent[this->find(i)] = this->find(j); }
-};
-
-// Every vertex must have one umbrella of faces: as many fans as vertices in use.
+// The corners of the faces around a vertex must be one fan, in which neighbours share an edge.
 void requireOneFanPerVertex(const FaceMatrix& faces, const std::vector<Side>& sides, int vertexCount)
 {
   const auto corner = [&faces](int face, int vertex) {
     return 3 * face + (faces(face, 0) == vertex ? 0 : faces(face, 1) == vertex ? 1 : 2);
   };
-  DisjointSets corners(static_cast<int>(3 * faces.rows()));
+  boost::disjoint_sets_with_storage<> corners(3 * faces.rows());
   for (std::size_t s = 0; s + 1 < sides.size(); ++s)
   {
     const Side& a = sides[s];
     const Side& b = sides[s + 1];
     if (a.Edge == b.Edge)
     {
-      corners.join(corner(a.Face, a.From), corner(b.Face, a.From));
-      corners.join(corner(a.Face, a.To), corner(b.Face, a.To));
+      corners.union_set(corner(a.Face, a.From), corner(b.Face, a.From));
+      corners.union_set(corner(a.Face, a.To), corner(b.Face, a.To));
     }
   }
   std::vector<int> fan(vertexCount, -1);
@@ -119,7 +102,7 @@ void requireOneFanPerVertex(const FaceMatrix& faces, const std::vector<Side>& si
     for (int k = 0; k < 3; ++k)
     {
       const int v = faces(f, k);
-      const int root = corners.find(3 * f + k);
+      const int root = corners.find_set(3 * f + k);
       if (fan[v] < 0)
       {
         fan[v] = root;
@@ -134,47 +117,53 @@ void requireOneFanPerVertex(const FaceMatrix& faces, const std::vector<Side>& si
   }
 }
 
-} // namespace
-
-MeshTopology analyseTopology(const FaceMatrix& faces, int vertexCount)
+// @param count  number of sides of the edge, of which @p side is the first
+void requireManifoldEdge(const Side* side, std::ptrdiff_t count)
 {
-  const std::vector<Side> sides = sortedSides(faces, vertexCount);
+  if (count > 2)
+  {
+    throw TopologyError(edgeName(*side) + " is non-manifold: " + std::to_string(count) +
+                        " faces share it: run Surface To Disk first");
+  }
+  if (count == 2 && side[0].From == side[1].From)
+  {
+    throw TopologyError("faces " + std::to_string(side[0].Face) + " and " +
+                        std::to_string(side[1].Face) + " at " + edgeName(*side) +
+                        " are oriented against each other: run Surface To Disk first");
+  }
+}
 
-  MeshTopology topology;
-  topology.Faces = static_cast<int>(faces.rows());
-  std::vector<int> next(vertexCount, -1);
-  DisjointSets parts(vertexCount);
+// Counts the edges, which must be manifold, the vertices that have an edge, and the components.
+void countParts(const std::vector<Side>& sides, int vertexCount, MeshTopology& topology)
+{
+  boost::disjoint_sets_with_storage<> parts(vertexCount);
   std::vector<char> used(vertexCount, 0);
   for (std::size_t s = 0; s < sides.size();)
   {
+    const Side& side = sides[s];
     std::size_t end = s + 1;
-    while (end < sides.size() && sides[end].Edge == sides[s].Edge)
+    while (end < sides.size() && sides[end].Edge == side.Edge)
     {
       ++end;
     }
+    requireManifoldEdge(&side, static_cast<std::ptrdiff_t>(end - s));
     ++topology.Edges;
-    const Side& side = sides[s];
     used[side.From] = used[side.To] = 1;
-    parts.join(side.From, side.To);
-    if (end - s > 2)
-    {
-      throw TopologyError(edgeName(side) + " is non-manifold: " + std::to_string(end - s) +
-                          " faces share it: run Surface To Disk first");
-    }
-    if (end - s == 2)
-    {
-      if (side.From == sides[s + 1].From)
-      {
-        throw TopologyError("faces " + std::to_string(side.Face) + " and " +
-                            std::to_string(sides[s + 1].Face) + " at " + edgeName(side) +
-                            " are oriented against each other: run Surface To Disk first");
-      }
-    }
+    parts.union_set(side.From, side.To);
     s = end;
   }
-  requireOneFanPerVertex(faces, sides, vertexCount);
+  for (int v = 0; v < vertexCount; ++v)
+  {
+    topology.Vertices += used[v];
+    topology.Components += used[v] && parts.find_set(v) == v;
+  }
+}
 
-  // With one fan per vertex each boundary vertex has exactly one outgoing boundary side.
+// The loops, each from its smallest vertex on, in ascending order of these. Every vertex must have one
+// fan of faces, so that it has at most one outgoing boundary side.
+std::vector<std::vector<int>> boundaryLoops(const std::vector<Side>& sides, int vertexCount)
+{
+  std::vector<int> next(vertexCount, -1);
   for (std::size_t s = 0; s < sides.size(); ++s)
   {
     const bool shared = (s > 0 && sides[s - 1].Edge == sides[s].Edge) ||
@@ -184,25 +173,33 @@ MeshTopology analyseTopology(const FaceMatrix& faces, int vertexCount)
       next[sides[s].From] = sides[s].To;
     }
   }
+  std::vector<std::vector<int>> loops;
   std::vector<char> visited(vertexCount, 0);
   for (int v = 0; v < vertexCount; ++v)
   {
-    topology.Vertices += used[v];
-    if (used[v] && parts.find(v) == v)
-    {
-      ++topology.Components;
-    }
     if (next[v] >= 0 && !visited[v])
     {
-      std::vector<int> loop;
+      std::vector<int>& loop = loops.emplace_back();
       for (int w = v; !visited[w]; w = next[w])
       {
         visited[w] = 1;
         loop.push_back(w);
       }
-      topology.BoundaryLoops.push_back(std::move(loop));
     }
   }
+  return loops;
+}
+
+} // namespace
+
+MeshTopology analyseTopology(const FaceMatrix& faces, int vertexCount)
+{
+  const std::vector<Side> sides = sortedSides(faces, vertexCount);
+  MeshTopology topology;
+  topology.Faces = static_cast<int>(faces.rows());
+  countParts(sides, vertexCount, topology);
+  requireOneFanPerVertex(faces, sides, vertexCount);
+  topology.BoundaryLoops = boundaryLoops(sides, vertexCount);
   std::stable_sort(topology.BoundaryLoops.begin(),
     topology.BoundaryLoops.end(),
     [](const auto& a, const auto& b) { return a.size() > b.size(); });

@@ -12,6 +12,7 @@
 
 namespace flattening
 {
+
 std::vector<int> SurfaceComponents::faces(int component) const
 {
   std::vector<int> result;
@@ -27,10 +28,7 @@ std::vector<int> SurfaceComponents::faces(int component) const
 
 SurfaceComponents connectedComponents(const TriangleMesh& mesh)
 {
-  std::vector<int> rank(mesh.vertexCount(), 0);
-  std::vector<int> parent(mesh.vertexCount());
-  std::iota(parent.begin(), parent.end(), 0);
-  boost::disjoint_sets<int*, int*> sets(rank.data(), parent.data());
+  boost::disjoint_sets_with_storage<> sets(mesh.vertexCount());
   for (int f = 0; f < mesh.faceCount(); ++f)
   {
     sets.union_set(mesh.Faces(f, 0), mesh.Faces(f, 1));

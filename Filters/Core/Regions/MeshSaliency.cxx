@@ -194,10 +194,7 @@ std::vector<int> salientRegions(const TriangleMesh& mesh,
   double largest)
 {
   const int n = mesh.vertexCount();
-  std::vector<int> rank(n, 0);
-  std::vector<int> parent(n);
-  std::iota(parent.begin(), parent.end(), 0);
-  boost::disjoint_sets<int*, int*> sets(rank.data(), parent.data());
+  boost::disjoint_sets_with_storage<> sets(n);
   for (int f = 0; f < mesh.faceCount(); ++f)
   {
     for (int k = 0; k < 3; ++k)
