@@ -4,6 +4,7 @@
 #include "Core/Base/Errors.h"
 #include "Core/Conformal/ConformalDisk.h"
 #include "Core/Conformal/ConformalRectangle.h"
+#include "Core/Mesh/MeshMeasures.h"
 #include "Core/Mesh/MeshTopology.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/PolyDataConversion.h"
@@ -55,20 +56,11 @@ int nearestVertex(const flattening::Points3& vertices,
   return nearest;
 }
 
-// Of the points: if more than these had to be moved apart, the map is conformal in part only.
+// The share of the points above which the moving apart of points is worth a warning: a convention, as
+// the map is then visibly not conformal.
 constexpr double SpreadShare = 0.01;
 
-double boundaryAnisotropy(const flattening::TriangleMesh& mesh, const std::vector<int>& loop)
-{
-  double length = 0.0;
-  for (std::size_t k = 0; k < loop.size(); ++k)
-  {
-    length += (mesh.Vertices.row(loop[k]) - mesh.Vertices.row(loop[(k + 1) % loop.size()])).norm();
-  }
-  return 4.0 * EIGEN_PI * flattening::faceAreas(mesh.Vertices, mesh.Faces).sum() / (length * length);
-}
-
-// In the order of vtkConformalDiskFilter::MethodType.
+// The methods in the order of vtkConformalDiskFilter::MethodType.
 constexpr std::array<flattening::ConformalMethod, 3> Methods = { flattening::ConformalMethod::RicciFlow,
   flattening::ConformalMethod::BoundaryFirst,
   flattening::ConformalMethod::MeanValue };
@@ -94,7 +86,7 @@ flattening::ConformalDiskOptions diskOptions(vtkConformalDiskFilter* filter,
   return options;
 }
 
-// Of the points that vtkSurfaceToDiskFilter marks.
+// One flag per point: 1 on the seam that vtkSurfaceToDiskFilter marks.
 std::vector<char> seamOf(vtkPolyData* input)
 {
   std::vector<char> onSeam(input->GetNumberOfPoints(), 0);
@@ -135,8 +127,52 @@ flattening::ConformalRectangleOptions rectangleOptions(vtkConformalDiskFilter* f
   return options;
 }
 
-// Those of an earlier map that the input may bring, and that this one may not have.
-void removeFigures(vtkFieldData* figures)
+// A map with the area of its disk or rectangle.
+struct DomainMap
+{
+  flattening::ConformalDiskMap Map;
+  double Area = EIGEN_PI;   // of a rectangle of height 1 its conformal modulus
+  std::vector<int> Corners; // of a rectangle
+};
+
+DomainMap diskMap(vtkConformalDiskFilter* filter,
+  const flattening::TriangleMesh& mesh,
+  const std::vector<int>& loop)
+{
+  DomainMap result;
+  result.Map =
+    flattening::conformalDiskMap(mesh, diskOptions(filter, mesh, loop), flattening::progressOf(filter));
+  return result;
+}
+
+DomainMap rectangleMap(vtkConformalDiskFilter* filter,
+  vtkPolyData* input,
+  const flattening::TriangleMesh& mesh,
+  const std::vector<int>& loop)
+{
+  flattening::ConformalRectangleMap map = flattening::conformalRectangleMap(
+    mesh, rectangleOptions(filter, input, mesh, loop), flattening::progressOf(filter));
+  return { std::move(map.Map), map.Modulus, map.Corners };
+}
+
+void fillMap(vtkPolyData* output,
+  vtkPolyData* input,
+  const flattening::TriangleMesh& mesh,
+  const flattening::ConformalDiskMap& map,
+  double scale)
+{
+  output->ShallowCopy(input);
+  output->SetPoints(vtk::TakeSmartPointer(flattening::newPlanarPoints(scale * map.Positions)));
+  flattening::keepSurfaceTextureCoordinates(output);
+  flattening::setTextureCoordinates(output, map.Positions);
+  flattening::deactivateNormals(output);
+  flattening::addSurfacePoints(output, mesh.Vertices);
+  flattening::addPointArray(
+    output, "ConformalFactor", (map.LogFactors.array() + std::log(scale)).matrix());
+}
+
+// Removes the values of an earlier map which the report of this map may lack.
+void removeReport(vtkFieldData* data)
 {
   for (const char* name : { "NewtonIterations",
          "MaxCurvatureError",
@@ -146,19 +182,19 @@ void removeFigures(vtkFieldData* figures)
          "Modulus",
          "CornerPointIds" })
   {
-    figures->RemoveArray(name);
+    data->RemoveArray(name);
   }
 }
 
-void setFigures(vtkFieldData* figures, const flattening::ConformalDiskMap& map, int method)
+void setReport(vtkFieldData* data, const flattening::ConformalDiskMap& map, int method)
 {
-  const auto count = [figures](const char* name, int value)
-  { flattening::setDatum(figures, name, static_cast<long long>(value)); };
+  const auto count = [data](const char* name, int value)
+  { flattening::setDatum(data, name, static_cast<long long>(value)); };
   if (method == vtkConformalDiskFilter::RICCI_FLOW)
   {
     count("NewtonIterations", map.NewtonIterations);
-    flattening::setDatum(figures, "MaxCurvatureError", map.MaxCurvatureError);
-    flattening::setDatum(figures, "LayoutError", map.LayoutError);
+    flattening::setDatum(data, "MaxCurvatureError", map.MaxCurvatureError);
+    flattening::setDatum(data, "LayoutError", map.LayoutError);
   }
   if (method != vtkConformalDiskFilter::MEAN_VALUE)
   {
@@ -169,10 +205,10 @@ void setFigures(vtkFieldData* figures, const flattening::ConformalDiskMap& map, 
     count("BoundaryIterations", map.BoundaryIterations);
   }
   count("IntrinsicFlips", map.Flips);
-  flattening::setDatum(figures, "AddedLength", map.AddedLength);
-  count("RepairedFaces", map.Repair.RepairedFaces);
-  count("MovedPoints", map.Repair.MovedVertices);
-  flattening::setDatum(figures, "GreatestMove", map.Repair.GreatestMove);
+  flattening::setDatum(data, "AddedLength", map.AddedLength);
+  count("RepairedFaces", map.Untangling.RepairedFaces);
+  count("MovedPoints", map.Untangling.MovedVertices);
+  flattening::setDatum(data, "GreatestMove", map.Untangling.GreatestMove);
   count("FlippedFaces", map.FlippedFaces);
 }
 
@@ -187,59 +223,49 @@ void vtkConformalDiskFilter::Execute(vtkInformationVector** inputVector,
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const flattening::TriangleMesh mesh = flattening::toTriangleMesh(input);
   const std::vector<int> loop = flattening::requireDisk(mesh);
-  flattening::ConformalDiskMap map;
-  double domainArea = EIGEN_PI;
-  output->ShallowCopy(input);
-  vtkFieldData* figures = output->GetFieldData();
-  removeFigures(figures);
+  const double area = flattening::faceAreas(mesh.Vertices, mesh.Faces).sum();
+  const DomainMap result =
+    this->Domain == RECTANGLE ? rectangleMap(this, input, mesh, loop) : diskMap(this, mesh, loop);
+  const flattening::ConformalDiskMap& map = result.Map;
+  const double scale = this->NormalizeTo == SURFACE_AREA ? std::sqrt(area / result.Area) : 1.0;
+  fillMap(output, input, mesh, map, scale);
+
+  vtkFieldData* data = output->GetFieldData();
+  removeReport(data);
+  setReport(data, map, this->Method);
   if (this->Domain == RECTANGLE)
   {
-    flattening::ConformalRectangleMap rectangle = flattening::conformalRectangleMap(
-      mesh, rectangleOptions(this, input, mesh, loop), flattening::progressOf(this));
-    map = std::move(rectangle.Map);
-    domainArea = rectangle.Modulus;
-    flattening::setDatum(figures, "Modulus", rectangle.Modulus);
-    flattening::setIds(figures, "CornerPointIds", rectangle.Corners);
+    flattening::setDatum(data, "Modulus", result.Area);
+    flattening::setIds(data, "CornerPointIds", result.Corners);
   }
-  else
-  {
-    map =
-      flattening::conformalDiskMap(mesh, diskOptions(this, mesh, loop), flattening::progressOf(this));
-  }
+  const double length = flattening::loopLength(mesh.Vertices, loop);
+  const double anisotropy = 4.0 * EIGEN_PI * area / (length * length);
+  flattening::setDatum(data, "BoundaryAnisotropy", anisotropy);
+  this->Warn(
+    map.FlippedFaces, this->Domain == DISK ? map.SpreadVertices : 0, mesh.vertexCount(), anisotropy);
+}
 
-  const double area = flattening::faceAreas(mesh.Vertices, mesh.Faces).sum();
-  const double scale = this->NormalizeTo == SURFACE_AREA ? std::sqrt(area / domainArea) : 1.0;
-  output->SetPoints(vtk::TakeSmartPointer(flattening::newPlanarPoints(scale * map.Positions)));
-  flattening::keepSurfaceTextureCoordinates(output);
-  flattening::setTextureCoordinates(output, map.Positions);
-  flattening::deactivateNormals(output);
-  flattening::addSurfacePoints(output, mesh.Vertices);
-  flattening::addPointArray(
-    output, "ConformalFactor", (map.LogFactors.array() + std::log(scale)).matrix());
-  setFigures(figures, map, this->Method);
-  if (map.FlippedFaces > 0)
+void vtkConformalDiskFilter::Warn(int flippedFaces, int spreadPoints, int points, double anisotropy)
+{
+  if (flippedFaces > 0)
   {
     vtkWarningMacro(
-      << this->GetBlockPrefix() << map.FlippedFaces
-      << " faces of the map are flipped and could not be turned over, so that it is not one-to-one "
-         "there: "
+      << this->GetBlockPrefix() << flippedFaces
+      << " faces of the map are flipped and could not be untangled, so that it is not one-to-one there: "
       << (this->Method == RICCI_FLOW
              ? "remesh the surface (Surface To Disk, Remesh)"
              : "set Method to Ricci Flow, which moves apart what lies too close together"));
   }
-  const double anisotropy = boundaryAnisotropy(mesh, loop);
-  flattening::setDatum(figures, "BoundaryAnisotropy", anisotropy);
-  if (this->Domain == DISK && map.SpreadVertices > SpreadShare * mesh.vertexCount())
+  if (spreadPoints > SpreadShare * points)
   {
-    vtkWarningMacro(<< this->GetBlockPrefix() << map.SpreadVertices << " of " << mesh.vertexCount()
-                    << " points lie in long narrow parts of the surface, which a conformal disk "
-                       "shrinks to less than "
-                       "1e-5 of the rest: they were moved apart, and the map is not conformal "
-                       "there. A disk that keeps "
-                       "areas is stretched "
-                    << anisotropy
-                    << " to 1 along its boundary. If the surface is a tube, cut it "
-                       "open (Surface To Disk, Cut: Seam) and set Domain to Rectangle");
+    vtkWarningMacro(
+      << this->GetBlockPrefix() << spreadPoints << " of " << points
+      << " points lie in long narrow parts of the surface, which a conformal disk "
+         "shrinks to less than 1e-5 of the rest: they were moved apart, and the map is not "
+         "conformal there. A disk that keeps areas is stretched "
+      << anisotropy
+      << " to 1 along its boundary. If the surface is a tube, cut it open (Surface To Disk, "
+         "Cut: Seam) and set Domain to Rectangle");
   }
 }
 

@@ -263,6 +263,8 @@ protected:
 private:
   vtkConformalDiskFilter(const vtkConformalDiskFilter&) = delete;
   void operator=(const vtkConformalDiskFilter&) = delete;
+
+  void Warn(int flippedFaces, int spreadPoints, int points, double anisotropy);
 };
 
 #endif

@@ -4,6 +4,7 @@
 #include "Core/Areas/AreaPreservingDisk.h"
 #include "Core/Mesh/MeshTopology.h"
 #include "Core/Transport/DomainPolygon.h"
+#include "Internal/ArrayConversion.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/FlatDomain.h"
 #include "Internal/PolyDataConversion.h"
@@ -36,7 +37,38 @@ namespace
 constexpr const char* DefaultWeights = "AreaWeight";
 constexpr const char* FlatPoints = "FlatPoints";
 
-// The weights per point; empty if all are 1.
+// The surface, its conformal map, and the domain to map it to.
+struct TransportInput
+{
+  flattening::TriangleMesh Surface;
+  flattening::Points2 Conformal;                    // n x 2, over a domain of area pi around the origin
+  flattening::FlatDomain Domain;                    // of the conformal map
+  std::optional<flattening::DomainPolygon> Polygon; // to map to instead, if there is one
+};
+
+// The map from a domain of area pi around the origin to the domain of the output.
+struct Placement
+{
+  double Scale = 1.0;
+  Eigen::RowVector2d Centre = Eigen::RowVector2d::Zero();
+};
+
+TransportInput readInput(vtkPolyData* map, vtkPolyData* polygon)
+{
+  TransportInput input;
+  input.Surface = flattening::surfaceOfFlattened(map);
+  const std::vector<int> loop = flattening::requireDisk(input.Surface);
+  const flattening::Points2 flat = flattening::toPlanarPositions(map);
+  input.Domain = flattening::flatDomain(flat, loop);
+  input.Conformal = (flat.rowwise() - input.Domain.Centre) / input.Domain.Scale;
+  if (polygon)
+  {
+    input.Polygon = flattening::domainPolygon(flattening::polygonOutline(polygon));
+  }
+  return input;
+}
+
+// The weights of the points (n); empty if all are 1.
 Eigen::VectorXd readWeights(vtkPolyData* input, const char* chosen)
 {
   const bool isSet = chosen && *chosen;
@@ -58,72 +90,47 @@ Eigen::VectorXd readWeights(vtkPolyData* input, const char* chosen)
                                    std::to_string(array->GetNumberOfComponents()) +
                                    " components, not 1: choose another array or turn UseAreaWeight off");
   }
-  Eigen::VectorXd weights(array->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-  {
-    weights[i] = array->GetComponent(i, 0);
-  }
-  return weights;
+  return flattening::toMatrix<1>(array);
 }
 
-// The power weights of an earlier run, over a domain of area pi; empty if there are none.
-Eigen::VectorXd readStart(vtkPolyData* input, double area)
+// The power weights of an earlier run, for a domain of area pi; empty if the input has none.
+Eigen::VectorXd startWeights(vtkPolyData* input, const Placement& placement)
 {
   vtkDataArray* array = input->GetPointData()->GetArray("PowerWeight");
   if (!array || array->GetNumberOfComponents() != 1)
   {
     return {};
   }
-  Eigen::VectorXd start(array->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-  {
-    start[i] = array->GetComponent(i, 0) / area;
-  }
-  return start;
+  return flattening::toMatrix<1>(array) / (placement.Scale * placement.Scale);
 }
 
-// From a domain of area pi around the origin to that of the output.
-struct Placement
-{
-  double Scale = 1.0;
-  Eigen::RowVector2d Centre = Eigen::RowVector2d::Zero();
-};
-
-// The points of an earlier run, over a domain of area pi; empty if there are none.
-flattening::Points2 readStartPositions(vtkPolyData* input,
-  double scale,
-  const Eigen::RowVector2d& centre)
+// The points of an earlier run, in a domain of area pi; empty if the input has none.
+flattening::Points2 startPositions(vtkPolyData* input, const Placement& placement)
 {
   vtkDataArray* array = input->GetPointData()->GetArray(FlatPoints);
   if (!array || array->GetNumberOfComponents() != 3)
   {
     return {};
   }
-  flattening::Points2 start(array->GetNumberOfTuples(), 2);
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-  {
-    const Eigen::RowVector2d point(array->GetComponent(i, 0), array->GetComponent(i, 1));
-    start.row(i) = (point - centre) / scale;
-  }
-  return start;
+  return (flattening::toMatrix<3>(array).leftCols<2>().rowwise() - placement.Centre) / placement.Scale;
 }
 
-void addFlatPoints(vtkPolyData* output)
+// Places a disk around the origin, a rectangle with its lower left corner there, and a polygon where it
+// was given.
+Placement placementOf(const TransportInput& input, bool isUnit)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->DeepCopy(output->GetPoints()->GetData());
-  array->SetName(FlatPoints);
-  output->GetPointData()->AddArray(array);
-}
-
-// A disk around the origin, a rectangle with its lower left corner there.
-Placement placementOf(const flattening::FlatDomain& domain, bool isUnit, double surfaceArea)
-{
+  const flattening::FlatDomain& domain = input.Domain;
+  const double surfaceArea = flattening::faceAreas(input.Surface.Vertices, input.Surface.Faces).sum();
   Placement placement;
   placement.Scale = !isUnit              ? std::sqrt(surfaceArea / EIGEN_PI)
+                    : input.Polygon      ? input.Polygon->Scale
                     : domain.IsRectangle ? domain.Scale / domain.Height
                                          : 1.0;
-  if (domain.IsRectangle)
+  if (input.Polygon)
+  {
+    placement.Centre = input.Polygon->Centroid.transpose();
+  }
+  else if (domain.IsRectangle)
   {
     placement.Centre =
       0.5 * placement.Scale / domain.Scale * Eigen::RowVector2d(domain.Width, domain.Height);
@@ -131,18 +138,56 @@ Placement placementOf(const flattening::FlatDomain& domain, bool isUnit, double 
   return placement;
 }
 
-// A polygon where it was given.
-Placement placementOf(const flattening::DomainPolygon& polygon, bool isUnit, double surfaceArea)
+flattening::AreaPreservingResult areaPreservingMap(const TransportInput& input,
+  bool fixCorners,
+  const Eigen::VectorXd& weights,
+  const flattening::AreaPreservingOptions& options,
+  const flattening::ProgressCallback& progress)
 {
-  constexpr double pi = EIGEN_PI;
-  return { isUnit ? polygon.Scale : std::sqrt(surfaceArea / pi), polygon.Centroid.transpose() };
+  const flattening::FlatDomain& domain = input.Domain;
+  if (input.Polygon)
+  {
+    return flattening::areaPreservingPolygonMap(input.Surface,
+      input.Conformal,
+      *domain.normalised(),
+      { input.Polygon->Corners, fixCorners },
+      weights,
+      options,
+      progress);
+  }
+  if (domain.IsRectangle)
+  {
+    return flattening::areaPreservingRectangleMap(
+      input.Surface, input.Conformal, domain.Width / domain.Scale, weights, options, progress);
+  }
+  return flattening::areaPreservingDiskMap(input.Surface, input.Conformal, weights, options, progress);
+}
+
+void fillMap(vtkPolyData* output,
+  vtkPolyData* input,
+  const flattening::AreaPreservingMap& map,
+  const Placement& placement)
+{
+  const double area = placement.Scale * placement.Scale;
+  output->ShallowCopy(input);
+  output->SetPoints(vtk::TakeSmartPointer(
+    flattening::newPlanarPoints((placement.Scale * map.Positions).rowwise() + placement.Centre)));
+  flattening::deactivateNormals(output);
+  flattening::setTextureCoordinates(output, map.Positions);
+  flattening::addPointArray(output, "TargetArea", area * map.TargetAreas);
+  flattening::addPointArray(output, "CellArea", area * map.CellAreas);
+  flattening::addPointArray(output, "PowerWeight", area * map.PowerWeights);
+  vtkNew<vtkDoubleArray> flatPoints;
+  flatPoints->DeepCopy(output->GetPoints()->GetData());
+  flatPoints->SetName(FlatPoints);
+  output->GetPointData()->AddArray(flatPoints);
 }
 
 void fillPowerDiagram(vtkPolyData* output,
   const flattening::AreaPreservingResult& result,
-  double scale,
-  const Eigen::RowVector2d& centre)
+  const Placement& placement)
 {
+  const auto& [scale, centre] = placement;
   constexpr double oneDegree = EIGEN_PI / 180.0;
   const flattening::PowerDiagram& diagram = result.Diagram;
   std::vector<vtkIdType> pointOfSite(diagram.siteCount(), -1);
@@ -181,6 +226,27 @@ void fillPowerDiagram(vtkPolyData* output,
   output->GetCellData()->AddArray(siteIds);
   output->GetCellData()->AddArray(cellAreas);
   output->GetCellData()->AddArray(targetAreas);
+}
+
+void setReport(vtkFieldData* data, const flattening::AreaPreservingMap& map)
+{
+  const auto count = [data](const char* name, int value)
+  { flattening::setDatum(data, name, static_cast<long long>(value)); };
+  data->RemoveArray("CornerPointIds"); // those of the conformal map
+  if (!map.CornerVertices.empty())
+  {
+    flattening::setIds(data, "CornerPointIds", map.CornerVertices);
+  }
+  count("NewtonIterations", map.NewtonIterations);
+  count("Sites", map.Sites);
+  count("PowerDiagrams", map.PowerDiagrams);
+  flattening::setDatum(data, "MaxCellAreaError", map.MaxCellError);
+  count("CoincidentPoints", map.CoincidentVertices);
+  count("FlippedFaces", map.FlippedFaces);
+  count("Bijective", map.Bijective ? 1 : 0);
+  count("WarmStart", map.WarmStarted ? 1 : 0);
+  count("RefinementRounds", map.RefinementRounds);
+  count("RefinementRepairs", map.RepairedFaces);
 }
 
 } // namespace
@@ -223,94 +289,41 @@ vtkPolyData* vtkOMTAreaPreservingFilter::GetPowerDiagram()
 void vtkOMTAreaPreservingFilter::Execute(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  vtkPolyData* cells = vtkPolyData::GetData(outputVector, 1);
-  const flattening::TriangleMesh surface = flattening::surfaceOfFlattened(input);
-  const std::vector<int> loop = flattening::requireDisk(surface);
-  const flattening::Points2 flat = flattening::toPlanarPositions(input);
-  const flattening::FlatDomain domain = flattening::flatDomain(flat, loop);
-  std::optional<flattening::DomainPolygon> polygon;
-  if (vtkPolyData* given = vtkPolyData::GetData(inputVector[1]))
-  {
-    polygon = flattening::domainPolygon(flattening::polygonOutline(given));
-  }
+  vtkPolyData* conformal = vtkPolyData::GetData(inputVector[0]);
+  const TransportInput input = readInput(conformal, vtkPolyData::GetData(inputVector[1]));
   Eigen::VectorXd weights;
   if (this->UseAreaWeight)
   {
-    weights = readWeights(input, this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME()));
+    const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+    weights = readWeights(conformal, chosen);
   }
+  const Placement placement = placementOf(input, this->NormalizeTo == UNIT_DOMAIN);
   flattening::AreaPreservingOptions options;
   options.Transport.Tolerance = this->Tolerance;
+  options.Start.PowerWeights = startWeights(conformal, placement);
+  options.Start.Positions = startPositions(conformal, placement);
   options.RefineFaces = this->FaceRefinement;
   options.Refinement.AngleWeight = this->AngleWeight;
   options.VerticesPerSite = this->PointsPerSite;
-
-  const flattening::Points2 conformal = (flat.rowwise() - domain.Centre) / domain.Scale;
-  const double surfaceArea = flattening::faceAreas(surface.Vertices, surface.Faces).sum();
-  const bool isUnit = this->NormalizeTo == UNIT_DOMAIN;
-  const auto [scale, centre] =
-    polygon ? placementOf(*polygon, isUnit, surfaceArea) : placementOf(domain, isUnit, surfaceArea);
-  const double area = scale * scale;
-  options.Transport.StartWeights = readStart(input, area);
-  options.StartPositions = readStartPositions(input, scale, centre);
-  const auto progress = flattening::progressOf(this);
   const flattening::AreaPreservingResult result =
-    polygon ? flattening::areaPreservingPolygonMap(surface,
-                conformal,
-                *domain.normalised(),
-                { polygon->Corners, this->FixCorners },
-                weights,
-                options,
-                progress)
-    : domain.IsRectangle
-      ? flattening::areaPreservingRectangleMap(
-          surface, conformal, domain.Width / domain.Scale, weights, options, progress)
-      : flattening::areaPreservingDiskMap(surface, conformal, weights, options, progress);
-  const flattening::AreaPreservingMap& map = result.Map;
+    areaPreservingMap(input, this->FixCorners, weights, options, flattening::progressOf(this));
 
-  output->ShallowCopy(input);
-  output->SetPoints(
-    vtk::TakeSmartPointer(flattening::newPlanarPoints((scale * map.Positions).rowwise() + centre)));
-  flattening::deactivateNormals(output);
-  flattening::setTextureCoordinates(output, map.Positions);
-  flattening::addPointArray(output, "TargetArea", area * map.TargetAreas);
-  flattening::addPointArray(output, "CellArea", area * map.CellAreas);
-  flattening::addPointArray(output, "PowerWeight", area * map.PowerWeights);
-  addFlatPoints(output);
-  fillPowerDiagram(cells, result, scale, centre);
-
-  vtkFieldData* figures = output->GetFieldData();
-  if (polygon)
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
+  fillMap(output, conformal, result.Map, placement);
+  fillPowerDiagram(vtkPolyData::GetData(outputVector, 1), result, placement);
+  setReport(output->GetFieldData(), result.Map);
+  if (this->FaceRefinement && !result.Map.Bijective)
   {
-    figures->RemoveArray("CornerPointIds"); // of the map before
+    vtkWarningMacro(<< this->GetBlockPrefix() << result.Map.FlippedFaces
+                    << " triangles of the area-preserving map are flipped and could not be untangled: "
+                       "remesh the surface (Surface To Disk, Remesh)");
   }
-  if (!map.CornerVertices.empty())
-  {
-    flattening::setIds(figures, "CornerPointIds", map.CornerVertices);
-  }
-  flattening::setDatum(figures, "NewtonIterations", static_cast<long long>(map.NewtonIterations));
-  flattening::setDatum(figures, "Sites", static_cast<long long>(map.Sites));
-  flattening::setDatum(figures, "PowerDiagrams", static_cast<long long>(map.PowerDiagrams));
-  flattening::setDatum(figures, "MaxCellAreaError", map.MaxCellError);
-  flattening::setDatum(figures, "CoincidentPoints", static_cast<long long>(map.CoincidentVertices));
-  flattening::setDatum(figures, "FlippedFaces", static_cast<long long>(map.FlippedFaces));
-  flattening::setDatum(figures, "Bijective", static_cast<long long>(map.Bijective ? 1 : 0));
-  flattening::setDatum(figures, "WarmStart", static_cast<long long>(map.IsContinued ? 1 : 0));
-  flattening::setDatum(figures, "RefinementRounds", static_cast<long long>(map.RefinementRounds));
-  flattening::setDatum(figures, "RefinementRepairs", static_cast<long long>(map.RepairedFaces));
-  if (this->FaceRefinement && !map.Bijective)
-  {
-    vtkWarningMacro(<< this->GetBlockPrefix() << map.FlippedFaces
-                    << " triangles of the area-preserving map are flipped and could not be turned "
-                       "over: remesh the surface (Surface To Disk, Remesh)");
-  }
-  if (map.StartShare < 1.0)
+  if (result.Map.StartShare < 1.0)
   {
     vtkWarningMacro(<< this->GetBlockPrefix()
                     << "the face refinement had to begin with a map between the conformal and the "
-                       "transported one, as triangles of the latter could not be turned over: expect "
-                       "area errors; remesh the surface or cut a larger hole (Surface To Disk)");
+                       "transported one, as flipped triangles of the latter could not be untangled: "
+                       "expect area errors; remesh the surface or cut a larger hole (Surface To Disk)");
   }
 }
 
