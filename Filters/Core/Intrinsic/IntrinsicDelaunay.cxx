@@ -21,143 +21,199 @@ using intrinsic::ConformalMetric;
 using intrinsic::DoubledMetric;
 using intrinsic::FlatMetric;
 
+// Half-edges that one parallel task looks at. Results do not depend on it.
 constexpr int HalfedgesPerTask = 4096;
-// Two opposite angles whose cosines have a larger sum need not be looked at more closely.
+// A guard: an edge whose opposite angles have cosines of a larger sum is Delaunay, although the quick
+// cosines are not exact. Their errors are far smaller, unless a side is 1e-13 times as long as the
+// others.
 constexpr double CertainlyDelaunay = 1e-3;
 
 } // namespace
 
-// Of the angles opposite to all half-edges, by one exponential per side: not to the last digit.
+// Flips edges, and opens and closes the mirror's cells, until none violates the Delaunay condition of a
+// metric. A side is a half-edge, or -1 - b for boundary edge b, as in glue().
 template <typename Metric>
-std::vector<double> IntrinsicTriangulation::cosines(const Metric& metric) const
+class IntrinsicTriangulation::DelaunayFlips
 {
-  std::vector<double> cosines(this->halfedgeCount());
-  tbb::parallel_for(tbb::blocked_range<int>(0, this->faceCount(), HalfedgesPerTask / 3),
-    [&](const tbb::blocked_range<int>& faces)
-    {
-      for (int f = faces.begin(); f < faces.end(); ++f)
-      {
-        double length[3];
-        for (int k = 0; k < 3; ++k)
-        {
-          length[k] =
-            std::exp(static_cast<double>(metric.logLength(3 * f + k) - metric.logLength(3 * f)));
-        }
-        for (int k = 0; k < 3; ++k)
-        {
-          const double a = length[k];
-          const double b = length[(k + 1) % 3];
-          const double c = length[(k + 2) % 3];
-          cosines[3 * f + k] = ((b - a) * (b + a) + c * c) / (2.0 * b * c);
-        }
-      }
-    });
-  return cosines;
-}
+public:
+  DelaunayFlips(IntrinsicTriangulation& triangulation, const Metric& metric)
+    : Surface(triangulation)
+    , Lengths(metric)
+    , Queued(triangulation.halfedgeCount(), 0)
+    , BoundaryQueued(triangulation.Boundary.size(), 0)
+  {
+  }
 
-template <typename Metric>
-int IntrinsicTriangulation::flipAll(const Metric& metric)
-{
-  std::vector<int> stack; // sides, as in glue()
-  std::vector<char> queued(this->halfedgeCount(), 0);
-  std::vector<char> boundaryQueued(this->Boundary.size(), 0);
-  const auto mark = [&](int side) -> char&
-  { return side >= 0 ? queued[side] : boundaryQueued[-1 - side]; };
-  const auto push = [&](int side)
+  // Returns the number of flips.
+  int run()
   {
-    side = side < 0 ? side : std::min(side, this->Twins[side]);
-    if (!mark(side))
+    this->pushInnerEdges();
+    this->pushBoundaryEdges();
+    // Delaunay flips end by themselves; the bound only guards against rounding on degenerate metrics.
+    const long long bound = 10LL * this->Surface.halfedgeCount() + 1000;
+    while (!this->Stack.empty() && this->Flips < bound)
     {
-      mark(side) = 1;
-      stack.push_back(side);
-    }
-  };
-  const auto mayFlip = [&](int h)
-  { return this->Origins[h] >= 0 && this->Twins[h] >= 0 && face(this->Twins[h]) != face(h); };
-  const std::vector<double> cosines = this->cosines(metric);
-  std::vector<char> mustFlip(this->halfedgeCount(), 0);
-  tbb::parallel_for(tbb::blocked_range<int>(0, this->halfedgeCount(), HalfedgesPerTask),
-    [&](const tbb::blocked_range<int>& halfedges)
-    {
-      for (int h = halfedges.begin(); h < halfedges.end(); ++h)
+      const int side = this->Stack.back();
+      this->Stack.pop_back();
+      this->mark(side) = 0;
+      if (side >= 0)
       {
-        mustFlip[h] = this->Twins[h] > h &&
-                      !(cosines[h] + cosines[this->Twins[h]] > CertainlyDelaunay) && mayFlip(h) &&
-                      metric.mustFlip(h);
+        this->settleInnerEdge(side);
       }
-    });
-  for (int h = 0; h < this->halfedgeCount(); ++h)
-  {
-    if (mustFlip[h])
-    {
-      push(h);
+      else
+      {
+        this->settleBoundaryEdge(-1 - side);
+      }
     }
+    this->Surface.closeGaps();
+    return static_cast<int>(this->Flips);
   }
-  for (int b = 0; b < static_cast<int>(this->Boundary.size()); ++b)
-  {
-    if (this->Boundary[b].Origin >= 0 && (metric.mustClose(b) || metric.mustOpen(b)))
-    {
-      push(-1 - b);
-    }
-  }
-  // Delaunay flips end by themselves; the bound only guards against rounding on degenerate metrics.
-  const long long bound = 10LL * this->halfedgeCount() + 1000;
-  long long flips = 0;
-  while (!stack.empty() && flips < bound)
-  {
-    const int side = stack.back();
-    stack.pop_back();
-    mark(side) = 0;
-    if (side >= 0 && mayFlip(side) && metric.mustFlip(side))
-    {
-      const int t = this->Twins[side];
-      // Which half-edge stands for an edge may change with the slots: clear the marks of the four sides.
-      const int sides[4] = { next(side), previous(side), next(t), previous(t) };
-      for (const int s : sides)
-      {
-        mark(s) = 0;
-        mark(this->Twins[s]) = 0;
-      }
-      this->flip(side, metric.flipped(side));
-      ++flips;
-      for (const int s : sides)
-      {
-        push(s);
-      }
-    }
-    const int b = -1 - side;
-    if (side >= 0 || this->Boundary[b].Origin < 0)
-    {
-      continue;
-    }
-    if (metric.mustClose(b))
-    {
-      const int before = this->Boundary[b].Previous;
-      const int f = this->closeBoundaryVertex(b, metric.closed(b));
-      queued.resize(this->halfedgeCount(), 0);
-      ++flips;
-      for (const int s : { 3 * f + 1, 3 * f + 2, -1 - before, -1 - this->Boundary[before].Next })
-      {
-        push(s);
-      }
-    }
-    else if (metric.mustOpen(b))
-    {
-      this->openBoundaryEdge(b, metric.opened(b));
-      boundaryQueued.resize(this->Boundary.size(), 0);
-      ++flips;
-      const int added = this->Boundary[b].Next;
-      for (const int s : { -1 - b, -1 - added, -1 - this->Boundary[added].Next })
-      {
-        push(s);
-      }
-    }
-  }
-  this->closeGaps();
-  return static_cast<int>(flips);
-}
 
-// Log-length of the other diagonal of the two triangles at h, unfolded into the plane.
+private:
+  char& mark(int side) { return side >= 0 ? this->Queued[side] : this->BoundaryQueued[-1 - side]; }
+
+  void push(int side)
+  {
+    side = side < 0 ? side : std::min(side, this->Surface.Twins[side]);
+    if (!this->mark(side))
+    {
+      this->mark(side) = 1;
+      this->Stack.push_back(side);
+    }
+  }
+
+  bool mayFlip(int h) const
+  {
+    const int twin = this->Surface.Twins[h];
+    return this->Surface.Origins[h] >= 0 && twin >= 0 && face(twin) != face(h);
+  }
+
+  // Cosines of the angles opposite to all half-edges, by one exponential per side: not to the last
+  // digit.
+  std::vector<double> quickCosines() const
+  {
+    std::vector<double> cosines(this->Surface.halfedgeCount());
+    tbb::parallel_for(tbb::blocked_range<int>(0, this->Surface.faceCount(), HalfedgesPerTask / 3),
+      [&](const tbb::blocked_range<int>& faces)
+      {
+        for (int f = faces.begin(); f < faces.end(); ++f)
+        {
+          double length[3];
+          for (int k = 0; k < 3; ++k)
+          {
+            length[k] = std::exp(
+              static_cast<double>(this->Lengths.logLength(3 * f + k) - this->Lengths.logLength(3 * f)));
+          }
+          for (int k = 0; k < 3; ++k)
+          {
+            const double a = length[k];
+            const double b = length[(k + 1) % 3];
+            const double c = length[(k + 2) % 3];
+            cosines[3 * f + k] = ((b - a) * (b + a) + c * c) / (2.0 * b * c);
+          }
+        }
+      });
+    return cosines;
+  }
+
+  void pushInnerEdges()
+  {
+    const int count = this->Surface.halfedgeCount();
+    const std::vector<double> cosines = this->quickCosines();
+    std::vector<char> mustFlip(count, 0);
+    tbb::parallel_for(tbb::blocked_range<int>(0, count, HalfedgesPerTask),
+      [&](const tbb::blocked_range<int>& halfedges)
+      {
+        for (int h = halfedges.begin(); h < halfedges.end(); ++h)
+        {
+          const int twin = this->Surface.Twins[h];
+          mustFlip[h] = twin > h && !(cosines[h] + cosines[twin] > CertainlyDelaunay) &&
+                        this->mayFlip(h) && this->Lengths.mustFlip(h);
+        }
+      });
+    for (int h = 0; h < count; ++h)
+    {
+      if (mustFlip[h])
+      {
+        this->push(h);
+      }
+    }
+  }
+
+  void pushBoundaryEdges()
+  {
+    for (int b = 0; b < static_cast<int>(this->Surface.Boundary.size()); ++b)
+    {
+      if (this->Surface.Boundary[b].Origin >= 0 &&
+          (this->Lengths.mustClose(b) || this->Lengths.mustOpen(b)))
+      {
+        this->push(-1 - b);
+      }
+    }
+  }
+
+  void settleInnerEdge(int h)
+  {
+    if (!this->mayFlip(h) || !this->Lengths.mustFlip(h))
+    {
+      return;
+    }
+    const int t = this->Surface.Twins[h];
+    // Which half-edge stands for an edge may change with the slots: clear the marks of the four sides.
+    const int sides[4] = { next(h), previous(h), next(t), previous(t) };
+    for (const int side : sides)
+    {
+      this->mark(side) = 0;
+      this->mark(this->Surface.Twins[side]) = 0;
+    }
+    this->Surface.flip(h, this->Lengths.flipped(h));
+    ++this->Flips;
+    for (const int side : sides)
+    {
+      this->push(side);
+    }
+  }
+
+  void settleBoundaryEdge(int b)
+  {
+    std::vector<BoundaryEdge>& boundary = this->Surface.Boundary;
+    if (boundary[b].Origin < 0)
+    {
+      return;
+    }
+    if (this->Lengths.mustClose(b))
+    {
+      const int before = boundary[b].Previous;
+      const int f = this->Surface.closeBoundaryVertex(b, this->Lengths.closed(b));
+      this->Queued.resize(this->Surface.halfedgeCount(), 0);
+      ++this->Flips;
+      for (const int side : { 3 * f + 1, 3 * f + 2, -1 - before, -1 - boundary[before].Next })
+      {
+        this->push(side);
+      }
+    }
+    else if (this->Lengths.mustOpen(b))
+    {
+      this->Surface.openBoundaryEdge(b, this->Lengths.opened(b));
+      this->BoundaryQueued.resize(boundary.size(), 0);
+      ++this->Flips;
+      const int added = boundary[b].Next;
+      for (const int side : { -1 - b, -1 - added, -1 - boundary[added].Next })
+      {
+        this->push(side);
+      }
+    }
+  }
+
+  IntrinsicTriangulation& Surface;
+  const Metric& Lengths;
+  std::vector<int> Stack;           // sides that may violate the condition
+  std::vector<char> Queued;         // per half-edge: whether the stack has it
+  std::vector<char> BoundaryQueued; // the same per boundary edge
+  long long Flips = 0;
+};
+
+// Logarithm of the length of the other diagonal of the two triangles at h, unfolded into the plane.
 long double IntrinsicTriangulation::otherDiagonal(int h) const
 {
   const int t = this->Twins[h];
@@ -176,19 +232,21 @@ long double IntrinsicTriangulation::otherDiagonal(int h) const
 
 int IntrinsicTriangulation::flipToDelaunay()
 {
-  return this->flipAll(FlatMetric{ *this, [this](int h) { return this->otherDiagonal(h); } });
+  const FlatMetric metric{ *this, [this](int h) { return this->otherDiagonal(h); } };
+  return DelaunayFlips<FlatMetric>(*this, metric).run();
 }
 
 int IntrinsicTriangulation::flipDoubleToDelaunay()
 {
   const Factors none = Factors::Zero(this->VertexCount);
-  return this->flipAll(
-    DoubledMetric{ { *this, none }, [this](int h) { return this->otherDiagonal(h); } });
+  const DoubledMetric metric{ { *this, none }, [this](int h) { return this->otherDiagonal(h); } };
+  return DelaunayFlips<DoubledMetric>(*this, metric).run();
 }
 
 int IntrinsicTriangulation::flipToDelaunay(const Factors& u)
 {
-  return this->flipAll(ConformalMetric{ *this, u });
+  const ConformalMetric metric{ *this, u };
+  return DelaunayFlips<ConformalMetric>(*this, metric).run();
 }
 
 } // namespace flattening

@@ -148,13 +148,11 @@ private:
   int closeBoundaryVertex(int b, long double logAcross);
   long double otherDiagonal(int h) const;
   template <typename Metric>
-  std::vector<double> cosines(const Metric& metric) const;
-  template <typename Metric>
-  int flipAll(const Metric& metric);
+  class DelaunayFlips;
 
   int VertexCount = 0;
   double AddedLength = 0.0;
-  std::vector<int> Origins; ///< -1 for the sides of a face that is no more, within flipAll only
+  std::vector<int> Origins; ///< -1 for the sides of a face that is no more, while edges are flipped only
   std::vector<int> Twins;
   std::vector<long double> LogLengths;
   std::vector<BoundaryEdge> Boundary;
