@@ -12,7 +12,7 @@ output=$(realpath -m "${1:-$(dirname "$0")/../demo-output}")
 cd "$(dirname "$0")/.."
 
 source Utilities/demo/build_plugin.sh
-build_plugin
+build_plugin --plugin
 
 # The screen is as large as the picture; rendering is in software, as on a server.
 LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 2100x1180x24 -noreset" \
