@@ -2,6 +2,7 @@
 #include "vtkAreaWeights.h"
 
 #include "Core/Regions/RegionWeights.h"
+#include "Internal/ArrayConversion.h"
 #include "Internal/ChosenArray.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/Labels.h"
@@ -36,7 +37,7 @@ using flattening::WeightedRegion;
 
 constexpr const char* WeightsName = "AreaWeight";
 
-// All 1 if the input has none.
+// The weights of an earlier filter (n); all 1 if the input has none.
 Eigen::VectorXd earlierWeights(vtkPolyData* input)
 {
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(input->GetNumberOfPoints());
@@ -53,7 +54,7 @@ Eigen::VectorXd earlierWeights(vtkPolyData* input)
   return weights;
 }
 
-// @p valuesOfCells, m, averaged to the points by area.
+// Values of the cells (m), averaged to the points by area (n).
 std::vector<double> averaged(const TriangleMesh& mesh, const std::vector<double>& valuesOfCells)
 {
   const Eigen::VectorXd areas = flattening::faceAreas(mesh.Vertices, mesh.Faces);
@@ -62,15 +63,11 @@ std::vector<double> averaged(const TriangleMesh& mesh, const std::vector<double>
   const Eigen::VectorXd sums =
     flattening::vertexAreas(mesh.Faces, areas.cwiseProduct(values), mesh.vertexCount());
   const Eigen::VectorXd shares = flattening::vertexAreas(mesh.Faces, areas, mesh.vertexCount());
-  std::vector<double> result(mesh.vertexCount());
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-  {
-    result[v] = sums[v] / shares[v];
-  }
-  return result;
+  const Eigen::VectorXd means = sums.array() / shares.array();
+  return { means.begin(), means.end() };
 }
 
-void setRegionFigures(vtkFieldData* figures,
+void setRegionReport(vtkFieldData* data,
   const std::vector<WeightedRegion>& regions,
   const Eigen::VectorXd& surfaceAreas,
   const Eigen::VectorXd& weights)
@@ -89,9 +86,9 @@ void setRegionFigures(vtkFieldData* figures,
       flatArea += scale * weights[v] * surfaceAreas[v];
     }
   }
-  flattening::setDatum(figures, "RegionPoints", count);
-  flattening::setDatum(figures, "RegionArea", area);
-  flattening::setDatum(figures, "RegionFlatArea", flatArea);
+  flattening::setDatum(data, "RegionPoints", count);
+  flattening::setDatum(data, "RegionArea", area);
+  flattening::setDatum(data, "RegionFlatArea", flatArea);
 }
 
 } // namespace
@@ -228,11 +225,8 @@ std::vector<char> vtkAreaWeights::EnclosedPoints(vtkPolyData* input)
                          " of 3 components for the positions: choose another, or None");
     }
   }
-  flattening::Points3 positions(input->GetNumberOfPoints(), 3);
-  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
-  {
-    array ? array->GetTuple(i, positions.row(i).data()) : input->GetPoint(i, positions.row(i).data());
-  }
+  const flattening::Points3 positions =
+    array ? flattening::toMatrix<3>(array) : flattening::pointsOf(input);
   return flattening::pointsInFunction(this->ImplicitFunction, positions, this->InsideOut);
 }
 
@@ -269,6 +263,21 @@ std::vector<double> vtkAreaWeights::ScalarFactors(vtkPolyData* input, const Tria
   return values;
 }
 
+std::vector<WeightedRegion> vtkAreaWeights::ChosenRegions(vtkPolyData* input,
+  vtkSelection* selection,
+  const TriangleMesh& mesh)
+{
+  switch (this->WeightsFrom)
+  {
+    case SELECTION:
+      return { { "the selection", flattening::pointsInSelection(input, selection), this->Factor } };
+    case IMPLICIT_FUNCTION:
+      return { { "the implicit function", this->EnclosedPoints(input), this->Factor } };
+    default:
+      return this->LabelRegions(input, mesh);
+  }
+}
+
 void vtkAreaWeights::Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
@@ -278,6 +287,7 @@ void vtkAreaWeights::Execute(vtkInformationVector** inputVector, vtkInformationV
     mesh.Faces, flattening::faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount());
   Eigen::VectorXd weights = earlierWeights(input);
   std::vector<WeightedRegion> regions;
+  const flattening::ProgressCallback progress = flattening::progressOf(this);
   if (this->WeightsFrom == SCALARS)
   {
     const std::vector<double> factors = this->ScalarFactors(input, mesh);
@@ -286,21 +296,8 @@ void vtkAreaWeights::Execute(vtkInformationVector** inputVector, vtkInformationV
   }
   else
   {
-    if (this->WeightsFrom == SELECTION)
-    {
-      auto* selection = vtkSelection::GetData(inputVector[1]);
-      regions.push_back(
-        { "the selection", flattening::pointsInSelection(input, selection), this->Factor });
-    }
-    else if (this->WeightsFrom == IMPLICIT_FUNCTION)
-    {
-      regions.push_back({ "the implicit function", this->EnclosedPoints(input), this->Factor });
-    }
-    else
-    {
-      regions = this->LabelRegions(input, mesh);
-    }
-    flattening::report(flattening::progressOf(this), 0.3, "Weighting the regions");
+    regions = this->ChosenRegions(input, vtkSelection::GetData(inputVector[1]), mesh);
+    flattening::report(progress, 0.3, "Weighting the regions");
     const auto meaning = this->FactorMeaning == MAGNIFICATION
                            ? flattening::FactorMeaning::Magnification
                            : flattening::FactorMeaning::RelativeToRest;
@@ -309,7 +306,7 @@ void vtkAreaWeights::Execute(vtkInformationVector** inputVector, vtkInformationV
       regions,
       meaning,
       this->EdgeWidth,
-      flattening::subrange(flattening::progressOf(this), 0.3, 0.9))
+      flattening::subrange(progress, 0.3, 0.9))
                          .Weights.array();
   }
   if (!(areas.sum() > 0.0))
@@ -321,15 +318,15 @@ void vtkAreaWeights::Execute(vtkInformationVector** inputVector, vtkInformationV
   flattening::addPointArray(output, WeightsName, weights);
   // ParaView proposes the active array, to colour by and as the weights of OMT Area Preserving.
   output->GetPointData()->SetActiveScalars(WeightsName);
-  vtkFieldData* figures = output->GetFieldData();
+  vtkFieldData* data = output->GetFieldData();
   if (!regions.empty())
   {
-    setRegionFigures(figures, regions, areas, weights);
+    setRegionReport(data, regions, areas, weights);
   }
   const auto range = flattening::magnificationRange(areas, weights);
-  flattening::setDatum(figures, "SmallestMagnification", range.Smallest);
-  flattening::setDatum(figures, "GreatestMagnification", range.Greatest);
-  flattening::report(flattening::progressOf(this), 1.0, "Done");
+  flattening::setDatum(data, "SmallestMagnification", range.Smallest);
+  flattening::setDatum(data, "GreatestMagnification", range.Greatest);
+  flattening::report(progress, 1.0, "Done");
 }
 
 void vtkAreaWeights::PrintSelf(ostream& os, vtkIndent indent)

@@ -58,6 +58,7 @@
 
 class vtkImplicitFunction;
 class vtkPiecewiseFunction;
+class vtkSelection;
 
 namespace flattening
 {
@@ -208,6 +209,9 @@ private:
 
   flattening::ChosenArray RequireArray(vtkPolyData* input);
   std::vector<flattening::WeightedRegion> LabelRegions(vtkPolyData* input,
+    const flattening::TriangleMesh& mesh);
+  std::vector<flattening::WeightedRegion> ChosenRegions(vtkPolyData* input,
+    vtkSelection* selection,
     const flattening::TriangleMesh& mesh);
   std::vector<char> EnclosedPoints(vtkPolyData* input);
   std::vector<double> ScalarFactors(vtkPolyData* input, const flattening::TriangleMesh& mesh);

@@ -37,12 +37,12 @@ bool hasResult(vtkDataObject* data)
          data->GetNumberOfElements(vtkDataObject::ROW) > 0;
 }
 
-// Those of the filters before, which came with the input's field data, and these.
-void addBlockErrors(vtkFieldData* figures, const std::vector<std::string>& errors)
+// Appends the errors to those of the filters before, which came with the field data of the input.
+void addBlockErrors(vtkFieldData* data, const std::vector<std::string>& errors)
 {
   vtkNew<vtkStringArray> all;
   all->SetName(BlockErrorsName);
-  if (auto* earlier = vtkStringArray::SafeDownCast(figures->GetAbstractArray(BlockErrorsName)))
+  if (auto* earlier = vtkStringArray::SafeDownCast(data->GetAbstractArray(BlockErrorsName)))
   {
     all->DeepCopy(earlier);
   }
@@ -50,21 +50,21 @@ void addBlockErrors(vtkFieldData* figures, const std::vector<std::string>& error
   {
     all->InsertNextValue(error);
   }
-  flattening::setDatum(figures, "FailedBlocks", static_cast<long long>(all->GetNumberOfValues()));
+  flattening::setDatum(data, "FailedBlocks", static_cast<long long>(all->GetNumberOfValues()));
   if (all->GetNumberOfValues() > 0)
   {
-    figures->AddArray(all);
+    data->AddArray(all);
   }
 }
 
-// An output has the input's field data until then, in which a figure of the filter before may have the
-// same name.
-void shareFigures(vtkInformationVector* outputs)
+// Gives every output the field data of the first one. Before, the others have the field data of the
+// input, where a value of an earlier filter may have the same name.
+void shareFieldData(vtkInformationVector* outputs)
 {
-  vtkFieldData* figures = vtkDataObject::GetData(outputs, 0)->GetFieldData();
+  vtkFieldData* data = vtkDataObject::GetData(outputs, 0)->GetFieldData();
   for (int port = 1; port < outputs->GetNumberOfInformationObjects(); ++port)
   {
-    vtkDataObject::GetData(outputs, port)->GetFieldData()->ShallowCopy(figures);
+    vtkDataObject::GetData(outputs, port)->GetFieldData()->ShallowCopy(data);
   }
 }
 
@@ -181,7 +181,7 @@ int vtkBlockwisePolyDataAlgorithm::RequestData(vtkInformation* vtkNotUsed(reques
     [&]
     {
       this->Execute(inputVector, outputVector);
-      shareFigures(outputVector);
+      shareFieldData(outputVector);
     });
 }
 
@@ -203,14 +203,37 @@ void vtkBlockwisePolyDataAlgorithm::CreateBlockOutputs(vtkInformationVector** bl
   }
 }
 
+void vtkBlockwisePolyDataAlgorithm::ExecuteBlock(flattening::BlockInputs& inputs,
+  vtkCompositeDataIterator* leaf,
+  const std::vector<vtkCompositeDataSet*>& outputs)
+{
+  vtkNew<vtkInformationVector> results;
+  flattening::runFilter(this,
+    results,
+    [&]
+    {
+      vtkInformationVector** blockInputs = inputs.of(leaf);
+      this->CreateBlockOutputs(blockInputs, results);
+      if (this->HasInputs(blockInputs))
+      {
+        this->Execute(blockInputs, results);
+        shareFieldData(results);
+      }
+    });
+  for (std::size_t port = 0; port < outputs.size(); ++port)
+  {
+    vtkDataObject* result = vtkDataObject::GetData(results, static_cast<int>(port));
+    outputs[port]->SetDataSet(leaf, result && hasResult(result) ? result : nullptr);
+  }
+}
+
 int vtkBlockwisePolyDataAlgorithm::RequestBlocks(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector,
   int leadingPort)
 {
   auto* input = vtkCompositeDataSet::GetData(inputVector[leadingPort]);
-  const int ports = this->GetNumberOfOutputPorts();
   std::vector<vtkCompositeDataSet*> outputs;
-  for (int port = 0; port < ports; ++port)
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
     outputs.push_back(vtkCompositeDataSet::GetData(outputVector, port));
     outputs.back()->CopyStructure(input);
@@ -233,29 +256,12 @@ int vtkBlockwisePolyDataAlgorithm::RequestBlocks(vtkInformationVector** inputVec
       {
         this->BlockPrefix = "block " + names.at(leaf->GetCurrentFlatIndex()) + ": ";
         this->SetProgressShiftScale(done / count, 1.0 / count);
-        vtkNew<vtkInformationVector> results;
-        flattening::runFilter(this,
-          results,
-          [&]
-          {
-            vtkInformationVector** blockInputs = inputs.of(leaf);
-            this->CreateBlockOutputs(blockInputs, results);
-            if (this->HasInputs(blockInputs))
-            {
-              this->Execute(blockInputs, results);
-              shareFigures(results);
-            }
-          });
+        this->ExecuteBlock(inputs, leaf, outputs);
         this->BlockPrefix.clear();
         this->SetProgressShiftScale(0.0, 1.0);
         if (flattening::abortRequested(this))
         {
           throw flattening::Cancelled();
-        }
-        for (int port = 0; port < ports; ++port)
-        {
-          vtkDataObject* result = vtkDataObject::GetData(results, port);
-          outputs[port]->SetDataSet(leaf, result && hasResult(result) ? result : nullptr);
         }
         done += 1.0;
       }

@@ -42,6 +42,14 @@
 #include <string>
 #include <vector>
 
+class vtkCompositeDataIterator;
+class vtkCompositeDataSet;
+
+namespace flattening
+{
+class BlockInputs;
+}
+
 class SURFACEFLATTENINGFILTERS_EXPORT vtkBlockwisePolyDataAlgorithm : public vtkPolyDataAlgorithm
 {
 public:
@@ -53,8 +61,8 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * What an error or a warning of the block at work begins with: `block "left": `. Empty if the input is
-   * not composite.
+   * The beginning of each error and warning about the current block, such as `block "left": `. Empty if
+   * no input is composite.
    */
   const std::string& GetBlockPrefix() const
   {
@@ -62,7 +70,7 @@ public:
   }
 
   /**
-   * Keeps the error of the block at work for the field data of the output. It does not print it.
+   * Stores an error of the current block for the field data of the output. It does not print the error.
    */
   void RecordBlockError(const std::string& message);
 #endif
@@ -72,39 +80,39 @@ protected:
   ~vtkBlockwisePolyDataAlgorithm() override = default;
 
   /**
-   * vtkPolyData, or a composite data set of such, on every port.
+   * Takes vtkPolyData, or a composite data set of such, on every port.
    */
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
   /**
-   * Any data object: which one depends on the input. Derived classes do not override this, but
-   * GetBlockOutputType().
+   * Announces any data object, as its class depends on the inputs. Derived classes override
+   * GetBlockOutputType() instead.
    */
   int FillOutputPortInformation(int port, vtkInformation* info) final;
 
   /**
-   * What the filter does. The inputs have data, those that are optional aside; the outputs are new. The
-   * field data of the first output becomes that of all. What it throws is reported as one error, with
-   * word for word the exception's message, and leaves all outputs empty.
+   * Does the work of the filter. All inputs but the optional ones have data, and the outputs are new.
+   * The field data of the first output becomes that of all outputs. An exception is reported as one
+   * error with exactly the message of the exception, and leaves all outputs empty.
    */
   virtual void Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector) = 0;
 
   /**
-   * The class of what Execute() writes to an output port for these inputs, none of which is composite:
-   * vtkPolyData unless overridden.
+   * The class of the data object that Execute() writes to an output port for these inputs, none of which
+   * is composite. Default: vtkPolyData.
    */
   virtual const char* GetBlockOutputType(int port, vtkInformationVector** inputVector);
 
   /**
-   * Asks for the whole of inputs that come in extents, such as images: without, the extent of an image
-   * that is an output would be asked of them.
+   * Requests the whole extent of inputs that come in extents, such as images. Otherwise VTK would
+   * request the extent of an output image from them.
    */
   int RequestUpdateExtent(vtkInformation* request,
     vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
   /**
-   * Runs Execute() on inputs that are not composite. Derived classes do not override this.
+   * Runs Execute() on inputs that are not composite.
    */
   int RequestData(vtkInformation* request,
     vtkInformationVector** inputVector,
@@ -117,6 +125,9 @@ private:
     vtkInformationVector* outputVector,
     int leadingPort);
   void CreateBlockOutputs(vtkInformationVector** blockInputs, vtkInformationVector* results);
+  void ExecuteBlock(flattening::BlockInputs& inputs,
+    vtkCompositeDataIterator* leaf,
+    const std::vector<vtkCompositeDataSet*>& outputs);
 
   std::string BlockPrefix;
   std::vector<std::string> BlockErrors;

@@ -19,6 +19,7 @@ vtkStandardNewMacro(vtkContextResolution);
 namespace
 {
 
+// The number of faces with a corner in the region.
 long long cellsAround(const flattening::TriangleMesh& mesh, const std::vector<char>& inRegion)
 {
   long long count = 0;
@@ -49,11 +50,11 @@ void vtkContextResolution::Execute(vtkInformationVector** inputVector,
     flattening::decimateContext(mesh, inRegion, this->ContextFaces, flattening::progressOf(this));
   flattening::setRegion(output, input, coarse);
   const long long kept = cellsAround(mesh, inRegion);
-  vtkFieldData* figures = output->GetFieldData();
+  vtkFieldData* data = output->GetFieldData();
   flattening::setDatum(
-    figures, "RegionPoints", static_cast<long long>(std::count(inRegion.begin(), inRegion.end(), 1)));
-  flattening::setDatum(figures, "KeptCells", kept);
-  flattening::setDatum(figures, "ContextCells", coarse.Mesh.faceCount() - kept);
+    data, "RegionPoints", static_cast<long long>(std::count(inRegion.begin(), inRegion.end(), 1)));
+  flattening::setDatum(data, "KeptCells", kept);
+  flattening::setDatum(data, "ContextCells", coarse.Mesh.faceCount() - kept);
 }
 
 void vtkContextResolution::PrintSelf(ostream& os, vtkIndent indent)

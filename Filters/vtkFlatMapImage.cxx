@@ -2,6 +2,7 @@
 #include "vtkFlatMapImage.h"
 
 #include "Core/FlatMap/FlatMapPixels.h"
+#include "Internal/ArrayConversion.h"
 #include "Internal/AttributeTransfer.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/PolyDataConversion.h"
@@ -43,7 +44,7 @@ PixelGrid gridOver(const flattening::TextureSquare& square, int size)
   return { square.Low.array() + 0.5 * length, length, size, size };
 }
 
-// A row per pixel; empty where there is no place.
+// The weights of the corners of the triangle under each pixel: a row per pixel, empty outside the map.
 flattening::VertexOrigins cornersOf(const std::vector<MapPlace>& places,
   const FaceMatrix& faces,
   Eigen::Index vertices)
@@ -83,6 +84,7 @@ void addCellArrays(vtkPolyData* map, const std::vector<MapPlace>& places, vtkPoi
   }
 }
 
+// Writes NaN to the pixels without a place on the map.
 void setNoNumber(vtkPointData* pixels, const std::vector<MapPlace>& places)
 {
   for (int a = 0; a < pixels->GetNumberOfArrays(); ++a)
@@ -102,26 +104,19 @@ void setNoNumber(vtkPointData* pixels, const std::vector<MapPlace>& places)
   }
 }
 
-// Returns how many pixels are in the map.
+// Adds CellId and InMap. Returns the number of pixels in the map.
 long long addInverse(const std::vector<MapPlace>& places, vtkPointData* pixels)
 {
-  vtkNew<vtkIdTypeArray> cells;
-  cells->SetName("CellId");
-  cells->SetNumberOfTuples(static_cast<vtkIdType>(places.size()));
-  vtkNew<vtkUnsignedCharArray> inMap;
-  inMap->SetName("InMap");
-  inMap->SetNumberOfTuples(static_cast<vtkIdType>(places.size()));
-  long long count = 0;
+  std::vector<int> cells(places.size());
+  std::vector<char> inMap(places.size());
   for (std::size_t i = 0; i < places.size(); ++i)
   {
-    const bool inside = places[i].Face >= 0 && places[i].Inside;
-    cells->SetValue(static_cast<vtkIdType>(i), inside ? places[i].Face : -1);
-    inMap->SetValue(static_cast<vtkIdType>(i), inside ? 1 : 0);
-    count += inside;
+    inMap[i] = places[i].Face >= 0 && places[i].Inside;
+    cells[i] = inMap[i] ? places[i].Face : -1;
   }
-  pixels->AddArray(cells);
-  pixels->AddArray(inMap);
-  return count;
+  pixels->AddArray(flattening::newArray<vtkIdTypeArray>("CellId", cells));
+  pixels->AddArray(flattening::newArray<vtkUnsignedCharArray>("InMap", inMap));
+  return std::count(inMap.begin(), inMap.end(), 1);
 }
 
 double sideOf(vtkPolyData* map)
@@ -156,7 +151,7 @@ int vtkFlatMapImage::RequestInformation(vtkInformation* vtkNotUsed(request),
   double size = this->Size;
   if (this->PixelLength > 0.0)
   {
-    // An image's extent must be known before its data, and here it follows from the map.
+    // The extent of an image must be known before its data, and here it depends on the map.
     int port = 0;
     vtkAlgorithm* before = this->GetInputAlgorithm(0, 0, port);
     before->Update(port);
@@ -165,7 +160,8 @@ int vtkFlatMapImage::RequestInformation(vtkInformation* vtkNotUsed(request),
       size = this->PixelsFor(sideOf(map));
     }
   }
-  // Of what Execute() refuses nothing is announced: who found less than that would ask once more.
+  // For a size that Execute() rejects, an empty extent is announced: VTK would ask again for an extent
+  // that it does not get.
   const int last = size <= GreatestSize ? static_cast<int>(size) - 1 : -1;
   const int extent[6] = { 0, last, 0, last, 0, std::min(last, 0) };
   outputVector->GetInformationObject(0)->Set(

@@ -103,7 +103,7 @@ private:
   vtkFlatMapImage(const vtkFlatMapImage&) = delete;
   void operator=(const vtkFlatMapImage&) = delete;
 
-  // Pixels a side of a map that is @p side long and wide. Without a limit.
+  // The number of pixels per side of a map that is @p side long and wide, without a limit.
   double PixelsFor(double side) const;
 };
 

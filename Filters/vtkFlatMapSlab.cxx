@@ -2,6 +2,7 @@
 #include "vtkFlatMapSlab.h"
 
 #include "Core/Mesh/ClosestPointWalk.h"
+#include "Internal/ArrayConversion.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/PolyDataConversion.h"
 #include "Internal/SlabLayers.h"
@@ -33,33 +34,10 @@ using flattening::Points3;
 
 constexpr const char* NormalsName = "SurfaceNormals";
 
-void addVectors(vtkPolyData* data, const char* name, const Points3& vectors)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(vectors.rows());
-  for (Eigen::Index i = 0; i < vectors.rows(); ++i)
-  {
-    array->SetTuple(i, vectors.row(i).data());
-  }
-  data->GetPointData()->AddArray(array);
-}
-
-Points3 vectorsOf(vtkDataArray* array)
-{
-  Points3 vectors(array->GetNumberOfTuples(), 3);
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-  {
-    array->GetTuple(i, vectors.row(i).data());
-  }
-  return vectors;
-}
-
 constexpr const char* PixelsStage = "Looking up the pixels";
 
-// Takes the progress of a filter within this one, and an abort to it.
-struct PassedOn
+// Forwards the progress of an inner filter to this one, and an abort to the inner filter.
+struct ProgressForwarding
 {
   vtkAlgorithm* Inner;
   flattening::ProgressCallback Progress;
@@ -74,7 +52,7 @@ struct PassedOn
   }
 };
 
-// The map as an image with nothing but where its pixels are in space, and the normals there.
+// The map as an image that has only the points of the surface under its pixels and the normals there.
 vtkSmartPointer<vtkImageData> pixelsOf(vtkPolyData* map,
   int size,
   const flattening::ProgressCallback& progress)
@@ -89,10 +67,10 @@ vtkSmartPointer<vtkImageData> pixelsOf(vtkPolyData* map,
   image->SetInputData(bare);
   image->SetSize(size);
   image->SetMargin(0);
-  PassedOn passedOn{ image, progress };
-  image->AddObserver(vtkCommand::ProgressEvent, &passedOn, &PassedOn::reported);
+  ProgressForwarding forwarding{ image, progress };
+  image->AddObserver(vtkCommand::ProgressEvent, &forwarding, &ProgressForwarding::reported);
   image->Update();
-  flattening::report(progress, 1.0, PixelsStage); // throws if the image is empty for an abort
+  flattening::report(progress, 1.0, PixelsStage); // throws if an abort left the image empty
   return image->GetOutput();
 }
 
@@ -137,7 +115,7 @@ int vtkFlatMapSlab::FillInputPortInformation(int port, vtkInformation* info)
   this->Superclass::FillInputPortInformation(port, info);
   if (port == 1)
   {
-    constexpr int PlaceOfPolyData = 0; // the types of composite data sets stay
+    constexpr int PlaceOfPolyData = 0; // after it come the types of composite data sets, which stay
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData", PlaceOfPolyData);
   }
   return 1;
@@ -196,7 +174,7 @@ void vtkFlatMapSlab::Execute(vtkInformationVector** inputVector, vtkInformationV
 
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   output->ShallowCopy(input);
-  addVectors(output, NormalsName, normals);
+  output->GetPointData()->AddArray(flattening::newTuples<vtkDoubleArray>(NormalsName, normals));
   flattening::addSlabArrays(output, layers, this->Depths);
   const long long outside = flattening::addMask(output, layers);
   if (outside == surface.vertexCount() * static_cast<long long>(this->Depths.size()))
@@ -214,11 +192,11 @@ void vtkFlatMapSlab::Execute(vtkInformationVector** inputVector, vtkInformationV
       pixelsOf(output, this->StackSize, flattening::subrange(progress, 0.4, 0.5));
     // Interpolated normals are shorter than 1.
     const Points3 direction =
-      vectorsOf(pixels->GetPointData()->GetArray(NormalsName)).rowwise().normalized();
+      flattening::toMatrix<3>(pixels->GetPointData()->GetArray(NormalsName)).rowwise().normalized();
     flattening::fillStack(stack,
       pixels,
       flattening::sampleLayers(sampling,
-        vectorsOf(pixels->GetPointData()->GetArray(flattening::SurfacePointsName)),
+        flattening::toMatrix<3>(pixels->GetPointData()->GetArray(flattening::SurfacePointsName)),
         sign * direction,
         this->Depths,
         flattening::subrange(progress, 0.5, 1.0)),

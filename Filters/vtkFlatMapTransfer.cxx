@@ -24,6 +24,7 @@ namespace
 using flattening::DerivedMesh;
 using flattening::TransferredMap;
 
+// The original faces whose three vertices have a position on the map.
 DerivedMesh survivingPart(const flattening::TriangleMesh& original, const TransferredMap& map)
 {
   std::vector<int> faces;
@@ -81,15 +82,15 @@ void vtkFlatMapTransfer::Execute(vtkInformationVector** inputVector, vtkInformat
   flattening::setFlatRegion(output, original, part, positions);
 
   const auto flipped = (flattening::signedFaceAreas(positions, part.Mesh.Faces).array() <= 0.0).count();
-  vtkFieldData* figures = output->GetFieldData();
-  const auto count = [figures](const char* name, vtkIdType value)
-  { flattening::setDatum(figures, name, static_cast<long long>(value)); };
+  vtkFieldData* data = output->GetFieldData();
+  const auto count = [data](const char* name, vtkIdType value)
+  { flattening::setDatum(data, name, static_cast<long long>(value)); };
   count("TransferredPoints", part.Mesh.vertexCount());
   count("LostPoints", surface.vertexCount() - part.Mesh.vertexCount());
   count("LostCells", surface.faceCount() - part.Mesh.faceCount());
   count("FlippedFaces", flipped);
-  flattening::setDatum(figures, "LargestDistance", map.LargestDistance);
-  flattening::setDatum(figures, "Tolerance", map.Tolerance);
+  flattening::setDatum(data, "LargestDistance", map.LargestDistance);
+  flattening::setDatum(data, "Tolerance", map.Tolerance);
 }
 
 void vtkFlatMapTransfer::PrintSelf(ostream& os, vtkIndent indent)

@@ -4,7 +4,8 @@
 #include "Core/Areas/AreaPreservingDisk.h"
 #include "Core/Conformal/ConformalDisk.h"
 #include "Core/Regions/RegionDisk.h"
-#include "Core/Remeshing/BoundaryRefinement.h"
+#include "Core/Remeshing/LongestEdgeBisection.h"
+#include "Internal/ArrayConversion.h"
 #include "Internal/ChosenArray.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/Labels.h"
@@ -16,7 +17,6 @@
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkSelection.h>
@@ -36,8 +36,11 @@ using flattening::InvalidInput;
 using flattening::RegionDisk;
 using flattening::TriangleMesh;
 
-constexpr int FewestBoundaryVertices = 64; // of a disk that is round enough
+// The least number of boundary vertices of the disk: a regular polygon of 64 corners covers 99.8 % of
+// its circle, and each triangle at the boundary loses little of its area.
+constexpr int FewestBoundaryVertices = 64;
 
+// The mean length of the sides of the given faces (one flag per face); 0 without faces.
 double meanEdge(const TriangleMesh& mesh, const std::vector<char>& faces)
 {
   double sum = 0.0;
@@ -54,7 +57,8 @@ double meanEdge(const TriangleMesh& mesh, const std::vector<char>& faces)
   return count > 0.0 ? sum / count : 0.0;
 }
 
-// With the widest margin of a few edges that leaves a disk; @p margin is its width.
+// The region with the widest margin of at most four edges that leaves a disk.
+// @param margin receives the width of the margin.
 RegionDisk regionWithMargin(const TriangleMesh& mesh,
   const std::vector<char>& inside,
   double largestHoles,
@@ -71,20 +75,24 @@ RegionDisk regionWithMargin(const TriangleMesh& mesh,
     }
     catch (const flattening::TopologyError&)
     {
-      continue; // the margin meets itself; or the region is no disk, which the last attempt says
+      continue; // the margin meets itself, or the region is not a disk, which the last attempt reports
     }
   }
   margin = 0.0;
   return flattening::regionDisk(mesh, inside, { margin, largestHoles });
 }
 
-// Runs one step of the flattening; its errors are of a region here.
-template <typename Step>
-auto ofRegion(const Step& step)
+// The area-preserving map of the disk to the unit disk.
+flattening::AreaPreservingMap flatten(const TriangleMesh& disk,
+  const flattening::ProgressCallback& progress)
 {
   try
   {
-    return step();
+    const flattening::ConformalDiskMap conformal =
+      flattening::conformalDiskMap(disk, {}, flattening::subrange(progress, 0.1, 0.4));
+    return flattening::areaPreservingDiskMap(
+      disk, conformal.Positions, {}, {}, flattening::subrange(progress, 0.4, 0.7))
+      .Map;
   }
   catch (const flattening::ConvergenceError& error)
   {
@@ -93,7 +101,7 @@ auto ofRegion(const Step& step)
   }
 }
 
-// With more triangles at the boundary if it has too few for a circle.
+// Refines the boundary if it has too few vertices for a circle.
 RegionDisk withFineBoundary(RegionDisk region)
 {
   const std::vector<char> before = region.InRegion;
@@ -107,15 +115,21 @@ RegionDisk withFineBoundary(RegionDisk region)
   return region;
 }
 
-void addRegionFlags(vtkPolyData* output, const std::vector<char>& inRegion)
+void setReport(vtkFieldData* data,
+  const RegionDisk& region,
+  double margin,
+  const flattening::AreaPreservingMap& map)
 {
-  vtkNew<vtkUnsignedCharArray> array;
-  array->SetName("InRegion");
-  for (const char inside : inRegion)
-  {
-    array->InsertNextValue(inside != 0 ? 1 : 0);
-  }
-  output->GetCellData()->AddArray(array);
+  const auto count = [data](const char* name, int value)
+  { flattening::setDatum(data, name, static_cast<long long>(value)); };
+  count("RegionPieces", region.Pieces);
+  count("FilledHoles", region.FilledHoles);
+  count("FlippedFaces", map.FlippedFaces);
+  count("Bijective", map.Bijective ? 1 : 0);
+  flattening::setDatum(data, "Margin", margin);
+  flattening::setDatum(data, "DroppedArea", region.DroppedArea);
+  flattening::setDatum(data, "FilledArea", region.FilledArea);
+  flattening::setDatum(data, "MaxCellAreaError", map.MaxCellError);
 }
 
 } // namespace
@@ -196,36 +210,19 @@ void vtkFlattenRegion::Execute(vtkInformationVector** inputVector, vtkInformatio
                           : flattening::regionDisk(mesh, inside, { margin, this->LargestHoles }));
   const TriangleMesh& disk = region.Disk.Mesh;
 
-  const flattening::AreaPreservingResult flat = ofRegion(
-    [&]
-    {
-      const flattening::ConformalDiskMap conformal =
-        flattening::conformalDiskMap(disk, {}, flattening::subrange(progress, 0.1, 0.4));
-      return flattening::areaPreservingDiskMap(
-        disk, conformal.Positions, {}, {}, flattening::subrange(progress, 0.4, 0.7));
-    });
+  const flattening::AreaPreservingMap map = flatten(disk, progress);
   const double scale = std::sqrt(flattening::faceAreas(disk.Vertices, disk.Faces).sum() / EIGEN_PI);
-  const flattening::Points2 positions = scale * flat.Map.Positions;
+  const flattening::Points2 positions = scale * map.Positions;
 
   const flattening::RegionReport measures =
     flattening::measureRegion(region, positions, flattening::subrange(progress, 0.7, 1.0));
   flattening::setFlatRegion(output, input, region.Disk, positions);
-  addRegionFlags(output, region.InRegion);
+  output->GetCellData()->AddArray(
+    flattening::newArray<vtkUnsignedCharArray>("InRegion", region.InRegion));
   flattening::fillMeasures(
     vtkTable::GetData(outputVector, 1), measures, this->LengthUnit, output->GetFieldData());
   flattening::fillCurves(vtkPolyData::GetData(outputVector, 2), measures, disk, positions);
-
-  vtkFieldData* figures = output->GetFieldData();
-  const auto count = [figures](const char* name, long long value)
-  { flattening::setDatum(figures, name, value); };
-  count("RegionPieces", region.Pieces);
-  count("FilledHoles", region.FilledHoles);
-  count("FlippedFaces", flat.Map.FlippedFaces);
-  count("Bijective", flat.Map.Bijective ? 1 : 0);
-  flattening::setDatum(figures, "Margin", margin);
-  flattening::setDatum(figures, "DroppedArea", region.DroppedArea);
-  flattening::setDatum(figures, "FilledArea", region.FilledArea);
-  flattening::setDatum(figures, "MaxCellAreaError", flat.Map.MaxCellError);
+  setReport(output->GetFieldData(), region, margin, map);
   flattening::report(progress, 1.0, "Done");
 }
 

@@ -2,6 +2,7 @@
 #include "vtkMeshSaliency.h"
 
 #include "Core/Regions/MeshSaliency.h"
+#include "Internal/ArrayConversion.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/PolyDataConversion.h"
 
@@ -9,7 +10,6 @@
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkIntArray.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -32,27 +32,20 @@ void addRegions(vtkPolyData* output, const TriangleMesh& mesh, const std::vector
   const Eigen::VectorXd areas = flattening::vertexAreas(
     mesh.Faces, flattening::faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount());
   const int count = regions.empty() ? 0 : *std::max_element(regions.begin(), regions.end());
-  vtkNew<vtkIntArray> labels;
-  labels->SetName("SaliencyRegion");
-  labels->SetNumberOfTuples(static_cast<vtkIdType>(regions.size()));
-  vtkNew<vtkDoubleArray> regionAreas;
-  regionAreas->SetName("SaliencyRegionAreas");
-  regionAreas->SetNumberOfTuples(count);
-  regionAreas->FillComponent(0, 0.0);
+  std::vector<double> regionAreas(count, 0.0);
   for (std::size_t v = 0; v < regions.size(); ++v)
   {
-    labels->SetValue(static_cast<vtkIdType>(v), regions[v]);
     if (regions[v] > 0)
     {
-      const vtkIdType region = regions[v] - 1;
-      regionAreas->SetValue(region, regionAreas->GetValue(region) + areas[static_cast<Eigen::Index>(v)]);
+      regionAreas[regions[v] - 1] += areas[static_cast<Eigen::Index>(v)];
     }
   }
-  output->GetPointData()->AddArray(labels);
+  output->GetPointData()->AddArray(flattening::newArray<vtkIntArray>("SaliencyRegion", regions));
   flattening::setDatum(output->GetFieldData(), "SaliencyRegions", static_cast<long long>(count));
   if (count > 0)
   {
-    output->GetFieldData()->AddArray(regionAreas);
+    output->GetFieldData()->AddArray(
+      flattening::newArray<vtkDoubleArray>("SaliencyRegionAreas", regionAreas));
   }
 }
 

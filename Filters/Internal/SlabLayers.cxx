@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Internal/SlabLayers.h"
 
+#include "Internal/ArrayConversion.h"
+
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
@@ -138,13 +140,7 @@ void fillStack(vtkImageData* stack,
 
 void setDepths(vtkDataObject* output, const std::vector<double>& depths)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName("Depths");
-  for (const double depth : depths)
-  {
-    array->InsertNextValue(depth);
-  }
-  output->GetFieldData()->AddArray(array);
+  output->GetFieldData()->AddArray(newArray<vtkDoubleArray>("Depths", depths));
 }
 
 } // namespace flattening
