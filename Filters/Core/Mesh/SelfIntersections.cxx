@@ -17,7 +17,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <thread>
 
@@ -26,98 +25,27 @@ namespace flattening
 namespace
 {
 
-using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
-using BoxPointers = std::vector<const Box*>; // sorted instead of the boxes themselves: half the time
 using Pairs = std::vector<std::pair<int, int>>;
+using PairsOfThreads = tbb::enumerable_thread_specific<Pairs>;
 
-// Below as many boxes, scanning them all is faster than dividing them.
+// Below as many boxes, comparing them all is faster than dividing them. Results do not depend on it.
 constexpr std::ptrdiff_t Cutoff = 1000;
+// The number of pairs of boxes after which the calling thread reports: often enough for an abort to be
+// noticed at once, and too seldom to cost time.
+constexpr int PairsPerReport = 4096;
 
-std::vector<Box> boxesOf(const std::vector<PlacedTriangle>& triangles)
+constexpr const char* Stage = "looking for self-intersections";
+
+Pairs sorted(const PairsOfThreads& found)
 {
-  std::vector<Box> boxes;
-  boxes.reserve(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i)
+  Pairs pairs;
+  for (const Pairs& part : found)
   {
-    const auto& [a, b, c] = triangles[i].Points;
-    Eigen::Vector3d low = a.cwiseMin(b).cwiseMin(c);
-    Eigen::Vector3d high = a.cwiseMax(b).cwiseMax(c);
-    boxes.emplace_back(low.data(), high.data(), static_cast<int>(i));
+    pairs.insert(pairs.end(), part.begin(), part.end());
   }
-  return boxes;
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
 }
-
-BoxPointers pointersTo(const std::vector<Box>& boxes)
-{
-  BoxPointers pointers;
-  pointers.reserve(boxes.size());
-  for (const Box& box : boxes)
-  {
-    pointers.push_back(&box);
-  }
-  return pointers;
-}
-
-// Slices of space across its longest axis, to be searched side by side.
-class Slabs
-{
-public:
-  explicit Slabs(const std::vector<Box>& boxes)
-    : Boxes(boxes)
-  {
-    CGAL::Bbox_3 all;
-    for (const Box& box : boxes)
-    {
-      all += box.bbox();
-    }
-    for (int axis = 1; axis < 3 && !boxes.empty(); ++axis)
-    {
-      if (all.max(axis) - all.min(axis) > all.max(this->Axis) - all.min(this->Axis))
-      {
-        this->Axis = axis;
-      }
-    }
-    this->Low = boxes.empty() ? 0.0 : all.min(this->Axis);
-    this->Width = boxes.empty() ? 0.0 : (all.max(this->Axis) - this->Low) / Count;
-  }
-
-  int count() const { return static_cast<int>(this->Boxes.size()) < Cutoff ? 1 : Count; }
-
-  /// Those that reach into the slab.
-  BoxPointers boxes(int slab) const
-  {
-    BoxPointers result;
-    for (const Box& box : this->Boxes)
-    {
-      if (this->at(box.min_coord(this->Axis)) <= slab && slab <= this->at(box.max_coord(this->Axis)))
-      {
-        result.push_back(&box);
-      }
-    }
-    return result;
-  }
-
-  /// Of all slabs that a pair of overlapping boxes is found in, it belongs to the first.
-  bool isPairOf(int slab, const Box& a, const Box& b) const
-  {
-    return this->at(std::max(a.min_coord(this->Axis), b.min_coord(this->Axis))) == slab;
-  }
-
-private:
-  static constexpr int Count = 16;
-
-  int at(double coordinate) const
-  {
-    return this->count() == 1 || !(this->Width > 0.0)
-             ? 0
-             : std::min(Count - 1, static_cast<int>((coordinate - this->Low) / this->Width));
-  }
-
-  const std::vector<Box>& Boxes;
-  int Axis = 0;
-  double Low;
-  double Width;
-};
 
 Kernel::Point_3 point(const PlacedTriangle& t, int k)
 {
@@ -130,7 +58,7 @@ Kernel::Triangle_3 triangle(const PlacedTriangle& t)
   return { point(t, 0), point(t, 1), point(t, 2) };
 }
 
-// Of triangles with a common corner: whether the edge of one opposite to it meets the other.
+// Tells of two triangles with a common corner whether the edge opposite to it of one meets the other.
 bool intersectAtCorner(const PlacedTriangle& a, int cornerOfA, const PlacedTriangle& b, int cornerOfB)
 {
   return CGAL::do_intersect(
@@ -139,8 +67,8 @@ bool intersectAtCorner(const PlacedTriangle& a, int cornerOfA, const PlacedTrian
            triangle(b), Kernel::Segment_3(point(a, cornerOfA + 1), point(a, cornerOfA + 2)));
 }
 
-// Of triangles with a common edge: whether they are folded onto each other. The corners are the ones
-// that they do not share.
+// Tells of two triangles with a common edge whether they are folded onto each other. The corners are the
+// ones that they do not share.
 bool overlapAcrossEdge(const PlacedTriangle& a, int cornerOfA, const PlacedTriangle& b, int cornerOfB)
 {
   const Kernel::Point_3 from = point(a, cornerOfA + 1);
@@ -156,7 +84,7 @@ bool overlapAcrossEdge(const PlacedTriangle& a, int cornerOfA, const PlacedTrian
 bool intersect(const PlacedTriangle& a, const PlacedTriangle& b)
 {
   int shared = 0;
-  int sumOfA = 0; // of the positions of shared corners: tells one from the other two
+  int sumOfA = 0; // of the positions of the shared corners, which determines them
   int sumOfB = 0;
   for (int i = 0; i < 3; ++i)
   {
@@ -189,9 +117,9 @@ Pairs overlappingBoxes(const std::vector<PlacedTriangle>& some, const std::vecto
   using Value = std::pair<boost::geometry::model::box<Corner>, int>;
   const auto boxOf = [](const PlacedTriangle& triangle)
   {
-    const auto& [a, b, c] = triangle.Points;
-    const Eigen::Vector3d low = a.cwiseMin(b).cwiseMin(c);
-    const Eigen::Vector3d high = a.cwiseMax(b).cwiseMax(c);
+    const Eigen::AlignedBox3d box = triangle.box();
+    const Eigen::Vector3d& low = box.min();
+    const Eigen::Vector3d& high = box.max();
     return boost::geometry::model::box<Corner>(
       { low.x(), low.y(), low.z() }, { high.x(), high.y(), high.z() });
   };
@@ -201,7 +129,7 @@ Pairs overlappingBoxes(const std::vector<PlacedTriangle>& some, const std::vecto
     values.emplace_back(boxOf(some[i]), static_cast<int>(i));
   }
   const boost::geometry::index::rtree<Value, boost::geometry::index::linear<16>> tree(values);
-  tbb::enumerable_thread_specific<Pairs> found;
+  PairsOfThreads found;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, all.size()),
     [&](const tbb::blocked_range<std::size_t>& range)
     {
@@ -213,51 +141,42 @@ Pairs overlappingBoxes(const std::vector<PlacedTriangle>& some, const std::vecto
             [&](const Value& value) { pairs.emplace_back(value.second, static_cast<int>(j)); }));
       }
     });
-  Pairs pairs;
-  for (const Pairs& part : found)
-  {
-    pairs.insert(pairs.end(), part.begin(), part.end());
-  }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+  return sorted(found);
 }
 
 Pairs intersectingPairs(const std::vector<PlacedTriangle>& triangles, const ProgressCallback& progress)
 {
-  const std::vector<Box> boxes = boxesOf(triangles);
-  const Slabs slabs(boxes);
-  std::vector<Pairs> found(slabs.count());
-  std::atomic<int> done = 0;
-  const std::thread::id caller = std::this_thread::get_id();
-  tbb::parallel_for(0,
-    slabs.count(),
-    [&](int slab)
-    {
-      if (std::this_thread::get_id() == caller)
-      {
-        report(progress, static_cast<double>(done) / slabs.count(), "looking for self-intersections");
-      }
-      BoxPointers pointers = slabs.boxes(slab);
-      CGAL::box_self_intersection_d(
-        pointers.begin(),
-        pointers.end(),
-        [&, slab](const Box* a, const Box* b)
-        {
-          if (slabs.isPairOf(slab, *a, *b) && intersect(triangles[a->info()], triangles[b->info()]))
-          {
-            found[slab].push_back(std::minmax(a->info(), b->info()));
-          }
-        },
-        Cutoff);
-      ++done;
-    });
-  Pairs pairs;
-  for (const Pairs& some : found)
+  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
+  report(progress, 0.0, Stage);
+  std::vector<Box> boxes;
+  std::vector<const Box*> pointers; // sorted instead of the boxes themselves: half the time
+  boxes.reserve(triangles.size());
+  pointers.reserve(triangles.size());
+  for (const PlacedTriangle& triangle : triangles)
   {
-    pairs.insert(pairs.end(), some.begin(), some.end());
+    Eigen::AlignedBox3d box = triangle.box();
+    boxes.emplace_back(box.min().data(), box.max().data(), static_cast<int>(boxes.size()));
+    pointers.push_back(&boxes.back());
   }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+  PairsOfThreads found;
+  int calls = 0; // of the calling thread
+  const std::thread::id caller = std::this_thread::get_id();
+  CGAL::box_self_intersection_d<CGAL::Parallel_tag>(
+    pointers.begin(),
+    pointers.end(),
+    [&](const Box* a, const Box* b)
+    {
+      if (std::this_thread::get_id() == caller && ++calls % PairsPerReport == 0)
+      {
+        report(progress, 0.0, Stage);
+      }
+      if (intersect(triangles[a->info()], triangles[b->info()]))
+      {
+        found.local().push_back(std::minmax(a->info(), b->info()));
+      }
+    },
+    Cutoff);
+  return sorted(found);
 }
 
 Pairs selfIntersections(const TriangleMesh& mesh, const ProgressCallback& progress)

@@ -5,7 +5,7 @@
 #include "Base/Progress.h"
 #include "Mesh/TriangleMesh.h"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <array>
 #include <utility>
@@ -17,24 +17,31 @@ namespace flattening
 /// A triangle in space that knows which of its corners it shares with others.
 struct PlacedTriangle
 {
-  std::array<int, 3> Vertices;
+  std::array<int, 3> Vertices;           ///< indices; the same index means the same point
   std::array<Eigen::Vector3d, 3> Points; ///< finite
+
+  /// The smallest box around the triangle.
+  Eigen::AlignedBox3d box() const
+  {
+    Eigen::AlignedBox3d box(this->Points[0]);
+    return box.extend(this->Points[1]).extend(this->Points[2]);
+  }
 };
 
 /// Whether two triangles have a point in common beside the vertices and the edge that they share by
-/// index: exact predicates. Two with the same three vertices do.
+/// index. Two triangles with the same three vertices have. Exact predicates decide.
 bool intersect(const PlacedTriangle& a, const PlacedTriangle& b);
 
 /// Pairs of indices (i < j, sorted) of the triangles that intersect.
 std::vector<std::pair<int, int>> intersectingPairs(const std::vector<PlacedTriangle>& triangles,
   const ProgressCallback& progress = {});
 
-/// Pairs of indices (i in @p some, j in @p all, sorted) of the triangles whose boxes overlap.
+/// Pairs of indices (i in @p some, j in @p all, sorted) of triangles whose boxes overlap or touch.
 std::vector<std::pair<int, int>> overlappingBoxes(const std::vector<PlacedTriangle>& some,
   const std::vector<PlacedTriangle>& all);
 
-/// Pairs of faces (smaller index first, sorted) that intersect, as CGAL self_intersections finds them.
-/// Faces without area must have been repaired.
+/// Pairs of faces (smaller index first, sorted) that intersect, the same ones that CGAL's
+/// self_intersections finds. Precondition: no face is without area.
 std::vector<std::pair<int, int>> selfIntersections(const TriangleMesh& mesh,
   const ProgressCallback& progress = {});
 
