@@ -10,7 +10,7 @@
 #include "Handles/HandleLoops.h"
 #include "Mesh/MeshMeasures.h"
 #include "Mesh/MeshTopology.h"
-#include "Remeshing/BoundaryRefinement.h"
+#include "Remeshing/LongestEdgeBisection.h"
 #include "Repair/HoleFilling.h"
 
 #include <algorithm>

@@ -6,7 +6,6 @@
 #include "Geodesics/GeodesicDistance.h"
 #include "Mesh/EditableSurface.h"
 #include "Remeshing/BoundaryConditioning.h"
-#include "Remeshing/BoundaryRefinement.h"
 #include "Remeshing/LongestEdgeBisection.h"
 
 #include <algorithm>

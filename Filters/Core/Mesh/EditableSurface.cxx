@@ -13,20 +13,21 @@
 namespace flattening
 {
 
-SurfaceMesh toSurfaceMesh(const TriangleMesh& mesh)
+template <typename Point>
+CGAL::Surface_mesh<Point> toSurfaceMesh(const TriangleMesh& mesh)
 {
-  SurfaceMesh surface;
+  CGAL::Surface_mesh<Point> surface;
   surface.reserve(mesh.vertexCount(), 3 * (mesh.faceCount() / 2), mesh.faceCount());
   for (int v = 0; v < mesh.vertexCount(); ++v)
   {
-    surface.add_vertex(pointOf(mesh.Vertices, v));
+    surface.add_vertex(Point(mesh.Vertices(v, 0), mesh.Vertices(v, 1), mesh.Vertices(v, 2)));
   }
-  using Vertex = SurfaceMesh::Vertex_index;
+  using Vertex = typename CGAL::Surface_mesh<Point>::Vertex_index;
   for (int f = 0; f < mesh.faceCount(); ++f)
   {
     const auto face =
       surface.add_face(Vertex(mesh.Faces(f, 0)), Vertex(mesh.Faces(f, 1)), Vertex(mesh.Faces(f, 2)));
-    if (face == SurfaceMesh::null_face())
+    if (face == surface.null_face())
     {
       throw TopologyError(
         "face " + std::to_string(f) + " does not fit an oriented manifold: run Surface To Disk first");
@@ -35,7 +36,11 @@ SurfaceMesh toSurfaceMesh(const TriangleMesh& mesh)
   return surface;
 }
 
-TriangleMesh toTriangleMesh(const SurfaceMesh& mesh)
+template CGAL::Surface_mesh<Kernel::Point_3> toSurfaceMesh(const TriangleMesh& mesh);
+template CGAL::Surface_mesh<Eigen::Vector3d> toSurfaceMesh(const TriangleMesh& mesh);
+
+template <typename Point>
+TriangleMesh toTriangleMesh(const CGAL::Surface_mesh<Point>& mesh)
 {
   TriangleMesh result;
   result.Vertices.resize(mesh.number_of_vertices(), 3);
@@ -44,7 +49,7 @@ TriangleMesh toTriangleMesh(const SurfaceMesh& mesh)
   int v = 0;
   for (const auto vertex : mesh.vertices())
   {
-    const Kernel::Point_3& p = mesh.point(vertex);
+    const Point& p = mesh.point(vertex);
     result.Vertices.row(v) << p.x(), p.y(), p.z();
     index[vertex] = v++;
   }
@@ -60,6 +65,9 @@ TriangleMesh toTriangleMesh(const SurfaceMesh& mesh)
   }
   return result;
 }
+
+template TriangleMesh toTriangleMesh(const CGAL::Surface_mesh<Kernel::Point_3>& mesh);
+template TriangleMesh toTriangleMesh(const CGAL::Surface_mesh<Eigen::Vector3d>& mesh);
 
 EditableSurface::EditableSurface(const TriangleMesh& mesh)
   : Mesh(toSurfaceMesh(mesh))
@@ -100,7 +108,7 @@ EditableSurface::Split EditableSurface::splitEdge(Halfedge edge, double t)
   this->VertexOrigin[middle].assign(weights.begin(), weights.end());
 
   Split split{ middle, {} };
-  // On each side, from the new vertex to the opposite corner.
+  // Splits the face on one side of the edge from the new vertex to the opposite corner.
   const auto splitFace = [this, &split](Halfedge toMiddle, Halfedge toCorner)
   {
     if (this->Mesh.is_border(toMiddle))
@@ -109,8 +117,7 @@ EditableSurface::Split EditableSurface::splitEdge(Halfedge edge, double t)
     }
     const Face whole = this->Mesh.face(toMiddle);
     const Halfedge diagonal = CGAL::Euler::split_face(toMiddle, toCorner, this->Mesh);
-    const Face one = this->Mesh.face(diagonal);
-    const Face rest = one == whole ? this->Mesh.face(this->Mesh.opposite(diagonal)) : one;
+    const Face rest = this->Mesh.face(this->Mesh.opposite(diagonal));
     this->FaceOrigin[rest] = this->FaceOrigin[whole];
     split.Halves.emplace_back(whole, rest);
   };

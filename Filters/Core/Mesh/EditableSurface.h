@@ -17,17 +17,20 @@ namespace flattening
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-/// Row @p v as a CGAL point.
+/// Row @p v of @p points as a CGAL point.
 inline Kernel::Point_3 pointOf(const Points3& points, Eigen::Index v)
 {
   return { points(v, 0), points(v, 1), points(v, 2) };
 }
 
-/// Vertex and face indices stay the same. @throws TopologyError if the mesh is not an oriented manifold.
-SurfaceMesh toSurfaceMesh(const TriangleMesh& mesh);
+/// A half-edge mesh with the same indices of vertices and faces. @p Point is Kernel::Point_3 or
+/// Eigen::Vector3d. @throws TopologyError if the mesh is not an oriented manifold.
+template <typename Point = Kernel::Point_3>
+CGAL::Surface_mesh<Point> toSurfaceMesh(const TriangleMesh& mesh);
 
-/// The mesh without its removed elements, which are dropped from the numbering.
-TriangleMesh toTriangleMesh(const SurfaceMesh& mesh);
+/// The mesh without its removed elements, which are dropped from the numbering. @p Point is as above.
+template <typename Point>
+TriangleMesh toTriangleMesh(const CGAL::Surface_mesh<Point>& mesh);
 
 class EditableSurface
 {
@@ -35,13 +38,13 @@ public:
   using Vertex = SurfaceMesh::Vertex_index;
   using Halfedge = SurfaceMesh::Halfedge_index;
   using Face = SurfaceMesh::Face_index;
-  /// Weights of original vertices; sum 1.
+  /// Original vertices and their weights, which sum to 1.
   using Origin = std::vector<std::pair<int, double>>;
 
   struct Split
   {
-    Vertex Middle;
-    /// Per face beside the edge: what now has its index, and the new face that is the rest of it.
+    Vertex Middle; ///< the new vertex
+    /// For each face beside the edge: the half that keeps its index, and the new face, its other half.
     std::vector<std::pair<Face, Face>> Halves;
   };
 
@@ -55,10 +58,11 @@ public:
   Split splitEdge(Halfedge edge, double t);
 
   double squaredLength(Halfedge edge) const;
-  double longestEdge(Face face) const;
+  double longestEdge(Face face) const; ///< length of the longest edge of the face
   double area(Face face) const;
 
   Origin& origin(Vertex vertex) { return this->VertexOrigin[vertex]; }
+  /// The original face that the face is a part of; -1 for a face that was added.
   int origin(Face face) const { return this->FaceOrigin[face]; }
 
   /// The edited mesh, compacted, with its origins.
@@ -67,7 +71,7 @@ public:
 private:
   SurfaceMesh Mesh;
   SurfaceMesh::Property_map<Vertex, Origin> VertexOrigin;
-  SurfaceMesh::Property_map<Face, int> FaceOrigin; // -1 unless set
+  SurfaceMesh::Property_map<Face, int> FaceOrigin; // -1 for added faces
   int OriginalVertices;
 };
 

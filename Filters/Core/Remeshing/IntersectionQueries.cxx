@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Remeshing/IntersectionQueries.h"
 
+#include <CGAL/boost/graph/selection.h>
+#include <CGAL/property_map.h>
+
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <set>
 
 namespace flattening
 {
@@ -40,6 +46,11 @@ PlacedTriangle placed(const CornerTriangle& triangle)
   return result;
 }
 
+bool intersect(const MeshOnSurface& surface, const FacePair& pair)
+{
+  return intersect(placed(surface.triangle(pair.first)), placed(surface.triangle(pair.second)));
+}
+
 FacePairs intersectingFaces(const MeshOnSurface& surface, const ProgressCallback& progress)
 {
   return intersectingFaces(surface, allFaces(surface), progress);
@@ -72,6 +83,23 @@ int countIntersections(const MeshOnSurface& surface,
   return count;
 }
 
+std::vector<Vertex> verticesAround(const MeshOnSurface& surface, const FacePair& pair, int edges)
+{
+  const MeshOnSurface::Mesh& mesh = surface.mesh();
+  std::set<Vertex> around;
+  for (const Face f : { pair.first, pair.second })
+  {
+    const auto corners = mesh.vertices_around_face(mesh.halfedge(f));
+    around.insert(corners.begin(), corners.end());
+  }
+  CGAL::expand_vertex_selection(std::vector<Vertex>(around.begin(), around.end()),
+    mesh,
+    edges,
+    CGAL::make_boolean_property_map(around),
+    CGAL::Emptyset_iterator());
+  return { around.begin(), around.end() };
+}
+
 std::vector<Face> unitedFaces(const std::vector<std::vector<Face>>& lists)
 {
   std::vector<Face> all;
@@ -87,18 +115,17 @@ std::vector<Face> unitedFaces(const std::vector<std::vector<Face>>& lists)
 std::vector<std::vector<Face>> facesNear(const MeshOnSurface& surface,
   const std::vector<std::vector<Vertex>>& groups)
 {
-  std::vector<PlacedTriangle> boxes; // each as a triangle with its corners at two of the box's
+  std::vector<PlacedTriangle> boxes; // each as a triangle that has the box's two extreme corners
   for (const std::vector<Vertex>& group : groups)
   {
-    Eigen::Vector3d low = surface.mesh().point(group.front());
-    Eigen::Vector3d high = low;
+    Eigen::AlignedBox3d box;
     for (const Vertex v : group)
     {
-      low = low.cwiseMin(surface.mesh().point(v));
-      high = high.cwiseMax(surface.mesh().point(v));
+      box.extend(surface.mesh().point(v));
     }
-    const Eigen::Vector3d margin = 0.25 * (high - low);
-    boxes.push_back({ { -1, -1, -1 }, { low - margin, high + margin, high + margin } });
+    const Eigen::Vector3d margin = 0.25 * box.sizes();
+    const Eigen::Vector3d high = box.max() + margin;
+    boxes.push_back({ { -1, -1, -1 }, { box.min() - margin, high, high } });
   }
   const std::vector<Face> faces = allFaces(surface);
   std::vector<std::vector<Face>> near(groups.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Which faces of a resampled surface pass through each other, and what is near them.
+/// Which faces of a mesh on a surface intersect, and what is near them.
 #pragma once
 
 #include "Mesh/SelfIntersections.h"
@@ -11,25 +11,37 @@
 namespace flattening
 {
 
-using FacePairs = std::vector<std::pair<MeshOnSurface::Face, MeshOnSurface::Face>>;
+using FacePair = std::pair<MeshOnSurface::Face, MeshOnSurface::Face>;
+using FacePairs = std::vector<FacePair>;
 
 PlacedTriangle placed(const CornerTriangle& triangle);
 
-/// All pairs, or those among some of the faces.
+/// Whether the two faces intersect.
+bool intersect(const MeshOnSurface& surface, const FacePair& pair);
+
+/// All pairs of faces that intersect.
 FacePairs intersectingFaces(const MeshOnSurface& surface, const ProgressCallback& progress = {});
+
+/// The pairs of faces in @p faces that intersect.
 FacePairs intersectingFaces(const MeshOnSurface& surface,
   const std::vector<MeshOnSurface::Face>& faces,
   const ProgressCallback& progress = {});
 
-/// How many pairs of `some`, ascending, with each other or with others of `near` intersect.
+/// The number of pairs of a face in @p some (ascending) and another one in @p near that intersect.
 int countIntersections(const MeshOnSurface& surface,
   const std::vector<MeshOnSurface::Face>& some,
   const std::vector<MeshOnSurface::Face>& near);
 
+/// The vertices that are at most @p edges edges away from one of the two faces, ascending.
+std::vector<MeshOnSurface::Vertex> verticesAround(const MeshOnSurface& surface,
+  const FacePair& pair,
+  int edges);
+
 /// The faces of all lists, ascending, each once.
 std::vector<MeshOnSurface::Face> unitedFaces(const std::vector<std::vector<MeshOnSurface::Face>>& lists);
 
-/// Per group of vertices the faces that meet the box around it, which is widened by a quarter.
+/// For each group of vertices the faces whose boxes meet the box around the group, widened by a quarter
+/// of its size on each side. No group may be empty.
 std::vector<std::vector<MeshOnSurface::Face>> facesNear(const MeshOnSurface& surface,
   const std::vector<std::vector<MeshOnSurface::Vertex>>& groups);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Remeshing/IntersectionSmoothing.h"
 
+#include "Mesh/SliverThresholds.h"
+
 #include <algorithm>
-#include <iterator>
-#include <set>
 #include <utility>
 
 namespace flattening
@@ -14,73 +14,47 @@ namespace
 using Vertex = MeshOnSurface::Vertex;
 using Face = MeshOnSurface::Face;
 
-constexpr int Sizes = 4; // in edges
+// The largest distance from a pair, in edges, of the vertices that are smoothed. A larger region draws
+// deeper folds in, and moves more of the surface.
+constexpr int LargestRegion = 4;
+// Rounds of smoothing for each edge of that distance. Every round carries a change on by one edge at
+// least: with fewer than one round, vertices at a pair would not feel the region's rim.
 constexpr int RoundsPerEdge = 4;
-// Of the angles that smoothing may leave, 5 degrees and 1; unless they were smaller.
-constexpr double LeastSines[] = { 0.0872, 0.0175 };
 
-// Inner vertices up to so many edges away from a pair, ascending.
-std::vector<Vertex> regionAround(const MeshOnSurface& surface,
-  const std::pair<Face, Face>& pair,
-  int size)
+// The inner vertices at most so many edges away from a pair, ascending.
+std::vector<Vertex> innerVerticesAround(const MeshOnSurface& surface, const FacePair& pair, int edges)
 {
-  const MeshOnSurface::Mesh& mesh = surface.mesh();
-  std::set<Vertex> region;
-  for (const Face f : { pair.first, pair.second })
-  {
-    for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
-    {
-      region.insert(v);
-    }
-  }
-  for (int i = 0; i < size; ++i)
-  {
-    const std::vector<Vertex> inner(region.begin(), region.end());
-    for (const Vertex v : inner)
-    {
-      for (const Vertex w : mesh.vertices_around_target(mesh.halfedge(v)))
-      {
-        region.insert(w);
-      }
-    }
-  }
-  std::vector<Vertex> result;
-  std::copy_if(region.begin(),
-    region.end(),
-    std::back_inserter(result),
-    [&surface](Vertex v) { return !surface.onBoundary(v); });
-  return result;
+  std::vector<Vertex> region = verticesAround(surface, pair, edges);
+  region.erase(
+    std::remove_if(region.begin(), region.end(), [&surface](Vertex v) { return surface.onBoundary(v); }),
+    region.end());
+  return region;
 }
 
-// The faces around the vertices, ascending.
-std::vector<Face> facesOf(const MeshOnSurface& surface, const std::vector<Vertex>& region)
+// The faces around inner vertices, ascending.
+std::vector<Face> facesAround(const MeshOnSurface& surface, const std::vector<Vertex>& region)
 {
   const MeshOnSurface::Mesh& mesh = surface.mesh();
   std::vector<Face> faces;
   for (const Vertex v : region)
   {
-    for (const Face f : mesh.faces_around_target(mesh.halfedge(v)))
-    {
-      if (f != MeshOnSurface::Mesh::null_face())
-      {
-        faces.push_back(f);
-      }
-    }
+    const auto star = mesh.faces_around_target(mesh.halfedge(v));
+    faces.insert(faces.end(), star.begin(), star.end());
   }
   return unitedFaces({ faces });
 }
 
-class TangleSmoother
+class RegionSmoother
 {
 public:
-  TangleSmoother(MeshOnSurface& surface, std::vector<Vertex> region)
+  RegionSmoother(MeshOnSurface& surface, std::vector<Vertex> region)
     : Surface(surface)
     , Region(std::move(region))
-    , Faces(facesOf(surface, this->Region))
+    , Faces(facesAround(surface, this->Region))
   {
   }
 
-  // Leaves all as it is unless fewer faces intersect then.
+  // Undone unless fewer faces intersect afterwards and no angle becomes too small.
   void smooth(const std::vector<Face>& near, int rounds, double leastSine)
   {
     const int before = countIntersections(this->Surface, this->Faces, near);
@@ -121,15 +95,7 @@ private:
 
   void moveToMean(Vertex v)
   {
-    const MeshOnSurface::Mesh& mesh = this->Surface.mesh();
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    int neighbours = 0;
-    for (const Vertex w : mesh.vertices_around_target(mesh.halfedge(v)))
-    {
-      sum += mesh.point(w);
-      ++neighbours;
-    }
-    const Eigen::Vector3d mean = sum / neighbours;
+    const Eigen::Vector3d mean = this->Surface.meanOfNeighbours(v);
     this->place(v, this->Surface.walk().closest(mean, this->Surface.place(v).Face), mean);
   }
 
@@ -147,18 +113,20 @@ private:
 FacePairs smoothRegions(MeshOnSurface& surface, const FacePairs& pairs, int size, double leastSine)
 {
   std::vector<std::vector<Vertex>> surroundings;
-  for (const auto& pair : pairs)
+  for (const FacePair& pair : pairs)
   {
-    surroundings.push_back(regionAround(surface, pair, size + 1));
+    surroundings.push_back(innerVerticesAround(surface, pair, size + 1));
+    if (surroundings.back().empty())
+    {
+      surroundings.back() = verticesAround(surface, pair, size + 1);
+    }
   }
   const std::vector<std::vector<Face>> near = facesNear(surface, surroundings);
-  const auto intersects = [&surface](const std::pair<Face, Face>& pair)
-  { return intersect(placed(surface.triangle(pair.first)), placed(surface.triangle(pair.second))); };
   for (std::size_t i = 0; i < pairs.size(); ++i)
   {
-    if (intersects(pairs[i]))
+    if (intersect(surface, pairs[i]))
     {
-      TangleSmoother(surface, regionAround(surface, pairs[i], size))
+      RegionSmoother(surface, innerVerticesAround(surface, pairs[i], size))
         .smooth(near[i], RoundsPerEdge * size, leastSine);
     }
   }
@@ -169,9 +137,9 @@ FacePairs smoothRegions(MeshOnSurface& surface, const FacePairs& pairs, int size
 
 FacePairs smoothIntersections(MeshOnSurface& surface, FacePairs pairs)
 {
-  for (const double leastSine : LeastSines)
+  for (const double leastSine : slivers::SmoothedSines)
   {
-    for (int size = 1; size <= Sizes && !pairs.empty(); ++size)
+    for (int size = 1; size <= LargestRegion && !pairs.empty(); ++size)
     {
       pairs = smoothRegions(surface, pairs, size, leastSine);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Remeshing/IsotropicRemeshing.h"
 
+#include "Mesh/SliverThresholds.h"
 #include "Remeshing/MeshOnSurface.h"
 #include "Remeshing/SelfIntersectionRemoval.h"
 #include "Remeshing/SliverRemoval.h"
@@ -26,25 +27,27 @@ using Halfedge = MeshOnSurface::Halfedge;
 using Edge = MeshOnSurface::Edge;
 using Face = MeshOnSurface::Face;
 
+// At least so many equilateral faces must fit on the surface: a guard against a length in wrong units.
 constexpr double FewestFaces = 20.0;
+// An abort is noticed after so many changes.
 constexpr int ReportInterval = 1 << 14;
 
-// Botsch, Kobbelt 2004: edges outside of these multiples of the target length are split or collapsed.
+// Botsch, Kobbelt 2004: edges longer or shorter than these multiples of the target length are split or
+// collapsed. Nearer to 1, splits and collapses would undo each other.
 constexpr double LongEdge = 4.0 / 3.0;
 constexpr double ShortEdge = 4.0 / 5.0;
 
-// No operation may leave a triangle steeper against the old surface than 60 degrees, or with an angle
-// below 15 degrees, unless it replaces a worse one.
+// Cosine of 60 degrees: no operation may leave a face steeper against the old surface, unless it
+// replaces a steeper one. A smaller cosine lets faces fold, a larger one keeps edges short where the
+// surface bends.
 constexpr double LeastAlignment = 0.5;
-constexpr double LeastSine = 0.26;
 
-// Share of the target length; vertices that would move less have settled.
+// Vertices that would move by less than this share of the target length have settled. A convention: a
+// smaller share costs time, a larger one leaves the triangles less regular.
 constexpr double SmallestStep = 0.02;
 
-// Degrees; what is left below is worth a search of its own.
-constexpr double NarrowAngle = 15.0;
-
-// Height, as a share of the target length, by which flipping an edge may change the surface.
+// The largest height, as a share of the target length, by which flipping an edge may change the surface.
+// A convention: a larger share wears creases off.
 constexpr double GreatestFlipHeight = 0.15;
 
 void requireSensibleLength(const TriangleMesh& mesh, double length)
@@ -71,10 +74,10 @@ bool staysSound(const LocalChange& change)
   const double alignmentAfter = smallestAlignment(change.After);
   const double sineAfter = smallestSine(change.After);
   return (alignmentAfter >= LeastAlignment || alignmentAfter >= smallestAlignment(change.Before)) &&
-         (sineAfter >= LeastSine || sineAfter >= smallestSine(change.Before));
+         (sineAfter >= slivers::RemeshedSine || sineAfter >= smallestSine(change.Before));
 }
 
-// Of the edges at the triangles' first corners.
+// The length of the longest edge at the triangles' first corners.
 double longestSpoke(const LocalChange::Triangles& triangles)
 {
   double longest = 0.0;
@@ -85,6 +88,45 @@ double longestSpoke(const LocalChange::Triangles& triangles)
       (*t[2].Position - *t[0].Position).squaredNorm() });
   }
   return std::sqrt(longest);
+}
+
+// Whether the angles at the two apexes over the same base, both in [0, pi], sum to more than pi. The sum
+// must exceed pi by more than rounding, so that no edge is flipped to and fro.
+bool sumExceedsPi(const Eigen::Vector3d& apex1,
+  const Eigen::Vector3d& apex2,
+  const Eigen::Vector3d& base1,
+  const Eigen::Vector3d& base2)
+{
+  const auto sineAndCosine = [&base1, &base2](const Eigen::Vector3d& apex)
+  {
+    const Eigen::Vector3d u = base1 - apex;
+    const Eigen::Vector3d v = base2 - apex;
+    return std::make_pair(u.cross(v).norm(), u.dot(v));
+  };
+  const auto [sine1, cosine1] = sineAndCosine(apex1);
+  const auto [sine2, cosine2] = sineAndCosine(apex2);
+  const double size = (std::abs(sine1) + std::abs(cosine1)) * (std::abs(sine2) + std::abs(cosine2));
+  return sine1 * cosine2 + cosine1 * sine2 < -1e-9 * size;
+}
+
+// Whether a flip makes the sum of the two angles opposite to the edge smaller: the Delaunay property.
+bool becomesDelaunay(const LocalChange& flip)
+{
+  const CornerTriangle& left = flip.Before[0];
+  const CornerTriangle& right = flip.Before[1];
+  return sumExceedsPi(*left[2].Position, *right[2].Position, *left[0].Position, *left[1].Position);
+}
+
+// The distance between the two diagonals of a flip, input units: how much it changes the surface.
+double flipHeight(const LocalChange& flip)
+{
+  const Eigen::Vector3d& from = *flip.Before[0][0].Position;
+  const Eigen::Vector3d& left = *flip.Before[0][2].Position;
+  const Eigen::Vector3d old = *flip.Before[0][1].Position - from;
+  const Eigen::Vector3d now = *flip.Before[1][2].Position - left;
+  const Eigen::Vector3d across = old.cross(now);
+  const double length = across.norm();
+  return length > 0.0 ? std::abs(across.dot(left - from)) / length : 0.0;
 }
 
 class IsotropicRemesher
@@ -107,7 +149,8 @@ public:
   void flipToDelaunay(const ProgressCallback& progress);
 
 private:
-  // Edges of nearly the same length are taken in the order of memory, not all over the surface.
+  // Edges of nearly the same length are in the same band and taken in the order of memory, which is
+  // faster than jumping all over the surface.
   struct QueuedEdge
   {
     double Length;
@@ -131,34 +174,35 @@ private:
     return { length, static_cast<int>(std::min(BandsPerLength * length / this->Length, LastBand)), e };
   }
 
+  template <typename Queue, typename IsWanted, typename Change>
+  void changeEdges(IsWanted&& isWanted, Change&& change, const ProgressCallback& progress);
   void splitLongEdges(const ProgressCallback& progress);
   void collapseShortEdges(const ProgressCallback& progress);
   void relax(const ProgressCallback& progress);
-
-  double lengthOf(Edge e) const { return this->Surface.length(this->Surface.mesh().halfedge(e)); }
-
-  // The queue may hold edges that are gone, or are not as long any more.
-  bool isCurrent(const QueuedEdge& queued) const
-  {
-    return !this->Surface.mesh().is_removed(queued.Descriptor) &&
-           this->lengthOf(queued.Descriptor) == queued.Length;
-  }
 
   MeshOnSurface& Surface;
   double Length;
 };
 
-void IsotropicRemesher::splitLongEdges(const ProgressCallback& progress)
+// Calls `change` for every edge whose length is wanted, in the order of the queue. It returns a vertex
+// whose edges may have become wanted, or no vertex.
+template <typename Queue, typename IsWanted, typename Change>
+void IsotropicRemesher::changeEdges(IsWanted&& isWanted,
+  Change&& change,
+  const ProgressCallback& progress)
 {
   const MeshOnSurface::Mesh& mesh = this->Surface.mesh();
-  std::priority_queue<QueuedEdge> queue; // longest first
-  const double bound = LongEdge * this->Length;
+  Queue queue;
+  const auto enqueue = [this, &mesh, &queue, &isWanted](Halfedge h)
+  {
+    if (const double length = this->Surface.length(h); isWanted(length))
+    {
+      queue.push(this->queued(length, mesh.edge(h)));
+    }
+  };
   for (const Edge e : mesh.edges())
   {
-    if (const double length = this->lengthOf(e); length > bound)
-    {
-      queue.push(this->queued(length, e));
-    }
+    enqueue(mesh.halfedge(e));
   }
   for (int done = 0; !queue.empty(); ++done)
   {
@@ -166,75 +210,62 @@ void IsotropicRemesher::splitLongEdges(const ProgressCallback& progress)
     {
       report(progress, static_cast<double>(done) / (done + queue.size()), "remeshing");
     }
-    const QueuedEdge longest = queue.top();
+    const QueuedEdge next = queue.top();
     queue.pop();
-    if (!this->isCurrent(longest))
+    // The edge may be gone, or may have another length by now.
+    if (mesh.is_removed(next.Descriptor) ||
+        this->Surface.length(mesh.halfedge(next.Descriptor)) != next.Length)
     {
       continue;
     }
-    const Vertex middle = this->Surface.split(longest.Descriptor, staysSound);
-    for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(middle)))
+    if (const Vertex changed = change(next.Descriptor); changed != MeshOnSurface::Mesh::null_vertex())
     {
-      if (const double length = this->Surface.length(h); length > bound)
+      for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(changed)))
       {
-        queue.push(this->queued(length, mesh.edge(h)));
+        enqueue(h);
       }
     }
   }
 }
 
+void IsotropicRemesher::splitLongEdges(const ProgressCallback& progress)
+{
+  using LongestFirst = std::priority_queue<QueuedEdge>;
+  this->changeEdges<LongestFirst>([bound = LongEdge * this->Length](double length)
+    { return length > bound; },
+    [this](Edge e) { return this->Surface.split(e, staysSound); },
+    progress);
+}
+
 void IsotropicRemesher::collapseShortEdges(const ProgressCallback& progress)
 {
-  const MeshOnSurface::Mesh& mesh = this->Surface.mesh();
-  std::priority_queue<QueuedEdge, std::vector<QueuedEdge>, std::greater<>> queue; // shortest first
-  const double bound = ShortEdge * this->Length;
-  for (const Edge e : mesh.edges())
-  {
-    if (const double length = this->lengthOf(e); length < bound)
-    {
-      queue.push(this->queued(length, e));
-    }
-  }
+  using ShortestFirst = std::priority_queue<QueuedEdge, std::vector<QueuedEdge>, std::greater<>>;
   const auto makesNoLongEdge = [limit = LongEdge * this->Length](const LocalChange& change)
   {
     const double after = longestSpoke(change.After);
     return (after <= limit || after <= longestSpoke(change.Before)) && staysSound(change);
   };
-  for (int done = 0; !queue.empty(); ++done)
+  const auto collapse = [this, &makesNoLongEdge](Edge e)
   {
-    if (done % ReportInterval == 0)
+    const MeshOnSurface::Mesh& mesh = this->Surface.mesh();
+    const Vertex source = mesh.source(mesh.halfedge(e));
+    const Vertex target = mesh.target(mesh.halfedge(e));
+    if (!this->Surface.collapse(e, makesNoLongEdge))
     {
-      report(progress, static_cast<double>(done) / (done + queue.size()), "remeshing");
+      return MeshOnSurface::Mesh::null_vertex();
     }
-    const QueuedEdge shortest = queue.top();
-    queue.pop();
-    if (!this->isCurrent(shortest))
-    {
-      continue;
-    }
-    const Vertex source = mesh.source(mesh.halfedge(shortest.Descriptor));
-    const Vertex target = mesh.target(mesh.halfedge(shortest.Descriptor));
-    if (!this->Surface.collapse(shortest.Descriptor, makesNoLongEdge))
-    {
-      continue;
-    }
-    const Vertex kept = mesh.is_removed(source) ? target : source;
-    for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(kept)))
-    {
-      if (const double length = this->Surface.length(h); length < bound)
-      {
-        queue.push(this->queued(length, mesh.edge(h)));
-      }
-    }
-  }
+    return mesh.is_removed(source) ? target : source;
+  };
+  this->changeEdges<ShortestFirst>(
+    [bound = ShortEdge * this->Length](double length) { return length < bound; }, collapse, progress);
 }
 
 void IsotropicRemesher::flipToDelaunay(const ProgressCallback& progress)
 {
   const MeshOnSurface::Mesh& mesh = this->Surface.mesh();
   const auto improves = [height = GreatestFlipHeight * this->Length](const LocalChange& change)
-  { return opensAngles(change) && flipHeight(change) <= height && staysSound(change); };
-  constexpr int Rounds = 8; // most edges settle in two or three
+  { return becomesDelaunay(change) && flipHeight(change) <= height && staysSound(change); };
+  constexpr int Rounds = 8; // a guard: most edges settle in two or three rounds
   std::vector<char> settled(mesh.num_edges(), 0);
   bool flipped = true;
   for (int round = 0; flipped && round < Rounds; ++round)
@@ -261,7 +292,7 @@ void IsotropicRemesher::flipToDelaunay(const ProgressCallback& progress)
   }
 }
 
-// Every interior vertex goes to the mean of its neighbours, along the surface.
+// Moves every interior vertex towards the mean of its neighbours, along the surface.
 void IsotropicRemesher::relax(const ProgressCallback& progress)
 {
   report(progress, 0.0, "remeshing");
@@ -277,15 +308,8 @@ void IsotropicRemesher::relax(const ProgressCallback& progress)
       {
         return;
       }
-      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-      int neighbours = 0;
-      for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
-      {
-        sum += mesh.point(mesh.source(h));
-        ++neighbours;
-      }
       const Corner here = this->Surface.corner(v);
-      const Eigen::Vector3d step = sum / neighbours - *here.Position;
+      const Eigen::Vector3d step = this->Surface.meanOfNeighbours(v) - *here.Position;
       const Eigen::Vector3d tangential = step - here.Normal->dot(step) * *here.Normal;
       if (tangential.norm() < SmallestStep * this->Length)
       {
@@ -320,7 +344,7 @@ DerivedMesh remeshIsotropically(const TriangleMesh& mesh,
     remesher.iterate(subrange(progress, 0.8 * i / iterations, 0.8 * (i + 1) / iterations));
   }
   remesher.flipToDelaunay(subrange(progress, 0.8, 0.9));
-  removeSlivers(surface, NarrowAngle, subrange(progress, 0.85, 0.9));
+  removeSlivers(surface, slivers::RemeshedAngle, subrange(progress, 0.85, 0.9));
   removeSelfIntersections(surface, subrange(progress, 0.9, 0.95));
   return surface.derived(subrange(progress, 0.95, 1.0));
 }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Remeshing/LongestEdgeBisection.h"
 
+#include "Mesh/MeshMeasures.h"
+#include "Mesh/MeshTopology.h"
+
+#include <algorithm>
 #include <deque>
 
 namespace flattening
@@ -11,11 +15,14 @@ namespace
 using Halfedge = EditableSurface::Halfedge;
 using Face = EditableSurface::Face;
 
-// Of a squared length: an edge as long as the limit is not too long at any scale.
+// How much a squared length may exceed its limit: an edge as long as the limit is then kept at any scale
+// of the mesh. A guard against rounding (1e-16), so that any value between that and a visible length
+// works.
 constexpr double Rounding = 1e-6;
 
-// A strict order of the edges, or propagation could run in circles. Lengths are compared in single
-// precision, so that edges equal up to rounding tie, and the same mesh at another scale is split alike.
+// A strict order of the edges, without which the propagation could run in circles. Lengths are compared
+// in single precision, so that edges equal up to rounding tie, and the same mesh at another scale is
+// split alike.
 bool isLonger(const EditableSurface& surface, Halfedge a, Halfedge b)
 {
   const auto lengthA = static_cast<float>(surface.squaredLength(a));
@@ -33,7 +40,7 @@ Halfedge longestSide(const EditableSurface& surface, Face face)
   return isLonger(surface, ab, c) ? ab : c;
 }
 
-// The edge at the end of the path over ever longer edges: the longest of both its faces.
+// The edge at the end of the path over ever longer edges: it is the longest edge of both its faces.
 Halfedge endOfPropagation(const EditableSurface& surface, Halfedge side)
 {
   const SurfaceMesh& mesh = surface.mesh();
@@ -81,6 +88,35 @@ void bisectLongEdges(EditableSurface& surface, const std::vector<Face>& faces, d
       }
     }
   }
+}
+
+DerivedMesh refineBoundary(const TriangleMesh& mesh, int minimumVertices)
+{
+  const MeshTopology topology = analyseTopology(mesh.Faces, mesh.vertexCount());
+  const std::vector<std::vector<int>>& loops = topology.BoundaryLoops;
+  const auto longest = std::max_element(loops.begin(),
+    loops.end(),
+    [&mesh](const auto& a, const auto& b)
+    { return loopLength(mesh.Vertices, a) < loopLength(mesh.Vertices, b); });
+  if (longest == loops.end() || static_cast<int>(longest->size()) >= minimumVertices)
+  {
+    return derivedFromItself(mesh);
+  }
+
+  EditableSurface surface(mesh);
+  const SurfaceMesh& half = surface.mesh();
+  std::vector<Face> faces;
+  for (std::size_t i = 0; i < longest->size(); ++i)
+  {
+    const SurfaceMesh::Vertex_index from((*longest)[i]);
+    const SurfaceMesh::Vertex_index to((*longest)[(i + 1) % longest->size()]);
+    faces.push_back(half.face(half.halfedge(from, to)));
+  }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  // Edges no longer than the mean edge of a boundary with just `minimumVertices` vertices.
+  bisectLongEdges(surface, faces, loopLength(mesh.Vertices, *longest) / minimumVertices);
+  return surface.derived();
 }
 
 } // namespace flattening

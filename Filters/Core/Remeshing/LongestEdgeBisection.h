@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Local refinement that keeps the surface as it is and the mesh conforming.
+/// Local refinement that keeps the surface as it is and the mesh conforming (Rivara 1984, "Algorithms
+/// for refining triangular grids suitable for adaptive and multigrid techniques").
 #pragma once
 
 #include "Mesh/EditableSurface.h"
@@ -9,12 +10,16 @@
 namespace flattening
 {
 
-/// Bisects the listed faces and what becomes of them until no edge of theirs is longer than
-/// @p longestEdge (input units). Faces are split at the middle of their longest edge together with the
-/// neighbour there, after whatever bisections of neighbours that takes, so that no angle falls below
-/// half of the smallest one of the input (Rivara 1984; longest-edge propagation path).
+/// Bisects the listed faces and the parts that they are split into, until none of them has an edge
+/// longer than @p longestEdge (input units, > 0). A face is split at the middle of its longest edge
+/// together with the neighbour there, after all bisections of neighbours that this takes (the
+/// longest-edge propagation path), so that no angle falls below half of the smallest one of the input.
 void bisectLongEdges(EditableSurface& surface,
   const std::vector<EditableSurface::Face>& faces,
   double longestEdge);
+
+/// Gives the longest boundary loop of an oriented manifold at least @p minimumVertices vertices by
+/// bisecting the faces along it. Nothing changes if it has as many or if there is no boundary.
+DerivedMesh refineBoundary(const TriangleMesh& mesh, int minimumVertices);
 
 } // namespace flattening

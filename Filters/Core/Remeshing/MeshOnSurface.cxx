@@ -2,6 +2,7 @@
 #include "Remeshing/MeshOnSurface.h"
 
 #include "Base/Errors.h"
+#include "Mesh/EditableSurface.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
@@ -19,35 +20,36 @@ namespace flattening
 namespace
 {
 
-// How far a vertex may lie off the chord that replaces it on a boundary, as a share of the chord.
+// How far a vertex may lie off the chord that replaces it on a boundary, as a share of the chord: a
+// convention. A larger share straightens the boundary, a smaller one keeps it from being coarsened.
 constexpr double BoundarySagitta = 0.05;
+// An abort is noticed after so many faces, which take milliseconds.
 constexpr int FacesPerReport = 32768;
 constexpr const char* CarryingStage = "carrying attributes over";
+
+// The smallest cosine between the triangle's normal and one of the old surface's normals at its corners;
+// -1 if the triangle has no area.
+double alignment(const CornerTriangle& triangle)
+{
+  const Eigen::Vector3d areaVector =
+    (*triangle[1].Position - *triangle[0].Position).cross(*triangle[2].Position - *triangle[0].Position);
+  const double length = areaVector.norm();
+  const double smallest = std::min({ areaVector.dot(*triangle[0].Normal),
+    areaVector.dot(*triangle[1].Normal),
+    areaVector.dot(*triangle[2].Normal) });
+  return length > 0.0 ? smallest / length : -1.0;
+}
 
 } // namespace
 
 MeshOnSurface::MeshOnSurface(const TriangleMesh& old)
   : Old(old)
   , Walk(old)
+  , Surface(toSurfaceMesh<Eigen::Vector3d>(old))
 {
-  this->Surface.reserve(old.vertexCount(), 3 * (old.faceCount() / 2), old.faceCount());
   this->Place = this->Surface.add_property_map<Vertex, SurfacePoint>("v:place").first;
   this->Normal = this->Surface.add_property_map<Vertex, Eigen::Vector3d>("v:old normal").first;
   this->Boundary = this->Surface.add_property_map<Vertex, char>("v:boundary", 0).first;
-  for (int v = 0; v < old.vertexCount(); ++v)
-  {
-    this->Surface.add_vertex(old.Vertices.row(v).transpose());
-  }
-  for (int f = 0; f < old.faceCount(); ++f)
-  {
-    if (this->Surface.add_face(Vertex(old.Faces(f, 0)),
-          Vertex(old.Faces(f, 1)),
-          Vertex(old.Faces(f, 2))) == Mesh::null_face())
-    {
-      throw TopologyError(
-        "face " + std::to_string(f) + " does not fit an oriented manifold: run Surface To Disk first");
-    }
-  }
   for (const Vertex v : this->Surface.vertices())
   {
     if (this->Surface.is_isolated(v))
@@ -95,7 +97,19 @@ double MeshOnSurface::length(Halfedge h) const
     .norm();
 }
 
-// The triangles around v, but those that have the other vertex too, with v moved.
+Eigen::Vector3d MeshOnSurface::meanOfNeighbours(Vertex v) const
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  int neighbours = 0;
+  for (const Vertex w : this->Surface.vertices_around_target(this->Surface.halfedge(v)))
+  {
+    sum += this->Surface.point(w);
+    ++neighbours;
+  }
+  return sum / neighbours;
+}
+
+// Adds the triangles around v with v moved, except those that also have the other vertex.
 void MeshOnSurface::gatherStar(Vertex v, Vertex except, const Corner& to, LocalChange& change) const
 {
   const Corner here = this->corner(v);
@@ -103,11 +117,7 @@ void MeshOnSurface::gatherStar(Vertex v, Vertex except, const Corner& to, LocalC
   {
     const Vertex next = this->Surface.target(this->Surface.next(h));
     const Vertex before = this->Surface.source(h);
-    if (this->Surface.is_border(h))
-    {
-      continue;
-    }
-    if (next == except || before == except)
+    if (this->Surface.is_border(h) || next == except || before == except)
     {
       continue;
     }
@@ -158,7 +168,7 @@ MeshOnSurface::Vertex MeshOnSurface::split(Edge edge, const Guard& guard)
   }
   this->Boundary[added] = static_cast<char>(border);
   this->set(added, middle, place);
-  // From farther away some edge would be as long as this one was, and splitting need not end.
+  // A middle that moved farther could make an edge as long as this one was, and splitting need not end.
   constexpr double Near = 0.1;
   if (!border && (place.Position - middle).norm() <= Near * length)
   {
@@ -287,15 +297,12 @@ DerivedMesh MeshOnSurface::derived(const ProgressCallback& progress) const
 {
   report(progress, 0.0, CarryingStage);
   DerivedMesh result;
-  result.Mesh.Vertices.resize(this->Surface.number_of_vertices(), 3);
-  result.Mesh.Faces.resize(this->Surface.number_of_faces(), 3);
-  std::vector<int> index(this->Surface.num_vertices(), -1);
+  result.Mesh = toTriangleMesh(this->Surface);
   std::vector<Eigen::Triplet<double, int>> weights;
   weights.reserve(3 * static_cast<std::size_t>(this->Surface.number_of_vertices()));
   int vertices = 0;
   for (const Vertex v : this->Surface.vertices())
   {
-    result.Mesh.Vertices.row(vertices) = this->Surface.point(v).transpose();
     const SurfacePoint& place = this->Place[v];
     for (int k = 0; k < 3; ++k)
     {
@@ -304,20 +311,15 @@ DerivedMesh MeshOnSurface::derived(const ProgressCallback& progress) const
         weights.emplace_back(vertices, this->Old.Faces(place.Face, k), place.Weights[k]);
       }
     }
-    index[v] = vertices++;
+    ++vertices;
   }
   result.Vertices.resize(vertices, this->Old.vertexCount());
   result.Vertices.setFromTriplets(weights.begin(), weights.end());
 
-  std::vector<int> nearby; // an old face below the first corner of each face
+  std::vector<int> nearby; // for each face, an old face below its first corner
   nearby.reserve(this->Surface.number_of_faces());
   for (const Face f : this->Surface.faces())
   {
-    int k = 0;
-    for (const Vertex v : this->Surface.vertices_around_face(this->Surface.halfedge(f)))
-    {
-      result.Mesh.Faces(static_cast<int>(nearby.size()), k++) = index[v];
-    }
     nearby.push_back(this->Place[this->Surface.target(this->Surface.halfedge(f))].Face);
   }
   result.Faces.resize(nearby.size());
@@ -350,17 +352,6 @@ double smallestSine(const CornerTriangle& triangle)
   const double longest = std::max({ squares[0], squares[1], squares[2] });
   const double middle = squares[0] + squares[1] + squares[2] - shortest - longest;
   return middle > 0.0 ? std::sqrt(u.cross(v).squaredNorm() / (middle * longest)) : 0.0;
-}
-
-double alignment(const CornerTriangle& triangle)
-{
-  const Eigen::Vector3d areaVector =
-    (*triangle[1].Position - *triangle[0].Position).cross(*triangle[2].Position - *triangle[0].Position);
-  const double length = areaVector.norm();
-  const double smallest = std::min({ areaVector.dot(*triangle[0].Normal),
-    areaVector.dot(*triangle[1].Normal),
-    areaVector.dot(*triangle[2].Normal) });
-  return length > 0.0 ? smallest / length : -1.0;
 }
 
 double smallestSine(const LocalChange::Triangles& triangles)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A triangle mesh whose vertices move over an older surface: the state of remeshing and its local
-/// operations.
+/// A triangle mesh whose vertices move over an older surface, with the local operations of remeshing.
+/// EditableSurface, by contrast, changes only the connectivity and combines the origins exactly.
 #pragma once
 
 #include "Base/Progress.h"
@@ -18,21 +18,22 @@
 namespace flattening
 {
 
-/// A corner of a triangle as it is or as an operation would make it; lives no longer than that question.
+/// A corner of a triangle of the mesh, or of one that an operation would make. It points to values that
+/// live only as long as the call of the guard that gets it.
 struct Corner
 {
   int Vertex;
   const Eigen::Vector3d* Position;
-  const Eigen::Vector3d* Normal; ///< of the old surface there
+  const Eigen::Vector3d* Normal; ///< normal of the old surface there
 };
 
 using CornerTriangle = std::array<Corner, 3>;
 
-/// What an operation would do: the triangles that it takes away and those that take their place.
+/// The triangles that an operation would remove and those that would take their place.
 struct LocalChange
 {
   using Triangles = boost::container::small_vector<CornerTriangle, 16>;
-  boost::container::small_vector<int, 16> Removed; ///< their faces
+  boost::container::small_vector<int, 16> Removed; ///< faces of Before
   Triangles Before;
   Triangles After;
 };
@@ -45,37 +46,42 @@ public:
   using Halfedge = Mesh::Halfedge_index;
   using Edge = Mesh::Edge_index;
   using Face = Mesh::Face_index;
-  /// Decides whether an operation is done.
+  /// Decides whether an operation is carried out.
   using Guard = std::function<bool(const LocalChange&)>;
 
-  /// Starts as the old surface, which must outlive it. @throws TopologyError if that is no oriented
-  /// manifold.
+  /// Starts as a copy of the old surface, which must outlive the mesh. @throws TopologyError if that is
+  /// no oriented manifold or has a vertex without faces.
   explicit MeshOnSurface(const TriangleMesh& old);
 
   const Mesh& mesh() const { return this->Surface; }
   const ClosestPointWalk& walk() const { return this->Walk; }
   bool onBoundary(Vertex v) const { return this->Boundary[v] != 0; }
+  /// The point of the old surface that the vertex lies on or, if it was moved off, belongs to.
   const SurfacePoint& place(Vertex v) const { return this->Place[v]; }
   Corner corner(Vertex v) const;
   CornerTriangle triangle(Face f) const;
   double length(Halfedge h) const;
+  /// The mean of the positions of the vertices at the other ends of the edges.
+  Eigen::Vector3d meanOfNeighbours(Vertex v) const;
 
-  /// Splits an edge at its middle, which is moved onto the old surface if @p guard admits it and the
-  /// edge is not on the boundary. Always succeeds.
+  /// Splits an edge at its middle. Unless the edge is on the boundary, the middle moves onto the old
+  /// surface if that is near and @p guard admits it. Returns the new vertex.
   Vertex split(Edge edge, const Guard& guard);
 
-  /// Replaces an edge between two faces by the other diagonal.
+  /// Replaces an edge between two faces by the other diagonal. Returns whether that was done.
   bool flip(Edge edge, const Guard& guard);
 
-  /// Moves an interior vertex to a place on the old surface or, with @p position, beside it.
+  /// Moves an interior vertex to @p position, and its place on the old surface to @p to.
+  /// Returns whether that was done.
   bool move(Vertex vertex, const SurfacePoint& to, const Eigen::Vector3d& position, const Guard& guard);
 
-  /// Merges the ends of an edge at its middle on the old surface or at one of its ends, the first that
-  /// @p guard admits; a boundary keeps its vertices, except along an almost straight part of it.
+  /// Merges the ends of an edge at the first of these positions that @p guard admits: its middle on the
+  /// old surface or one of its ends. Boundary vertices stay where they are, and are removed only where
+  /// the boundary is almost straight. Returns whether that was done.
   bool collapse(Edge edge, const Guard& guard);
 
-  /// The mesh, compacted; vertices are made of the old face below them, faces are parts of the old face
-  /// nearest to their centroids.
+  /// The mesh without removed elements. Every vertex is made of the corners of the old face that its
+  /// place lies on; the origin of a face is the old face nearest to its centroid.
   DerivedMesh derived(const ProgressCallback& progress = {}) const;
 
 private:
@@ -98,14 +104,14 @@ private:
   Mesh::Property_map<Vertex, char> Boundary;
 };
 
-/// Smallest of the sines of the triangle's angles; 0 if it has no area.
+/// The smallest of the sines of the triangle's angles; 0 if it has no area.
 double smallestSine(const CornerTriangle& triangle);
 
-/// Cosine between the triangle's normal and the mean of the old surface's normals at its corners.
-double alignment(const CornerTriangle& triangle);
-
-/// The smallest over the triangles; 1 if there is none.
+/// The smallest of those sines; 1 if there is no triangle.
 double smallestSine(const LocalChange::Triangles& triangles);
+
+/// The smallest cosine between the normal of a triangle and one of the old surface's normals at its
+/// corners: -1 if a triangle has no area, 1 if there is no triangle.
 double smallestAlignment(const LocalChange::Triangles& triangles);
 
 } // namespace flattening

@@ -2,6 +2,7 @@
 #include "Remeshing/SelfIntersectionRemoval.h"
 
 #include "Mesh/SelfIntersections.h"
+#include "Mesh/SliverThresholds.h"
 #include "Remeshing/IntersectionQueries.h"
 #include "Remeshing/IntersectionSmoothing.h"
 #include "Remeshing/SliverRemoval.h"
@@ -22,40 +23,32 @@ using Vertex = MeshOnSurface::Vertex;
 using Halfedge = MeshOnSurface::Halfedge;
 using Face = MeshOnSurface::Face;
 
+// Pairs that are left after so many rounds are left to smoothing: a guard against endless changes.
 constexpr int Rounds = 5;
-constexpr double LeastSine = 0.17; // of 10 degrees
-// Of the mean length of the edges around a vertex.
+// Distances by which a vertex may be moved off the surface, as shares of the mean length of the edges
+// around it: the smallest that helps is taken. Steps near 1 would fold the surface.
 constexpr double Steps[] = { 0.02, 0.05, 0.1, 0.2, 0.4 };
 
 using Box = Eigen::AlignedBox3d;
 
-Box boxOf(const PlacedTriangle& triangle)
-{
-  Box box(triangle.Points[0]);
-  return box.extend(triangle.Points[1]).extend(triangle.Points[2]);
-}
-
-// The faces near a pair of intersecting ones, against which changes there are tested.
-class Neighbourhood
+// Takes a pair of intersecting faces apart. Changes are tested against the faces near the pair.
+class PairSeparation
 {
 public:
-  Neighbourhood(MeshOnSurface& surface, std::vector<Face> faces)
+  PairSeparation(MeshOnSurface& surface, std::vector<Face> faces)
     : Surface(surface)
     , Faces(std::move(faces))
   {
   }
 
-  bool untangle(Face one, Face other)
+  // Returns whether anything was changed.
+  bool separate(const FacePair& pair)
   {
-    return this->intersect(one, other) && (this->changeAround(one) || this->changeAround(other));
+    return intersect(this->Surface, pair) &&
+           (this->changeAround(pair.first) || this->changeAround(pair.second));
   }
 
 private:
-  bool intersect(Face a, Face b) const
-  {
-    return flattening::intersect(placed(this->Surface.triangle(a)), placed(this->Surface.triangle(b)));
-  }
-
   bool changeAround(Face face);
   bool moveOff(Vertex v);
   bool improves(const LocalChange& change) const;
@@ -67,8 +60,9 @@ private:
   std::vector<Face> Faces;
 };
 
-// Of the triangles with each other and with the faces that the change leaves alone. Stops at `enough`.
-int Neighbourhood::intersections(const LocalChange::Triangles& triangles,
+// The number of intersections of the triangles with each other and with the faces that the change leaves
+// alone. Stops at `enough`.
+int PairSeparation::intersections(const LocalChange::Triangles& triangles,
   const LocalChange& change,
   int enough) const
 {
@@ -78,7 +72,7 @@ int Neighbourhood::intersections(const LocalChange::Triangles& triangles,
   for (const CornerTriangle& triangle : triangles)
   {
     own.push_back(placed(triangle));
-    boxes.push_back(boxOf(own.back()));
+    boxes.push_back(own.back().box());
     all.extend(boxes.back());
   }
   int count = 0;
@@ -86,7 +80,7 @@ int Neighbourhood::intersections(const LocalChange::Triangles& triangles,
   {
     for (std::size_t j = i + 1; j < own.size() && count < enough; ++j)
     {
-      count += boxes[i].intersects(boxes[j]) && flattening::intersect(own[i], own[j]);
+      count += boxes[i].intersects(boxes[j]) && intersect(own[i], own[j]);
     }
   }
   for (std::size_t n = 0; n < this->Faces.size() && count < enough; ++n)
@@ -94,7 +88,7 @@ int Neighbourhood::intersections(const LocalChange::Triangles& triangles,
     const Face f = this->Faces[n];
     const int index = static_cast<int>(f.idx());
     const PlacedTriangle other = placed(this->Surface.triangle(f));
-    const Box box = boxOf(other);
+    const Box box = other.box();
     if (!all.intersects(box) ||
         std::find(change.Removed.begin(), change.Removed.end(), index) != change.Removed.end())
     {
@@ -102,16 +96,16 @@ int Neighbourhood::intersections(const LocalChange::Triangles& triangles,
     }
     for (std::size_t i = 0; i < own.size(); ++i)
     {
-      count += boxes[i].intersects(box) && flattening::intersect(own[i], other);
+      count += boxes[i].intersects(box) && intersect(own[i], other);
     }
   }
   return count;
 }
 
-bool Neighbourhood::improves(const LocalChange& change) const
+bool PairSeparation::improves(const LocalChange& change) const
 {
   const double sine = smallestSine(change.After);
-  if (sine < LeastSine && sine < smallestSine(change.Before))
+  if (sine < slivers::SeparatedSine && sine < smallestSine(change.Before))
   {
     return false;
   }
@@ -119,27 +113,26 @@ bool Neighbourhood::improves(const LocalChange& change) const
   return this->intersections(change.After, change, before) < before;
 }
 
-bool Neighbourhood::moveOff(Vertex v)
+// Moves the vertex over the surface, then off it to either side, then to the mean of its neighbours.
+bool PairSeparation::moveOff(Vertex v)
 {
   const MeshOnSurface::Mesh& mesh = this->Surface.mesh();
   const auto guard = [this](const LocalChange& change) { return this->improves(change); };
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  double lengths = 0.0;
-  int neighbours = 0;
-  for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
-  {
-    sum += mesh.point(mesh.source(h));
-    lengths += this->Surface.length(h);
-    ++neighbours;
-  }
-  const Eigen::Vector3d here = mesh.point(v);
+  const Eigen::Vector3d meanOfNeighbours = this->Surface.meanOfNeighbours(v);
   const SurfacePoint place = this->Surface.place(v);
-  const SurfacePoint mean = this->Surface.walk().closest(sum / neighbours, place.Face);
+  const SurfacePoint mean = this->Surface.walk().closest(meanOfNeighbours, place.Face);
   if (this->Surface.move(v, mean, mean.Position, guard))
   {
     return true;
   }
+  const Eigen::Vector3d here = mesh.point(v);
   const Eigen::Vector3d normal = this->Surface.walk().normal(place);
+  double lengths = 0.0;
+  for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
+  {
+    lengths += this->Surface.length(h);
+  }
+  const auto neighbours = static_cast<int>(mesh.degree(v));
   for (const double step : Steps)
   {
     for (const double side : { -1.0, 1.0 })
@@ -151,10 +144,10 @@ bool Neighbourhood::moveOff(Vertex v)
       }
     }
   }
-  return this->Surface.move(v, place, sum / neighbours, guard);
+  return this->Surface.move(v, place, meanOfNeighbours, guard);
 }
 
-bool Neighbourhood::changeAround(Face face)
+bool PairSeparation::changeAround(Face face)
 {
   const MeshOnSurface::Mesh& mesh = this->Surface.mesh();
   const auto guard = [this](const LocalChange& change) { return this->improves(change); };
@@ -175,22 +168,6 @@ bool Neighbourhood::changeAround(Face face)
   return false;
 }
 
-// All that may move where a pair intersects.
-std::vector<Vertex> verticesAround(const MeshOnSurface& surface, const std::pair<Face, Face>& pair)
-{
-  const MeshOnSurface::Mesh& mesh = surface.mesh();
-  std::vector<Vertex> around;
-  for (const Face f : { pair.first, pair.second })
-  {
-    for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(f)))
-    {
-      const auto neighbours = mesh.vertices_around_target(mesh.halfedge(v));
-      around.insert(around.end(), neighbours.begin(), neighbours.end());
-    }
-  }
-  return around;
-}
-
 } // namespace
 
 int removeSelfIntersections(MeshOnSurface& surface, const ProgressCallback& progress)
@@ -202,22 +179,30 @@ int removeSelfIntersections(MeshOnSurface& surface, const ProgressCallback& prog
     report(progress, 0.5 + 0.5 * round / Rounds, "removing self-intersections");
     bool changed = false;
     std::vector<std::vector<Vertex>> around;
-    for (const auto& pair : pairs)
+    for (const FacePair& pair : pairs)
     {
-      around.push_back(verticesAround(surface, pair));
+      around.push_back(verticesAround(surface, pair, 1)); // those that may move
     }
     const std::vector<std::vector<Face>> near = facesNear(surface, around);
     for (std::size_t i = 0; i < pairs.size(); ++i)
     {
-      changed |= Neighbourhood(surface, near[i]).untangle(pairs[i].first, pairs[i].second);
+      changed |= PairSeparation(surface, near[i]).separate(pairs[i]);
     }
-    pairs = intersectingFaces(surface, unitedFaces(near)); // what moved is still among those
+    pairs = intersectingFaces(surface, unitedFaces(near)); // faces that moved are still among these
     if (!changed)
     {
       break;
     }
   }
   return static_cast<int>(smoothIntersections(surface, std::move(pairs)).size());
+}
+
+DerivedMesh conditionFaces(const TriangleMesh& mesh, double degrees, const ProgressCallback& progress)
+{
+  MeshOnSurface surface(mesh);
+  removeSlivers(surface, degrees, subrange(progress, 0.0, 0.5));
+  removeSelfIntersections(surface, subrange(progress, 0.5, 1.0));
+  return surface.derived();
 }
 
 } // namespace flattening

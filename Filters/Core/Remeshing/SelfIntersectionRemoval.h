@@ -1,17 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Local changes that take the faces of a resampled surface out of each other.
+/// Local changes that take intersecting faces of a surface apart.
 #pragma once
 
 #include "Base/Progress.h"
+#include "Mesh/DerivedMesh.h"
 #include "Remeshing/MeshOnSurface.h"
 
 namespace flattening
 {
 
-/// Where faces intersect, flips their edges and moves their vertices, at most by 0.4 of the length of an
-/// edge and off the old surface, until none does or nothing helps: every change makes the pairs fewer
-/// and no angle smaller than 10 degrees, unless it was. Then smooths the surface around those that are
-/// left (smoothIntersections). Returns the number of pairs left.
+/// Where faces intersect, flips their edges and moves their vertices, off the old surface by at most 0.4
+/// of the length of an edge, until no faces intersect or nothing helps. Every change lowers the number
+/// of intersecting pairs and makes no angle smaller than 10 degrees, unless it was before. Then smooths
+/// the surface around the pairs that are left (smoothIntersections). Returns the number of pairs left.
 int removeSelfIntersections(MeshOnSurface& surface, const ProgressCallback& progress = {});
+
+/// Repairs the faces of a surface without remeshing it: opens angles below @p degrees (removeSlivers; 0:
+/// none), then removes self-intersections. All other vertices and faces stay as they are and have
+/// themselves as origins; the changed ones have the nearest points of @p mesh. The topology and the
+/// boundary stay.
+/// @throws TopologyError if the mesh is no oriented manifold or has unused vertices.
+DerivedMesh conditionFaces(const TriangleMesh& mesh,
+  double degrees,
+  const ProgressCallback& progress = {});
 
 } // namespace flattening

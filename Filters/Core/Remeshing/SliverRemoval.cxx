@@ -2,6 +2,7 @@
 #include "Remeshing/SliverRemoval.h"
 
 #include "Mesh/MeshMeasures.h"
+#include "Mesh/SliverThresholds.h"
 
 #include <Eigen/Geometry>
 
@@ -20,17 +21,22 @@ using Vertex = MeshOnSurface::Vertex;
 using Halfedge = MeshOnSurface::Halfedge;
 using Face = MeshOnSurface::Face;
 
+// A guard: the rounds usually end because nothing changes any more.
 constexpr int Rounds = 10;
-constexpr double Gain = 1.01;           // less is not worth a change
-constexpr double TinyAngle = 5.0;       // degrees; below, the surface's shape matters less
-constexpr double LeastAlignment = 0.17; // 80 degrees against the old surface's normals
+// The factor by which a change must enlarge the sine of the smallest angle: a smaller gain is not worth
+// a change of the surface, and might repeat without end.
+constexpr double Gain = 1.01;
+// Cosine of 80 degrees, the largest angle between a changed face and the old surface: a guard against
+// folds.
+constexpr double LeastAlignment = 0.17;
 
 bool opensSmallAngle(const LocalChange& change)
 {
   return smallestSine(change.After) > Gain * smallestSine(change.Before);
 }
 
-bool opensSmallAngleSoundly(const LocalChange& change)
+// The same without turning a face away from the old surface.
+bool opensSmallAngleAligned(const LocalChange& change)
 {
   const double aligned = smallestAlignment(change.After);
   return (aligned >= LeastAlignment || aligned >= smallestAlignment(change.Before)) &&
@@ -47,21 +53,14 @@ std::array<Halfedge, 3> edgesByLength(const MeshOnSurface& surface, Face face)
   return edges;
 }
 
-// To places between where it is and the mean of its neighbours.
+// Moves a vertex to the mean of its neighbours or part of the way there. Returns whether that was done.
 bool moveInwards(MeshOnSurface& surface, Vertex v, const MeshOnSurface::Guard& guard)
 {
-  const MeshOnSurface::Mesh& mesh = surface.mesh();
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  int neighbours = 0;
-  for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
-  {
-    sum += mesh.point(mesh.source(h));
-    ++neighbours;
-  }
-  const Eigen::Vector3d here = mesh.point(v);
+  const Eigen::Vector3d here = surface.mesh().point(v);
+  const Eigen::Vector3d mean = surface.meanOfNeighbours(v);
   for (const double share : { 1.0, 0.5, 0.25 })
   {
-    const Eigen::Vector3d wanted = here + share * (sum / neighbours - here);
+    const Eigen::Vector3d wanted = here + share * (mean - here);
     const SurfacePoint at = surface.walk().closest(wanted, surface.place(v).Face);
     if (surface.move(v, at, at.Position, guard))
     {
@@ -71,6 +70,7 @@ bool moveInwards(MeshOnSurface& surface, Vertex v, const MeshOnSurface::Guard& g
   return false;
 }
 
+// Tries one change after another, the mildest first, until one is made.
 bool openAngles(MeshOnSurface& surface, Face face, const MeshOnSurface::Guard& guard)
 {
   const MeshOnSurface::Mesh& mesh = surface.mesh();
@@ -90,30 +90,12 @@ bool openAngles(MeshOnSurface& surface, Face face, const MeshOnSurface::Guard& g
          surface.collapse(mesh.edge(edges[1]), guard) || surface.collapse(mesh.edge(edges[2]), guard);
 }
 
-// Of two angles in [0, pi], one at each apex over the same base: whether they sum to more than pi.
-bool sumExceedsPi(const Eigen::Vector3d& apex1,
-  const Eigen::Vector3d& apex2,
-  const Eigen::Vector3d& base1,
-  const Eigen::Vector3d& base2)
-{
-  const auto sineAndCosine = [&base1, &base2](const Eigen::Vector3d& apex)
-  {
-    const Eigen::Vector3d u = base1 - apex;
-    const Eigen::Vector3d v = base2 - apex;
-    return std::make_pair(u.cross(v).norm(), u.dot(v));
-  };
-  const auto [sine1, cosine1] = sineAndCosine(apex1);
-  const auto [sine2, cosine2] = sineAndCosine(apex2);
-  const double size = (std::abs(sine1) + std::abs(cosine1)) * (std::abs(sine2) + std::abs(cosine2));
-  return sine1 * cosine2 + cosine1 * sine2 < -1e-9 * size;
-}
-
 } // namespace
 
 void removeSlivers(MeshOnSurface& surface, double degrees, const ProgressCallback& progress)
 {
   const double bound = std::sin(degrees * EIGEN_PI / 180.0);
-  const double tiny = std::sin(TinyAngle * EIGEN_PI / 180.0);
+  const double tiny = std::sin(slivers::TinyAngle * EIGEN_PI / 180.0);
   bool changed = true;
   for (int round = 0; changed && round < Rounds; ++round)
   {
@@ -131,7 +113,7 @@ void removeSlivers(MeshOnSurface& surface, double degrees, const ProgressCallbac
     {
       if (!surface.mesh().is_removed(f) && smallestSine(surface.triangle(f)) < bound)
       {
-        changed |= openAngles(surface, f, opensSmallAngleSoundly) ||
+        changed |= openAngles(surface, f, opensSmallAngleAligned) ||
                    (smallestSine(surface.triangle(f)) < tiny && openAngles(surface, f, opensSmallAngle));
       }
     }
@@ -149,24 +131,6 @@ DerivedMesh withoutSmallAngles(const TriangleMesh& mesh,
   MeshOnSurface surface(mesh);
   removeSlivers(surface, degrees, progress);
   return surface.derived();
-}
-
-bool opensAngles(const LocalChange& flip)
-{
-  const CornerTriangle& left = flip.Before[0];
-  const CornerTriangle& right = flip.Before[1];
-  return sumExceedsPi(*left[2].Position, *right[2].Position, *left[0].Position, *left[1].Position);
-}
-
-double flipHeight(const LocalChange& flip)
-{
-  const Eigen::Vector3d& from = *flip.Before[0][0].Position;
-  const Eigen::Vector3d& left = *flip.Before[0][2].Position;
-  const Eigen::Vector3d old = *flip.Before[0][1].Position - from;
-  const Eigen::Vector3d now = *flip.Before[1][2].Position - left;
-  const Eigen::Vector3d across = old.cross(now);
-  const double length = across.norm();
-  return length > 0.0 ? std::abs(across.dot(left - from)) / length : 0.0;
 }
 
 } // namespace flattening

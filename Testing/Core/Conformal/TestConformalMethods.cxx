@@ -5,7 +5,7 @@
 #include "Disk/SurfaceToDisk.h"
 #include "FlatMap/DistortionSummary.h"
 #include "Mesh/MeshTopology.h"
-#include "Remeshing/BoundaryRefinement.h"
+#include "Remeshing/LongestEdgeBisection.h"
 #include "Support/AbandonedCall.h"
 #include "Support/RandomSurfaces.h"
 #include "Support/SampleSurfaces.h"
@@ -486,7 +486,7 @@ TEST(BoundaryFirst, SpreadsTheEndOfATube)
   ASSERT_GT(expected.SpreadVertices, 100);
   EXPECT_NEAR(map.SpreadVertices, expected.SpreadVertices, 0.02 * expected.SpreadVertices);
   EXPECT_EQ(map.FlippedFaces, 0);
-  EXPECT_EQ(map.Repair.RepairedFaces, 0);
+  EXPECT_EQ(map.Untangling.RepairedFaces, 0);
   EXPECT_LT(largestDifference(map.Positions, expected.Positions), 1e-3);
   // Next to the pole, where the positions themselves are small.
   EXPECT_NEAR(std::log((map.Positions.row(1) - map.Positions.row(0)).norm()),
@@ -527,7 +527,7 @@ TEST(MeanValue, FlipsNoFaceOfRandomDisks)
     }
     const ConformalDiskMap map = conformalDiskMap(mesh, optionsOf(ConformalMethod::MeanValue));
     EXPECT_EQ(map.FlippedFaces, 0) << "seed " << seed;
-    EXPECT_EQ(map.Repair.RepairedFaces, 0) << "seed " << seed;
+    EXPECT_EQ(map.Untangling.RepairedFaces, 0) << "seed " << seed;
     EXPECT_TRUE(map.Positions.allFinite() && map.LogFactors.allFinite()) << "seed " << seed;
     ++disks;
     faces += mesh.faceCount();

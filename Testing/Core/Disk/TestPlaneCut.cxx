@@ -3,7 +3,6 @@
 #include "Disk/PlaneCut.h"
 #include "Mesh/MeshMeasures.h"
 #include "Mesh/MeshTopology.h"
-#include "Remeshing/BoundaryRefinement.h"
 #include "Repair/HoleFilling.h"
 #include "Support/SampleSurfaces.h"
 
@@ -18,22 +17,6 @@ using namespace flattening::samples;
 CuttingPlane plane(const Eigen::Vector3d& origin, const Eigen::Vector3d& normal)
 {
   return { origin, normal };
-}
-
-double smallestAngle(const TriangleMesh& mesh)
-{
-  double smallest = 180.0;
-  for (int f = 0; f < mesh.faceCount(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const Eigen::Vector3d a = mesh.Vertices.row(mesh.Faces(f, k));
-      const Eigen::Vector3d u = mesh.Vertices.row(mesh.Faces(f, (k + 1) % 3)).transpose() - a;
-      const Eigen::Vector3d v = mesh.Vertices.row(mesh.Faces(f, (k + 2) % 3)).transpose() - a;
-      smallest = std::min(smallest, std::atan2(u.cross(v).norm(), u.dot(v)) * 180.0 / Pi);
-    }
-  }
-  return smallest;
 }
 
 TEST(PlaneCut, OfASphereIsTheSphericalCap)
@@ -157,28 +140,6 @@ TEST(PlaneCut, RefusesAPlaneThatMisses)
   EXPECT_THROW(
     cutAtPlane(closed, plane({ 0, 0, 0 }, { 0, 0, 1 }), 128, [](double, const char*) { return false; }),
     Cancelled);
-}
-
-TEST(BoundaryRefinement, AddsVerticesToTheLongestLoopAlone)
-{
-  TriangleMesh tube = cylinder(20, 6, 3.0);
-  for (int v = 0; v < tube.vertexCount(); ++v)
-  {
-    tube.Vertices.row(v).head<2>() *= 1.0 + 0.1 * tube.Vertices(v, 2);
-  }
-  const DerivedMesh refined = refineBoundary(tube, 128);
-  const auto loops = analyseTopology(refined.Mesh.Faces, refined.Mesh.vertexCount()).BoundaryLoops;
-  ASSERT_EQ(loops.size(), 2u);
-  EXPECT_GE(loops[0].size(), 128u);
-  EXPECT_LE(loops[0].size(), 256u);
-  EXPECT_NEAR(loopLength(refined.Mesh.Vertices, loops[0]), 1.3 * 40.0 * std::sin(Pi / 20), 1e-12);
-  EXPECT_LT(loops[1].size(), 40u);
-  EXPECT_NEAR(totalArea(refined.Mesh), totalArea(tube), 1e-12);
-  EXPECT_GE(smallestAngle(refined.Mesh), 0.5 * smallestAngle(tube));
-  EXPECT_LT((refined.Vertices * tube.Vertices - refined.Mesh.Vertices).cwiseAbs().maxCoeff(), 1e-13);
-
-  EXPECT_EQ(refineBoundary(tube, 20).Mesh.Faces, tube.Faces);
-  EXPECT_EQ(refineBoundary(sphere(2), 128).Mesh.Faces, sphere(2).Faces);
 }
 
 } // namespace
