@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, runs the benchmarks and writes their figures into the tables of docs/benchmarks.md and
-# the other pages of docs that have such tables. The pictures and the JSON output of Google Benchmark stay in the build
-# folder. Safe to run again. Let nothing else run meanwhile.
+# Installs what is missing, builds, runs the benchmarks and writes their figures into the tables of README.md and the pages
+# of docs (docs/benchmarks.md lists them). The pictures and the JSON output of Google Benchmark stay in the build folder.
+# Safe to run again. Let nothing else run meanwhile.
 #   Utilities/benchmark.sh                            all of it
 #   Utilities/benchmark.sh --benchmark_filter=brain   arguments go to Google Benchmark; the tables are printed alone
 set -euo pipefail
@@ -17,19 +17,19 @@ for benchmark in BenchmarkSurfaceToDisk BenchmarkFlattening BenchmarkConformal B
 done
 python3 Testing/Benchmarks/markdown_table.py "${results[@]}"
 if [ $# -eq 0 ]; then
-  python3 Testing/Benchmarks/markdown_table.py --pages docs "${results[@]}"
+  python3 Testing/Benchmarks/markdown_table.py --pages . "${results[@]}"
 fi
 
 convergence=$build/Testing/BenchmarkConvergence.json
 "$build/Testing/bin/BenchmarkConvergence" --benchmark_out="$convergence" --benchmark_out_format=json >/dev/null
-xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvpython Utilities/convergence_picture.py \
+xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvpython Utilities/pictures/convergence_picture.py \
   "$convergence" "$build/Testing/convergence.png"
 echo "Picture of the convergence: $build/Testing/convergence.png"
 
-xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvpython Utilities/angle_weight_picture.py \
+xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvpython Utilities/pictures/angle_weight_picture.py \
   "$build/Testing/BenchmarkAreaMaps.json" "$build/Testing/angle_weight.png"
 echo "Picture of the angle weights: $build/Testing/angle_weight.png"
 
-xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvpython Utilities/time_picture.py \
+xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvpython Utilities/pictures/time_picture.py \
   "$build/Testing/BenchmarkFlattening.json" "$build/Testing/BenchmarkAreaMaps.json" "$build/Testing/time_against_size.png"
 echo "Picture of the times: $build/Testing/time_against_size.png"

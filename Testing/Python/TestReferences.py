@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the pages refer to is there: other pages, their sections, pictures, scripts and sources."""
+"""What the pages refer to is there: other pages, their sections, pictures, scripts, sources and functions."""
 
 import re
 from pathlib import Path
 
 root = Path(__file__).resolve().parents[2]
-pages = [root / "README.md", root / "CONTRIBUTING.md", root / "CHANGELOG.md", *(root / "docs").glob("*.md")]
+pages = [
+    *(root / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "Filters/Core/README.md")),
+    *(root / "docs").glob("*.md"),
+]
 assert len(pages) > 10, pages
 
 LINK = re.compile(r"\]\(([^)\s#]*)(?:#([^)\s]+))?\)", re.MULTILINE)
+FUNCTION = re.compile(r"`(\w+)\(\)`")
 PATH = re.compile(r"`((?:Data|Filters|Plugin|Testing|Utilities|cmake|docs)/[\w./-]+)`")
 HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
 BUILT = ("Testing/bin/",)
@@ -18,6 +22,9 @@ def anchor(heading):
     """The name that a section has on the web."""
     return re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
 
+
+sources = [path for path in (root / "Filters").rglob("*") if path.suffix in (".h", ".cxx")]
+words = {word for path in sources for word in re.findall(r"\w+(?=\()", path.read_text(encoding="utf-8"))}
 
 dead = []
 references = 0
@@ -36,5 +43,10 @@ for page in pages:
         references += 1
         if not path.startswith(BUILT) and not (root / path).exists():
             dead.append(f"{page.name}: {path}")
+    if page.name in ("architecture.md", "mathematics.md"):
+        for function in FUNCTION.findall(text):
+            references += 1
+            if function not in words:
+                dead.append(f"{page.name}: no source has {function}()")
 assert references > 80, references  # or the patterns above find nothing
 assert not dead, "\n".join(dead)
