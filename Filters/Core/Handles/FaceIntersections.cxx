@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Handles/FaceIntersections.h"
 
-#include "Mesh/SelfIntersections.h"
-
-#include <CGAL/Bbox_3.h>
-#include <CGAL/box_intersection_d.h>
-
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
@@ -22,132 +17,126 @@ namespace
 {
 
 namespace bg = boost::geometry;
-using BoxCorner = bg::model::point<double, 3, bg::cs::cartesian>;
-using Box = bg::model::box<BoxCorner>;
+using Box = bg::model::box<bg::model::point<double, 3, bg::cs::cartesian>>;
+using BoxedFace = std::pair<Box, int>;
+using BoxTree = bg::index::rtree<BoxedFace, bg::index::linear<16>>; // the branching is a convention
 
 Box boxOf(const PlacedTriangle& t)
 {
-  const auto& [a, b, c] = t.Points;
-  const Eigen::Vector3d low = a.cwiseMin(b).cwiseMin(c);
-  const Eigen::Vector3d high = a.cwiseMax(b).cwiseMax(c);
+  const Eigen::AlignedBox3d box = t.box();
+  const Eigen::Vector3d& low = box.min();
+  const Eigen::Vector3d& high = box.max();
   return { { low.x(), low.y(), low.z() }, { high.x(), high.y(), high.z() } };
+}
+
+PlacedTriangle triangleOf(const HalfedgeSurface& surface, int face)
+{
+  PlacedTriangle t;
+  for (int k = 0; k < 3; ++k)
+  {
+    t.Vertices[k] = surface.source(3 * face + k);
+    t.Points[k] = surface.point(t.Vertices[k]);
+  }
+  return t;
+}
+
+BoxedFace boxedFace(const HalfedgeSurface& surface, int face)
+{
+  return { boxOf(triangleOf(surface, face)), face };
 }
 
 } // namespace
 
-struct FaceIntersections::Tree
-{
-  using Value = std::pair<Box, int>;
-  using Boxes = bg::index::rtree<Value, bg::index::linear<16>>;
-
-  explicit Tree(const HalfedgeSurface& surface)
-    : Surface(surface)
-  {
-    std::vector<Value> values;
-    values.reserve(surface.faceCount());
-    for (int f = 0; f < surface.faceCount(); ++f)
-    {
-      values.emplace_back(boxOf(this->triangle(f)), f);
-    }
-    this->Faces = Boxes(values.begin(), values.end());
-  }
-
-  PlacedTriangle triangle(int f) const
-  {
-    PlacedTriangle t;
-    for (int k = 0; k < 3; ++k)
-    {
-      t.Vertices[k] = this->Surface.origin(3 * f + k);
-      t.Points[k] = this->Surface.point(t.Vertices[k]);
-    }
-    return t;
-  }
-
-  // Pairs among the triangles, and pairs of one of them and a face of the surface that is not left out.
-  int count(const std::vector<PlacedTriangle>& triangles,
-    const std::vector<int>& leftOut,
-    int enough = std::numeric_limits<int>::max()) const
-  {
-    int pairs = 0;
-    using SweptBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, const PlacedTriangle*>;
-    std::vector<SweptBox> boxes;
-    boxes.reserve(triangles.size());
-    std::vector<Value> near;
-    for (const PlacedTriangle& t : triangles)
-    {
-      const Box box = boxOf(t);
-      boxes.emplace_back(CGAL::Bbox_3(box.min_corner().get<0>(),
-                           box.min_corner().get<1>(),
-                           box.min_corner().get<2>(),
-                           box.max_corner().get<0>(),
-                           box.max_corner().get<1>(),
-                           box.max_corner().get<2>()),
-        &t);
-      near.clear();
-      this->Faces.query(bg::index::intersects(box), std::back_inserter(near));
-      for (const Value& value : near)
-      {
-        if (!std::binary_search(leftOut.begin(), leftOut.end(), value.second))
-        {
-          pairs += intersect(t, this->triangle(value.second));
-        }
-      }
-      if (pairs > enough)
-      {
-        return pairs;
-      }
-    }
-    CGAL::box_self_intersection_d(boxes.begin(),
-      boxes.end(),
-      [&pairs](const SweptBox& a, const SweptBox& b) { pairs += intersect(*a.info(), *b.info()); });
-    return pairs;
-  }
-
-  const HalfedgeSurface& Surface;
-  Boxes Faces;
-};
-
-FaceIntersections::FaceIntersections(const HalfedgeSurface& surface)
-  : Surface(surface)
-  , Boxes(std::make_unique<Tree>(surface))
-{
-}
-
-FaceIntersections::~FaceIntersections() = default;
-
-int FaceIntersections::countNew(const FaceReplacement& replacement, int enough) const
+std::vector<PlacedTriangle> trianglesOf(const HalfedgeSurface& surface, const std::vector<int>& faces)
 {
   std::vector<PlacedTriangle> triangles;
-  triangles.reserve(replacement.Faces.size());
+  for (const int f : faces)
+  {
+    triangles.push_back(triangleOf(surface, f));
+  }
+  return triangles;
+}
+
+std::vector<PlacedTriangle> trianglesOf(const HalfedgeSurface& surface,
+  const FaceReplacement& replacement)
+{
+  std::vector<PlacedTriangle> triangles;
   for (const std::array<int, 3>& face : replacement.Faces)
   {
     PlacedTriangle t;
     t.Vertices = face;
     for (int k = 0; k < 3; ++k)
     {
-      const auto place = replacement.Places.find(face[k]);
-      t.Points[k] = place == replacement.Places.end() ? this->Surface.point(face[k]) : place->second;
+      const auto position = replacement.Positions.find(face[k]);
+      t.Points[k] = position == replacement.Positions.end() ? surface.point(face[k]) : position->second;
     }
     triangles.push_back(t);
   }
-  return this->Boxes->count(triangles, replacement.Replaced, enough);
+  return triangles;
+}
+
+struct FaceIntersections::Tree
+{
+  BoxTree Faces;
+};
+
+FaceIntersections::FaceIntersections(const HalfedgeSurface& surface)
+  : Surface(surface)
+  , Boxes(std::make_unique<Tree>())
+{
+  std::vector<BoxedFace> faces;
+  faces.reserve(surface.faceCount());
+  for (int f = 0; f < surface.faceCount(); ++f)
+  {
+    faces.push_back(boxedFace(surface, f));
+  }
+  this->Boxes->Faces = BoxTree(faces.begin(), faces.end());
+}
+
+FaceIntersections::~FaceIntersections() = default;
+
+int FaceIntersections::countNew(const FaceReplacement& replacement, int enough) const
+{
+  return this->count(trianglesOf(this->Surface, replacement), replacement.Replaced, enough);
 }
 
 int FaceIntersections::count(const std::vector<int>& faces) const
 {
-  std::vector<PlacedTriangle> triangles;
-  for (const int f : faces)
+  return this->count(trianglesOf(this->Surface, faces), faces, std::numeric_limits<int>::max());
+}
+
+// Counts pairs of one of the triangles and a face of the surface that is not left out, then pairs among
+// the triangles.
+int FaceIntersections::count(const std::vector<PlacedTriangle>& triangles,
+  const std::vector<int>& leftOut,
+  int enough) const
+{
+  int pairs = 0;
+  std::vector<BoxedFace> near;
+  for (const PlacedTriangle& t : triangles)
   {
-    triangles.push_back(this->Boxes->triangle(f));
+    near.clear();
+    this->Boxes->Faces.query(bg::index::intersects(boxOf(t)), std::back_inserter(near));
+    for (const auto& [box, face] : near)
+    {
+      if (!std::binary_search(leftOut.begin(), leftOut.end(), face))
+      {
+        pairs += intersect(t, triangleOf(this->Surface, face));
+      }
+    }
+    if (pairs > enough)
+    {
+      return pairs;
+    }
   }
-  return this->Boxes->count(triangles, faces);
+  return pairs + static_cast<int>(intersectingPairs(triangles).size());
 }
 
 void FaceIntersections::remove(const std::vector<int>& faces)
 {
   for (const int f : faces)
   {
-    this->Boxes->Faces.remove({ boxOf(this->Boxes->triangle(f)), f });
+    this->Boxes->Faces.remove(boxedFace(this->Surface, f));
   }
 }
 
@@ -155,7 +144,7 @@ void FaceIntersections::insert(const std::vector<int>& faces)
 {
   for (const int f : faces)
   {
-    this->Boxes->Faces.insert({ boxOf(this->Boxes->triangle(f)), f });
+    this->Boxes->Faces.insert(boxedFace(this->Surface, f));
   }
 }
 

@@ -2,100 +2,95 @@
 #include "Handles/HalfedgeSurface.h"
 
 #include "Base/Errors.h"
+#include "Mesh/VertexFaces.h"
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <string>
 
 namespace flattening
 {
-namespace
-{
-
-std::string nameOfEdge(int a, int b)
-{
-  return "edge (" + std::to_string(a) + ", " + std::to_string(b) + ")";
-}
-
-} // namespace
 
 HalfedgeSurface::HalfedgeSurface(const TriangleMesh& mesh)
   : Points(mesh.vertexCount())
-  , Origins(3 * static_cast<std::size_t>(mesh.faceCount()))
-  , Twins(this->Origins.size(), -1)
+  , Sources(mesh.Faces.data(), mesh.Faces.data() + mesh.Faces.size())
+  , Twins(this->Sources.size(), -1)
   , Outgoing(mesh.vertexCount(), -1)
+  , OriginalVertices(mesh.vertexCount())
+  , FaceOrigins(mesh.faceCount())
 {
   for (int v = 0; v < this->vertexCount(); ++v)
   {
     this->Points[v] = mesh.Vertices.row(v).transpose();
   }
-  std::copy(mesh.Faces.data(), mesh.Faces.data() + mesh.Faces.size(), this->Origins.begin());
+  std::iota(this->FaceOrigins.begin(), this->FaceOrigins.end(), 0);
+  this->findTwins(mesh);
+  this->findOutgoing(0);
+  this->requireOneFanPerVertex();
+}
 
-  // Half-edges in buckets of the smaller end of their edge.
-  std::vector<int> bucket(mesh.vertexCount() + 1, 0);
-  const auto smallerEnd = [this](int h) { return std::min(this->origin(h), this->tip(h)); };
+void HalfedgeSurface::findTwins(const TriangleMesh& mesh)
+{
+  const VertexFaces facesAt(mesh.Faces, mesh.vertexCount());
   for (int h = 0; h < this->halfedgeCount(); ++h)
   {
-    ++bucket[smallerEnd(h) + 1];
-  }
-  for (int v = 0; v < this->vertexCount(); ++v)
-  {
-    bucket[v + 1] += bucket[v];
-  }
-  std::vector<int> sorted(this->Origins.size());
-  std::vector<int> free(bucket.begin(), bucket.end() - 1);
-  for (int h = 0; h < this->halfedgeCount(); ++h)
-  {
-    sorted[free[smallerEnd(h)]++] = h;
-  }
-  for (int v = 0; v < this->vertexCount(); ++v)
-  {
-    for (int i = bucket[v]; i < bucket[v + 1]; ++i)
+    const int from = this->source(h);
+    const int to = this->target(h);
+    for (const int face : facesAt[to])
     {
-      const int h = sorted[i];
-      for (int j = i + 1; j < bucket[v + 1]; ++j)
+      for (int g = 3 * face; g < 3 * face + 3; ++g)
       {
-        const int g = sorted[j];
-        const bool opposite = this->origin(g) == this->tip(h) && this->tip(g) == this->origin(h);
-        const bool same = this->origin(g) == this->origin(h) && this->tip(g) == this->tip(h);
-        if (same || (opposite && (this->Twins[h] >= 0 || this->Twins[g] >= 0)))
+        const bool opposite = this->source(g) == to && this->target(g) == from;
+        const bool same = g != h && this->source(g) == from && this->target(g) == to;
+        if (same || (opposite && this->Twins[h] >= 0))
         {
-          throw TopologyError(nameOfEdge(this->origin(h), this->tip(h)) +
-                              " is non-manifold or its faces are oriented against each other: run "
+          throw TopologyError("edge (" + std::to_string(from) + ", " + std::to_string(to) +
+                              ") is non-manifold or its faces are oriented against each other: run "
                               "Surface To Disk first");
         }
-        if (opposite)
-        {
-          this->join(h, g);
-        }
+        this->Twins[h] = opposite ? g : this->Twins[h];
       }
     }
   }
+}
 
-  std::vector<int> degree(mesh.vertexCount(), 0);
-  for (int h = 0; h < this->halfedgeCount(); ++h)
+// Half-edges of the boundary are preferred.
+void HalfedgeSurface::findOutgoing(int firstHalfedge)
+{
+  for (int h = firstHalfedge; h < this->halfedgeCount(); ++h)
   {
-    ++degree[this->origin(h)];
-    if (this->Outgoing[this->origin(h)] < 0 || this->Twins[h] < 0)
+    int& outgoing = this->Outgoing[this->source(h)];
+    if (outgoing < 0 || this->Twins[h] < 0)
     {
-      this->Outgoing[this->origin(h)] = h;
+      outgoing = h;
     }
+  }
+}
+
+void HalfedgeSurface::requireOneFanPerVertex() const
+{
+  std::vector<int> unvisited(this->Points.size(), 0);
+  for (const int v : this->Sources)
+  {
+    ++unvisited[v];
   }
   for (int v = 0; v < this->vertexCount(); ++v)
   {
-    int h = this->Outgoing[v];
-    do
-    {
-      --degree[v];
-      h = h < 0 ? -1 : this->rotated(h);
-    } while (h >= 0 && h != this->Outgoing[v] && degree[v] > 0);
-    if (degree[v] > 0)
+    this->visitOutgoing(v, [&](int) { --unvisited[v]; });
+    if (unvisited[v] > 0)
     {
       throw TopologyError(
         "vertex " + std::to_string(v) +
         " is non-manifold (parts of the surface meet only there): run Surface To Disk first");
     }
   }
+}
+
+HalfedgeSurface::Origin HalfedgeSurface::origin(int v) const
+{
+  return v < this->OriginalVertices ? Origin{ { v, 1.0 } }
+                                    : this->NewOrigins[v - this->OriginalVertices];
 }
 
 void HalfedgeSurface::join(int h, int g)
@@ -109,24 +104,15 @@ void HalfedgeSurface::join(int h, int g)
 
 int HalfedgeSurface::edgeBetween(int a, int b) const
 {
-  const int first = this->Outgoing[a];
-  for (int h = first; h >= 0;)
-  {
-    if (this->tip(h) == b)
+  int found = -1;
+  this->visitOutgoing(a,
+    [&](int h)
     {
-      return h;
-    }
-    if (this->origin(previous(h)) == b && this->Twins[previous(h)] < 0)
-    {
-      return previous(h);
-    }
-    h = this->rotated(h);
-    if (h == first)
-    {
-      break;
-    }
-  }
-  return -1;
+      const int incoming = previous(h);
+      const bool isReverse = this->source(incoming) == b && this->Twins[incoming] < 0;
+      found = this->target(h) == b ? h : isReverse ? incoming : found;
+    });
+  return found;
 }
 
 std::vector<std::vector<int>> HalfedgeSurface::boundaryLoops() const
@@ -140,7 +126,7 @@ std::vector<std::vector<int>> HalfedgeSurface::boundaryLoops() const
       continue;
     }
     std::vector<int> loop;
-    for (int w = v; !visited[w]; w = this->tip(this->Outgoing[w]))
+    for (int w = v; !visited[w]; w = this->target(this->Outgoing[w]))
     {
       visited[w] = 1;
       loop.push_back(w);
@@ -154,48 +140,41 @@ int HalfedgeSurface::cut(const std::vector<int>& loop)
 {
   const int firstCopy = this->vertexCount();
   const std::size_t n = loop.size();
-  std::vector<int> twins(n);
+  std::vector<std::vector<int>> onLeft(n); // half-edges that leave each vertex of the loop
   for (std::size_t i = 0; i < n; ++i)
   {
-    twins[i] = this->twin(loop[i]);
-  }
-  std::vector<int> corners; // of the new vertices, those of each together
-  std::vector<std::size_t> first;
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    first.push_back(corners.size());
-    const int last = loop[(i + n - 1) % n]; // ends here
+    const int last = loop[(i + n - 1) % n];
     int h = loop[i];
     for (; previous(h) != last; h = this->rotated(h))
     {
-      corners.push_back(h);
+      onLeft[i].push_back(h);
     }
-    corners.push_back(h);
+    onLeft[i].push_back(h);
   }
-  first.push_back(corners.size());
   for (std::size_t i = 0; i < n; ++i)
   {
-    const int old = this->origin(loop[i]);
-    const Eigen::Vector3d place = this->Points[old];
-    const int copy = this->addVertex(place);
-    for (std::size_t c = first[i]; c < first[i + 1]; ++c)
+    const int old = this->source(loop[i]);
+    const int copy = this->addVertex(Eigen::Vector3d(this->point(old)), this->origin(old));
+    for (const int h : onLeft[i])
     {
-      this->Origins[corners[c]] = copy;
+      this->Sources[h] = copy;
     }
     this->Outgoing[copy] = loop[i];
-    this->Outgoing[old] = twins[(i + n - 1) % n];
+    this->Outgoing[old] = this->twin(loop[(i + n - 1) % n]);
   }
-  for (std::size_t i = 0; i < n; ++i)
+  for (const int h : loop)
   {
-    this->Twins[loop[i]] = this->Twins[twins[i]] = -1;
+    this->Twins[this->twin(h)] = -1;
+    this->Twins[h] = -1;
   }
   return firstCopy;
 }
 
-int HalfedgeSurface::addVertex(const Eigen::Vector3d& point)
+int HalfedgeSurface::addVertex(const Eigen::Vector3d& point, Origin origin)
 {
   this->Points.push_back(point);
   this->Outgoing.push_back(-1);
+  this->NewOrigins.push_back(std::move(origin));
   return this->vertexCount() - 1;
 }
 
@@ -207,14 +186,15 @@ void HalfedgeSurface::addFaces(const std::vector<std::array<int, 3>>& faces)
   {
     for (int k = 0; k < 3; ++k)
     {
-      sides[{ face[k], face[(k + 1) % 3] }] = this->halfedgeCount();
-      // The boundary half-edge from the other end: the one that starts there.
-      const int boundary = this->Outgoing[face[(k + 1) % 3]];
-      if (boundary >= 0 && boundary < begin && this->tip(boundary) == face[k])
+      const int from = face[k];
+      const int to = face[(k + 1) % 3];
+      sides[{ from, to }] = this->halfedgeCount();
+      const int boundary = this->Outgoing[to];
+      if (boundary >= 0 && boundary < begin && this->target(boundary) == from)
       {
-        sides[{ face[(k + 1) % 3], face[k] }] = boundary;
+        sides[{ to, from }] = boundary;
       }
-      this->Origins.push_back(face[k]);
+      this->Sources.push_back(from);
       this->Twins.push_back(-1);
     }
   }
@@ -226,42 +206,48 @@ void HalfedgeSurface::addFaces(const std::vector<std::array<int, 3>>& faces)
       this->join(h, opposite->second);
     }
   }
-  for (int h = begin; h < this->halfedgeCount(); ++h)
-  {
-    int& outgoing = this->Outgoing[this->origin(h)];
-    if (outgoing < 0 || this->Twins[h] < 0)
-    {
-      outgoing = h;
-    }
-  }
+  this->findOutgoing(begin);
+  this->FaceOrigins.resize(this->faceCount(), -1);
 }
 
 int HalfedgeSurface::splitEdge(int h)
 {
   const int g = this->twin(h);
-  const int a = this->origin(h);
-  const int c = this->origin(previous(h));
-  const int d = this->origin(previous(g));
-  const Eigen::Vector3d middle = 0.5 * (this->point(a) + this->point(this->tip(h)));
-  const int m = this->addVertex(middle);
-  const int beforeH = previous(h); // c -> a, now c -> m
-  const int afterG = next(g);      // a -> d, now m -> d
+  const int a = this->source(h);
+  const int b = this->target(h);
+  const int c = this->source(previous(h));
+  const int d = this->source(previous(g));
+  std::map<int, double> weights;
+  for (const int end : { a, b })
+  {
+    for (const auto& [vertex, weight] : this->origin(end))
+    {
+      weights[vertex] += 0.5 * weight;
+    }
+  }
+  const Eigen::Vector3d middle = 0.5 * (this->point(a) + this->point(b));
+  const int m = this->addVertex(middle, { weights.begin(), weights.end() });
+  this->FaceOrigins.push_back(this->FaceOrigins[face(h)]);
+  this->FaceOrigins.push_back(this->FaceOrigins[face(g)]);
+
+  const int beforeH = previous(h); // from c to a, now from c to m
+  const int afterG = next(g);      // from a to d, now from m to d
   const int n = this->halfedgeCount();
-  this->Origins.insert(this->Origins.end(), { a, m, c, m, a, d });
+  this->Sources.insert(this->Sources.end(), { a, m, c, m, a, d });
   this->Twins.insert(this->Twins.end(), 6, -1);
   this->join(n + 2, this->twin(beforeH));
   this->join(n + 4, this->twin(afterG));
-  this->Origins[h] = m;
-  this->Origins[afterG] = m;
+  this->Sources[h] = m;
+  this->Sources[afterG] = m;
   this->join(n, n + 3);
   this->join(n + 1, beforeH);
   this->join(n + 5, afterG);
   this->Outgoing[m] = h;
-  // Whatever left a from the old faces leaves it from the new ones now.
+  // The new faces have the half-edges that started at a, and perhaps the one from c to the boundary.
   int& fromA = this->Outgoing[a];
   fromA = fromA == h ? n : fromA == afterG ? n + 4 : fromA;
   int& fromC = this->Outgoing[c];
-  fromC = fromC == beforeH ? n + 2 : fromC; // c -> a, which may be on the boundary
+  fromC = fromC == beforeH ? n + 2 : fromC;
   return m;
 }
 
@@ -281,8 +267,26 @@ TriangleMesh HalfedgeSurface::mesh() const
   {
     mesh.Vertices.row(v) = this->Points[v].transpose();
   }
-  mesh.Faces = Eigen::Map<const FaceMatrix>(this->Origins.data(), this->faceCount(), 3);
+  mesh.Faces = Eigen::Map<const FaceMatrix>(this->Sources.data(), this->faceCount(), 3);
   return mesh;
+}
+
+DerivedMesh HalfedgeSurface::derived() const
+{
+  DerivedMesh result;
+  result.Mesh = this->mesh();
+  result.Faces = this->FaceOrigins;
+  std::vector<Eigen::Triplet<double, int>> weights;
+  for (int v = 0; v < this->vertexCount(); ++v)
+  {
+    for (const auto& [original, weight] : this->origin(v))
+    {
+      weights.emplace_back(v, original, weight);
+    }
+  }
+  result.Vertices.resize(this->vertexCount(), this->OriginalVertices);
+  result.Vertices.setFromTriplets(weights.begin(), weights.end());
+  return result;
 }
 
 } // namespace flattening

@@ -18,13 +18,21 @@ namespace flattening
 namespace
 {
 
-// Lengths of loops: at first and for a detour in mean edge lengths, from one search to the next.
+// The length up to which loops are searched first, in mean edge lengths, and its growth from one search
+// to the next. Conventions: the first search finds the loops of noise; with longer steps the loops found
+// may be farther from the shortest, with shorter ones there are more searches.
 constexpr double FirstLength = 12.0;
-constexpr double LongestDetour = 24.0;
 constexpr double LengthGrowth = 1.6;
+// How much longer a loop may be that is cut instead of a rejected one, in mean edge lengths. A guard:
+// with no limit, long loops are cut far away from the handle, and late searches take long.
+constexpr double LongestDetour = 24.0;
+// Rejected loops of a class before its search ends. A guard for time: each try counts intersections.
 constexpr int TriesPerClass = 10;
-// Labels become fewer only when they are computed anew: once this share of the handles is left.
+// Computing the labels anew makes them fewer, and with them the seeds to search from. It costs as much
+// as one pass over the surface, so it is done only once this share of the labelled handles is left.
 constexpr double FewHandles = 0.3;
+constexpr double AnyLength = std::numeric_limits<double>::infinity();
+constexpr int AnyNumber = std::numeric_limits<int>::max();
 
 double meanLength(const HalfedgeSurface& surface)
 {
@@ -36,7 +44,8 @@ double meanLength(const HalfedgeSurface& surface)
   return sum / surface.halfedgeCount();
 }
 
-// Of classes given by their hashes, which are linear.
+// The rank of homology classes that are given by their hashes, by Gaussian elimination; hashes are
+// linear.
 int rankOf(const std::set<std::uint64_t>& hashes)
 {
   std::vector<std::uint64_t> basis;
@@ -57,16 +66,16 @@ int rankOf(const std::set<std::uint64_t>& hashes)
 class HandleCutter
 {
 public:
-  HandleCutter(TracedSurface& surface, const CutAlong& cutAlong, ProgressCallback progress)
+  HandleCutter(HalfedgeSurface& surface, const CutAlong& cutAlong, ProgressCallback progress)
     : Surface(surface)
     , TryCut(cutAlong)
     , Progress(std::move(progress))
-    , EdgeLength(meanLength(surface.halfedges()))
-    , Labels(surface.halfedges())
-    , Loops(surface.halfedges(), this->Labels)
+    , EdgeLength(meanLength(surface))
+    , Labels(surface)
+    , Loops(surface, this->Labels)
     , HandlesAtStart(this->Labels.genus())
     , HandlesLabelled(this->Labels.genus())
-    , Refused(LongestDetour * this->EdgeLength)
+    , Rejected(LongestDetour * this->EdgeLength)
   {
   }
 
@@ -78,15 +87,14 @@ public:
       const std::size_t before = this->Lengths.size();
       this->cutLoopsUpTo(length);
       const bool allSeen = this->Lengths.size() == before && !this->Loops.wasBounded();
-      constexpr double Any = std::numeric_limits<double>::infinity();
-      this->cutRefused(allSeen ? Any : length, Any);
+      this->cutRejected(allSeen ? AnyLength : length, AnyLength);
       if (allSeen && this->Lengths.size() == before && !this->splitChords())
       {
         throw TopologyError("a handle of the surface near vertex " +
                             std::to_string(this->Loops.seeds().front()) +
                             " cannot be cut: subdivide the surface first, e.g. with Linear Subdivision");
       }
-      length = std::max(LengthGrowth * length, this->Refused.shortest());
+      length = std::max(LengthGrowth * length, this->Rejected.shortest());
     }
     return this->Lengths;
   }
@@ -102,11 +110,9 @@ private:
   struct ClassAttempts
   {
     int Count = 0;
-    int Fewest = std::numeric_limits<int>::max(); // intersections
+    int Fewest = AnyNumber; // pairs of faces that would intersect
   };
   using Queue = std::priority_queue<SurfaceLoop, std::vector<SurfaceLoop>, IsLonger>;
-
-  const HalfedgeSurface& halfedges() const { return this->Surface.halfedges(); }
 
   double fraction() const { return static_cast<double>(this->Lengths.size()) / this->HandlesAtStart; }
 
@@ -114,18 +120,17 @@ private:
   {
     if (this->Labels.genus() < FewHandles * this->HandlesLabelled)
     {
-      this->Labels = HomologyLabels(this->halfedges());
+      this->Labels = HomologyLabels(this->Surface);
       this->HandlesLabelled = this->Labels.genus();
     }
     this->countAttempts();
-    if (rankOf(this->Known) == 2 * this->Labels.genus()) // no more are to be expected
+    if (rankOf(this->Known) == 2 * this->Labels.genus()) // no other class is left to search
     {
-      constexpr double Any = std::numeric_limits<double>::infinity();
-      this->cutRefused(Any, Any);
+      this->cutRejected(AnyLength, AnyLength);
       return;
     }
     this->Loops.Ignored = this->Known;
-    this->RefusedFrom.clear();
+    this->RejectedFrom.clear();
     const double here = this->fraction();
     this->Found = Queue({},
       this->Loops.find(this->Loops.seeds(),
@@ -136,8 +141,8 @@ private:
     {
       const SurfaceLoop loop = this->Found.top();
       this->Found.pop();
-      this->cutRefused(length, loop.Length);
-      if (loop.Length > this->Refused.limit())
+      this->cutRejected(length, loop.Length);
+      if (loop.Length > this->Rejected.limit())
       {
         break;
       }
@@ -151,9 +156,9 @@ private:
 
   void findAgain(int seed)
   {
-    this->Loops.Ignored = this->RefusedFrom[seed];
+    this->Loops.Ignored = this->RejectedFrom[seed];
     this->Loops.Ignored.insert(this->Known.begin(), this->Known.end());
-    SurfaceLoop next = this->Loops.findAgain(seed, this->Refused.limit());
+    SurfaceLoop next = this->Loops.findAgain(seed, this->Rejected.limit());
     if (!next.Halfedges.empty())
     {
       this->Found.push(std::move(next));
@@ -167,7 +172,7 @@ private:
       return;
     }
     if (!this->Attempts.count(this->Loops.classHash(loop)))
-    { // tightened, the others would become this one
+    { // only the first loop of a class is tightened: the others would become the same loop
       this->Loops.tighten(loop);
     }
     const std::uint64_t hash = this->Loops.classHash(loop);
@@ -177,21 +182,21 @@ private:
     {
       return;
     }
-    if (this->Refused.contains(loop))
+    if (this->Rejected.contains(loop))
     {
-      this->RefusedFrom[loop.Seed].insert(hash);
+      this->RejectedFrom[loop.Seed].insert(hash);
       return;
     }
-    const int fewest = isFirst ? std::numeric_limits<int>::max() : earlier->second.Fewest;
+    const int fewest = isFirst ? AnyNumber : earlier->second.Fewest;
     const int intersections = this->cut(loop, 0, fewest);
     if (intersections > 0)
     {
-      this->RefusedFrom[loop.Seed].insert(hash);
-      this->Refused.add(loop, intersections > fewest ? std::numeric_limits<int>::max() : intersections);
+      this->RejectedFrom[loop.Seed].insert(hash);
+      this->Rejected.add(loop, intersections > fewest ? AnyNumber : intersections);
       this->addAttempt(hash, intersections);
       if (isFirst && intersections > RejectedLoops::Few)
       {
-        for (SurfaceLoop& other : this->Loops.findBeside(loop, this->Refused.limit()))
+        for (SurfaceLoop& other : this->Loops.findBeside(loop, this->Rejected.limit()))
         {
           this->Found.push(std::move(other));
         }
@@ -209,39 +214,33 @@ private:
     }
   }
 
-  // Every cut changes the classes.
+  // Counts the rejected loops of each class anew, as every cut changes the classes.
   void countAttempts()
   {
     this->Attempts.clear();
     this->Known.clear();
-    this->Refused.keepIf([this](const SurfaceLoop& loop) { return this->isUpToDate(loop); });
-    this->Refused.visit([this](const SurfaceLoop& loop, int intersections)
+    this->Rejected.keepIf([this](const SurfaceLoop& loop) { return this->isUpToDate(loop); });
+    this->Rejected.visit([this](const SurfaceLoop& loop, int intersections)
       { this->addAttempt(this->Loops.classHash(loop), intersections); });
   }
 
-  // Takes the best of the refused loops, see RejectedLoops::due.
-  void cutRefused(double searched, double tried)
+  // Cuts rejected loops for which there is no better one, see RejectedLoops::due.
+  void cutRejected(double searched, double tried)
   {
-    while (true)
+    while (const SurfaceLoop* loop = this->Rejected.due(searched, tried))
     {
-      const SurfaceLoop* loop = this->Refused.due(searched, tried);
-      if (!loop)
-      {
-        return;
-      }
-      constexpr int Any = std::numeric_limits<int>::max();
-      this->cut(SurfaceLoop(*loop), Any, Any);
+      this->cut(SurfaceLoop(*loop), AnyNumber, AnyNumber);
     }
   }
 
-  // Whether it still is a loop that could be cut, after the cuts since it was found.
+  // Whether the loop can still be cut, after the cuts since it was found.
   bool isUpToDate(const SurfaceLoop& loop) const
   {
-    const HalfedgeSurface& surface = this->halfedges();
-    for (std::size_t i = 0; i < loop.Halfedges.size(); ++i)
+    const std::size_t n = loop.Halfedges.size();
+    for (std::size_t i = 0; i < n; ++i)
     {
-      const int v = surface.tip(loop.Halfedges[i]);
-      if (v != surface.origin(loop.Halfedges[(i + 1) % loop.Halfedges.size()]) || surface.onBoundary(v))
+      const int v = this->Surface.target(loop.Halfedges[i]);
+      if (v != this->Surface.source(loop.Halfedges[(i + 1) % n]) || this->Surface.onBoundary(v))
       {
         return false;
       }
@@ -255,37 +254,38 @@ private:
     std::vector<int> vertices;
     for (const int h : loop.Halfedges)
     {
-      vertices.push_back(this->halfedges().origin(h));
+      vertices.push_back(this->Surface.source(h));
     }
     const CutOutcome outcome = this->TryCut(loop, tolerated, counted);
     if (outcome.FirstCopy >= 0)
     {
-      this->Labels.followCut(this->halfedges(), loop.Halfedges, vertices, outcome.FirstCopy);
+      this->Labels.followCut(this->Surface, loop.Halfedges, vertices, outcome.FirstCopy);
       this->Lengths.push_back(loop.Length);
       this->countAttempts();
     }
     return outcome.Intersections;
   }
 
-  // No edge may join boundary vertices across the surface. Its inner vertices then meet every handle.
+  // Splits all inner edges that join two boundary vertices, and returns whether there was one.
+  // Afterwards there is a loop of inner vertices around every handle.
   bool splitChords()
   {
-    const int halfedges = this->halfedges().halfedgeCount();
+    const int halfedges = this->Surface.halfedgeCount();
     bool any = false;
     for (int h = 0; h < halfedges; ++h)
     {
-      if (h < this->halfedges().twin(h) && this->halfedges().onBoundary(this->halfedges().origin(h)) &&
-          this->halfedges().onBoundary(this->halfedges().tip(h)))
+      if (h < this->Surface.twin(h) && this->Surface.onBoundary(this->Surface.source(h)) &&
+          this->Surface.onBoundary(this->Surface.target(h)))
       {
         this->Surface.splitEdge(h);
-        this->Labels.followSplit(this->halfedges(), h);
+        this->Labels.followSplit(this->Surface, h);
         any = true;
       }
     }
     return any;
   }
 
-  TracedSurface& Surface;
+  HalfedgeSurface& Surface;
   const CutAlong& TryCut;
   ProgressCallback Progress;
   double EdgeLength;
@@ -294,16 +294,16 @@ private:
   int HandlesAtStart;
   int HandlesLabelled;
   std::vector<double> Lengths;
-  Queue Found; // in this search
-  RejectedLoops Refused;
-  std::map<std::uint64_t, ClassAttempts> Attempts;    // of the refused loops
-  std::set<std::uint64_t> Known;                      // classes whose loops were found already
-  std::map<int, std::set<std::uint64_t>> RefusedFrom; // a seed in this search: classes
+  Queue Found; // loops of this search that were not tried yet
+  RejectedLoops Rejected;
+  std::map<std::uint64_t, ClassAttempts> Attempts;     // per class of rejected loops
+  std::set<std::uint64_t> Known;                       // classes that are not searched for any more
+  std::map<int, std::set<std::uint64_t>> RejectedFrom; // per seed of this search: rejected classes
 };
 
 } // namespace
 
-std::vector<double> cutHandles(TracedSurface& surface,
+std::vector<double> cutHandles(HalfedgeSurface& surface,
   const CutAlong& cutAlong,
   const ProgressCallback& progress)
 {

@@ -10,7 +10,7 @@ namespace flattening
 namespace
 {
 
-// Cuts the surface and leaves it open, and remembers what it was before.
+// Cuts the surface, leaves it open, and remembers which vertices the cuts copied.
 class LoopRecorder
 {
 public:
@@ -31,7 +31,7 @@ public:
         std::vector<int> vertices;
         for (const int h : loop.Halfedges)
         {
-          vertices.push_back(this->Uncut[this->Surface.halfedges().origin(h)]);
+          vertices.push_back(this->Uncut[this->Surface.source(h)]);
         }
         this->Uncut.insert(this->Uncut.end(), vertices.begin(), vertices.end());
         result.Loops.push_back(std::move(vertices));
@@ -44,17 +44,17 @@ public:
   }
 
 private:
-  // New vertices that no cut made are those of split edges.
+  // Takes note of the vertices that are not copies: those of the mesh, and middles of split edges.
   void followSplits()
   {
-    while (static_cast<int>(this->Uncut.size()) < this->Surface.halfedges().vertexCount())
+    while (static_cast<int>(this->Uncut.size()) < this->Surface.vertexCount())
     {
       this->Kept.push_back(static_cast<int>(this->Uncut.size()));
       this->Uncut.push_back(static_cast<int>(this->Kept.size()) - 1);
     }
   }
 
-  // The surface with the copies of vertices put together again.
+  // The surface without the copies of vertices.
   DerivedMesh uncut() const
   {
     DerivedMesh cut = this->Surface.derived();
@@ -77,9 +77,9 @@ private:
     return result;
   }
 
-  TracedSurface Surface;
-  std::vector<int> Uncut; // per vertex of the cut surface: that of the surface before
-  std::vector<int> Kept;  // per vertex of the surface before: one of the cut surface
+  HalfedgeSurface Surface;
+  std::vector<int> Uncut; // per vertex of the cut surface: its vertex in the surface without copies
+  std::vector<int> Kept;  // per vertex of the surface without copies: the cut surface's vertex
 };
 
 } // namespace

@@ -2,9 +2,9 @@
 #include "Handles/HandleRemoval.h"
 
 #include "Base/Errors.h"
+#include "Handles/CappedCut.h"
 #include "Handles/FaceIntersections.h"
 #include "Handles/HandleCutting.h"
-#include "Handles/LoopCapping.h"
 #include "Mesh/MeshTopology.h"
 
 #include <Eigen/Geometry>
@@ -22,39 +22,21 @@ namespace flattening
 namespace
 {
 
-// How far the copies of a loop move apart; less where that makes faces intersect.
+// How far the copies of a loop move apart, as shares of the way to the centre of the faces around them;
+// tried in this order until no faces intersect. Conventions: longer steps leave better triangles,
+// shorter ones keep clear of parts nearby.
 constexpr double Steps[] = { 0.5, 0.25, 0.1, 0.03 };
-// With more pairs than these the cap passes through a fold, whatever the step.
+// More intersecting pairs than these mean that the cap passes through a fold, whatever the step: other
+// steps and caps are not tried. A guard for time.
 constexpr int Many = 64;
 
-double areaOf(const HalfedgeSurface& surface,
-  const FaceReplacement& faces,
-  std::size_t begin,
-  std::size_t end)
+double areaOf(const std::vector<PlacedTriangle>& triangles, std::size_t begin, std::size_t end)
 {
-  const auto at = [&](int v) -> const Eigen::Vector3d&
-  {
-    const auto place = faces.Places.find(v);
-    return place == faces.Places.end() ? surface.point(v) : place->second;
-  };
   double twice = 0.0;
   for (std::size_t f = begin; f < end; ++f)
   {
-    const std::array<int, 3>& t = faces.Faces[f];
-    twice += (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).norm();
-  }
-  return 0.5 * twice;
-}
-
-double areaOf(const HalfedgeSurface& surface, const std::vector<int>& faces)
-{
-  double twice = 0.0;
-  for (const int f : faces)
-  {
-    const Eigen::Vector3d& p = surface.point(surface.origin(3 * f));
-    twice += (surface.point(surface.origin(3 * f + 1)) - p)
-               .cross(surface.point(surface.origin(3 * f + 2)) - p)
-               .norm();
+    const auto& [a, b, c] = triangles[f].Points;
+    twice += (b - a).cross(c - a).norm();
   }
   return 0.5 * twice;
 }
@@ -65,8 +47,8 @@ public:
   explicit HandleRemover(const TriangleMesh& mesh)
     : Original(mesh)
     , Surface(mesh)
-    , Euler(this->halfedges().eulerCharacteristic())
-    , Boundaries(this->halfedges().boundaryLoops())
+    , Euler(this->Surface.eulerCharacteristic())
+    , Boundaries(this->Surface.boundaryLoops())
   {
   }
 
@@ -87,19 +69,17 @@ public:
   }
 
 private:
-  const HalfedgeSurface& halfedges() const { return this->Surface.halfedges(); }
-
   CutOutcome cutAndCap(const std::vector<int>& loop, int tolerated, int counted)
   {
-    if (!this->Intersections || this->KnownFaces != this->halfedges().faceCount()) // edges were split
+    if (!this->Intersections || this->KnownFaces != this->Surface.faceCount()) // edges were split
     {
-      this->Intersections.emplace(this->halfedges());
-      this->KnownFaces = this->halfedges().faceCount();
+      this->Intersections.emplace(this->Surface);
+      this->KnownFaces = this->Surface.faceCount();
     }
     BestCut best;
     for (const auto& makeCap : { spanningCap, coneCap })
     {
-      if (best.Cut && best.Pairs > Many && tolerated == 0) // a fold lies in the way, of a cone as well
+      if (best.Cut && best.Pairs > Many && tolerated == 0) // a cone would pass through the fold too
       {
         break;
       }
@@ -121,10 +101,11 @@ private:
   struct BestCut
   {
     std::optional<CappedCut> Cut;
-    int Pairs = std::numeric_limits<int>::max(); // of faces that would intersect besides those that do
+    int Pairs = std::numeric_limits<int>::max(); // of faces that would intersect but do not now
   };
 
-  // Numbers of pairs above `counted` are not exact.
+  // Takes the cut with this kind of cap if fewer pairs would intersect. Numbers of pairs above `counted`
+  // are not exact.
   template <typename MakeCap>
   void improve(BestCut& best, const std::vector<int>& loop, const MakeCap& makeCap, int counted) const
   {
@@ -132,19 +113,19 @@ private:
     std::vector<Eigen::Vector3d> points;
     for (const int h : loop)
     {
-      vertices.push_back(this->halfedges().origin(h));
-      points.push_back(this->halfedges().point(vertices.back()));
+      vertices.push_back(this->Surface.source(h));
+      points.push_back(this->Surface.point(vertices.back()));
     }
     LoopCap cap = makeCap(points);
     if (cap.Faces.empty())
     {
       return;
     }
-    splitEdgesOf(this->halfedges(), vertices, points, cap);
+    splitEdgesOf(this->Surface, vertices, points, cap);
     constexpr int All = std::numeric_limits<int>::max();
     for (const double step : Steps)
     {
-      CappedCut cut = capBothSides(this->halfedges(), loop, cap, step);
+      CappedCut cut = capBothSides(this->Surface, loop, cap, step);
       const int before = this->Intersections->count(cut.Faces.Replaced);
       const int enough = std::min(best.Pairs, counted);
       const int pairs =
@@ -165,65 +146,70 @@ private:
   {
     const FaceReplacement& faces = cut.Faces;
     const std::size_t old = faces.Replaced.size();
-    this->Report.RemovedArea +=
-      areaOf(this->halfedges(), faces.Replaced) - areaOf(this->halfedges(), faces, 0, old);
-    this->Report.AddedArea += areaOf(this->halfedges(), faces, old, faces.Faces.size());
+    const std::vector<PlacedTriangle> now = trianglesOf(this->Surface, faces.Replaced);
+    const std::vector<PlacedTriangle> next = trianglesOf(this->Surface, faces);
+    this->Report.RemovedArea += areaOf(now, 0, old) - areaOf(next, 0, old);
+    this->Report.AddedArea += areaOf(next, old, next.size());
 
     this->Intersections->remove(faces.Replaced);
-    const int firstFace = this->halfedges().faceCount();
+    const int firstFace = this->Surface.faceCount();
     this->Surface.cut(loop);
-    for (int side = 0; side < 2; ++side)
+    this->addInnerVertices(cut);
+    this->addInnerVertices(cut);
+    for (const auto& [v, position] : faces.Positions)
     {
-      for (std::size_t i = 0; i < cut.Cap.Inside.size(); ++i)
-      {
-        std::map<int, double> weights;
-        for (const auto& [corner, share] : cut.Cap.Weights[i])
-        {
-          for (const auto& [vertex, weight] : this->Surface.origin(cut.Vertices[corner]))
-          {
-            weights[vertex] += share * weight;
-          }
-        }
-        this->Surface.addVertex(cut.Cap.Inside[i], { weights.begin(), weights.end() });
-      }
-    }
-    for (const auto& [v, place] : faces.Places)
-    {
-      this->Surface.move(v, place);
+      this->Surface.move(v, position);
     }
     this->Surface.addFaces(
       { faces.Faces.begin() + static_cast<std::ptrdiff_t>(old), faces.Faces.end() });
     this->Intersections->insert(faces.Replaced);
-    std::vector<int> added(this->halfedges().faceCount() - firstFace);
+    std::vector<int> added(this->Surface.faceCount() - firstFace);
     std::iota(added.begin(), added.end(), firstFace);
     this->Intersections->insert(added);
-    this->KnownFaces = this->halfedges().faceCount();
+    this->KnownFaces = this->Surface.faceCount();
     return cut.FirstCopy;
+  }
+
+  // Adds the inner vertices of one cap.
+  void addInnerVertices(const CappedCut& cut)
+  {
+    for (std::size_t i = 0; i < cut.Cap.Inside.size(); ++i)
+    {
+      std::map<int, double> weights;
+      for (const auto& [corner, share] : cut.Cap.Weights[i])
+      {
+        for (const auto& [vertex, weight] : this->Surface.origin(cut.Vertices[corner]))
+        {
+          weights[vertex] += share * weight;
+        }
+      }
+      this->Surface.addVertex(cut.Cap.Inside[i], { weights.begin(), weights.end() });
+    }
   }
 
   double greatestDisplacement() const
   {
     double greatest = 0.0;
-    for (int v = 0; v < this->halfedges().vertexCount(); ++v)
+    for (int v = 0; v < this->Surface.vertexCount(); ++v)
     {
-      const TracedSurface::Origin origin = this->Surface.origin(v);
+      const HalfedgeSurface::Origin origin = this->Surface.origin(v);
       if (origin.size() == 1) // kept, or a copy
       {
         const Eigen::Vector3d before = this->Original.Vertices.row(origin[0].first).transpose();
-        greatest = std::max(greatest, (this->halfedges().point(v) - before).norm());
+        greatest = std::max(greatest, (this->Surface.point(v) - before).norm());
       }
     }
     return greatest;
   }
 
-  // Every cut takes one handle off, and does nothing else.
+  // Checks that every cut removed one handle and changed nothing else of the topology.
   void requireHandlesGone(const SurfaceWithoutHandles& result) const
   {
     const TriangleMesh& mesh = result.Surface.Mesh;
     const MeshTopology topology = analyseTopology(mesh.Faces, mesh.vertexCount());
     if (topology.Genus != 0 || topology.Components != 1 ||
         topology.eulerCharacteristic() != this->Euler + 2 * result.Report.Handles ||
-        this->halfedges().boundaryLoops() != this->Boundaries)
+        this->Surface.boundaryLoops() != this->Boundaries)
     {
       throw TopologyError("the handles of the surface could not be removed, genus " +
                           std::to_string(topology.Genus) +
@@ -232,11 +218,11 @@ private:
   }
 
   const TriangleMesh& Original;
-  TracedSurface Surface;
+  HalfedgeSurface Surface;
   int Euler;
   std::vector<std::vector<int>> Boundaries;
   std::optional<FaceIntersections> Intersections;
-  int KnownFaces = 0; // to them
+  int KnownFaces = 0; // number of faces in Intersections
   HandleRemovalReport Report;
 };
 

@@ -3,7 +3,6 @@
 
 #include "Base/Errors.h"
 
-#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
@@ -13,7 +12,8 @@ namespace flattening
 namespace
 {
 
-// Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators".
+// The i-th number of a sequence of random numbers (Steele, Lea, Flood 2014, "Fast splittable
+// pseudorandom number generators").
 std::uint64_t splitMix(std::uint64_t x)
 {
   x += 0x9e3779b97f4a7c15u;
@@ -22,14 +22,26 @@ std::uint64_t splitMix(std::uint64_t x)
   return x ^ (x >> 31);
 }
 
-// A breadth-first tree of the faces, boundary loops counting as faces with numbers above theirs.
+// Sets a value that the half-edges of an edge share.
+template <typename Values, typename Value>
+void setEdge(const HalfedgeSurface& surface, Values& values, int h, Value value)
+{
+  values[h] = value;
+  if (surface.twin(h) >= 0)
+  {
+    values[surface.twin(h)] = value;
+  }
+}
+
+// A breadth-first tree of the faces. Boundary loops count as faces; their numbers follow those of the
+// faces.
 class FaceTree
 {
 public:
   explicit FaceTree(const HalfedgeSurface& surface)
     : Surface(surface)
     , LoopOf(surface.halfedgeCount(), -1)
-    , Parent(0)
+    , InTree(surface.halfedgeCount(), 0)
   {
     for (const std::vector<int>& vertices : surface.boundaryLoops())
     {
@@ -45,14 +57,10 @@ public:
 
   int nodeCount() const { return this->Surface.faceCount() + static_cast<int>(this->Loops.size()); }
   const std::vector<int>& order() const { return this->Order; }
-  /// The half-edge of a face's side to its parent, seen from the parent's or, if that is missing on the
-  /// boundary, from the face's side; -1 at the root.
+  /// The half-edge between a node and its parent, seen from the parent unless that is a boundary loop;
+  /// -1 at the root.
   int parentEdge(int node) const { return this->Parent[node]; }
-  bool isTreeEdge(int h) const
-  {
-    const int twin = this->Surface.twin(h);
-    return this->InTree[h] || (twin >= 0 && this->InTree[twin]);
-  }
+  bool isTreeEdge(int h) const { return this->InTree[h]; }
 
   template <typename Visit>
   void visitSides(int node, const Visit& visit) const
@@ -85,7 +93,6 @@ private:
   {
     std::vector<char> reached(this->nodeCount(), 0);
     this->Parent.assign(this->nodeCount(), -1);
-    this->InTree.assign(this->Surface.halfedgeCount(), 0);
     this->Order.reserve(this->nodeCount());
     this->Order.push_back(0);
     reached[0] = 1;
@@ -100,7 +107,7 @@ private:
           {
             reached[neighbour] = 1;
             this->Parent[neighbour] = h;
-            this->InTree[h] = 1;
+            setEdge(this->Surface, this->InTree, h, 1);
             this->Order.push_back(neighbour);
           }
         });
@@ -108,11 +115,11 @@ private:
   }
 
   const HalfedgeSurface& Surface;
-  std::vector<std::vector<int>> Loops;
-  std::vector<int> LoopOf;
-  std::vector<int> Parent;
-  std::vector<int> Order;
-  std::vector<char> InTree;
+  std::vector<std::vector<int>> Loops; // half-edges of each boundary loop
+  std::vector<int> LoopOf;             // per half-edge: its boundary loop, or -1
+  std::vector<char> InTree;            // per half-edge
+  std::vector<int> Parent;             // per node, see parentEdge
+  std::vector<int> Order;              // nodes in breadth-first order
 };
 
 // Marks the half-edges of a breadth-first tree of the vertices that crosses no edge of the face tree.
@@ -120,40 +127,46 @@ std::vector<char> vertexTree(const HalfedgeSurface& surface, const FaceTree& fac
 {
   std::vector<char> inTree(surface.halfedgeCount(), 0);
   std::vector<char> reached(surface.vertexCount(), 0);
-  std::vector<int> queue{ surface.origin(0) };
+  std::vector<int> queue{ surface.source(0) };
   reached[queue[0]] = 1;
   const auto step = [&](int to, int h)
   {
     if (!reached[to] && !faces.isTreeEdge(h))
     {
       reached[to] = 1;
-      inTree[h] = 1;
-      if (surface.twin(h) >= 0)
-      {
-        inTree[surface.twin(h)] = 1;
-      }
+      setEdge(surface, inTree, h, 1);
       queue.push_back(to);
     }
   };
   for (std::size_t i = 0; i < queue.size(); ++i)
   {
-    const int first = surface.outgoing(queue[i]);
-    for (int h = first; h >= 0;)
-    {
-      step(surface.tip(h), h);
-      const int incoming = HalfedgeSurface::previous(h);
-      h = surface.rotated(h);
-      if (h < 0)
+    surface.visitOutgoing(queue[i],
+      [&](int h)
       {
-        step(surface.origin(incoming), incoming);
-      }
-      if (h == first)
-      {
-        break;
-      }
-    }
+        step(surface.target(h), h);
+        if (surface.rotated(h) < 0)
+        {
+          const int incoming = HalfedgeSurface::previous(h);
+          step(surface.source(incoming), incoming);
+        }
+      });
   }
   return inTree;
+}
+
+// One half-edge of each edge that belongs to neither tree.
+std::vector<int> generatorsOf(const HalfedgeSurface& surface, const FaceTree& faces)
+{
+  const std::vector<char> inVertexTree = vertexTree(surface, faces);
+  std::vector<int> generators;
+  for (int h = 0; h < surface.halfedgeCount(); ++h)
+  {
+    if (h > surface.twin(h) && !inVertexTree[h] && !faces.isTreeEdge(h))
+    {
+      generators.push_back(h);
+    }
+  }
+  return generators;
 }
 
 } // namespace
@@ -167,34 +180,16 @@ HomologyLabels::HomologyLabels(const HalfedgeSurface& surface)
     throw TopologyError("the surface is not connected, at face " + std::to_string(surface.faceCount()) +
                         ": choose one component with Connectivity first");
   }
-  std::vector<int> generators;
-  {
-    const std::vector<char> inVertexTree = vertexTree(surface, faces);
-    for (int h = 0; h < surface.halfedgeCount(); ++h)
-    {
-      if (h > surface.twin(h) && !inVertexTree[h] && !faces.isTreeEdge(h))
-      {
-        generators.push_back(h);
-      }
-    }
-  }
+  const std::vector<int> generators = generatorsOf(surface, faces);
   this->Genus = static_cast<int>(generators.size()) / 2;
-  const std::size_t words = (generators.size() + 63) / 64;
-  this->Labels.push_back({ Class(words, 0), 0 });
-  const auto setLabel = [&](int h, int label)
-  {
-    this->LabelOf[h] = label;
-    if (surface.twin(h) >= 0)
-    {
-      this->LabelOf[surface.twin(h)] = label;
-    }
-  };
+  this->Labels.push_back({ Class(generators.size()), 0 });
   for (std::size_t i = 0; i < generators.size(); ++i)
   {
-    this->Labels.push_back({ Class(words, 0), splitMix(i) });
-    this->Labels.back().Bits[i / 64] |= std::uint64_t(1) << (i % 64);
-    setLabel(generators[i], static_cast<int>(i) + 1);
+    this->Labels.push_back({ Class(generators.size()), splitMix(i) });
+    this->Labels.back().Bits.set(i);
+    setEdge(surface, this->LabelOf, generators[i], static_cast<int>(i) + 1);
   }
+  // From the leaves of the face tree to its root, only one side of each face has no label yet.
   for (std::size_t i = faces.order().size(); i-- > 1;)
   {
     const int node = faces.order()[i];
@@ -208,7 +203,7 @@ HomologyLabels::HomologyLabels(const HalfedgeSurface& surface)
           label = this->sum(label, this->LabelOf[h]);
         }
       });
-    setLabel(parent, label);
+    setEdge(surface, this->LabelOf, parent, label);
   }
 }
 
@@ -223,10 +218,7 @@ int HomologyLabels::sum(int a, int b)
     return 0;
   }
   Label label = this->Labels[a];
-  for (std::size_t w = 0; w < label.Bits.size(); ++w)
-  {
-    label.Bits[w] ^= this->Labels[b].Bits[w];
-  }
+  label.Bits ^= this->Labels[b].Bits;
   label.Hash ^= this->Labels[b].Hash;
   this->Labels.push_back(std::move(label));
   return static_cast<int>(this->Labels.size()) - 1;
@@ -234,21 +226,12 @@ int HomologyLabels::sum(int a, int b)
 
 HomologyLabels::Class HomologyLabels::classOf(const std::vector<int>& loop) const
 {
-  Class result(this->Labels[0].Bits.size(), 0);
+  Class result(this->Labels[0].Bits.size());
   for (const int h : loop)
   {
-    const Class& bits = this->Labels[this->LabelOf[h]].Bits;
-    for (std::size_t w = 0; w < result.size(); ++w)
-    {
-      result[w] ^= bits[w];
-    }
+    result ^= this->Labels[this->LabelOf[h]].Bits;
   }
   return result;
-}
-
-bool HomologyLabels::isZero(const Class& homologyClass)
-{
-  return std::all_of(homologyClass.begin(), homologyClass.end(), [](std::uint64_t w) { return w == 0; });
 }
 
 void HomologyLabels::divideBy(const std::vector<int>& loop)
@@ -259,16 +242,12 @@ void HomologyLabels::divideBy(const std::vector<int>& loop)
   {
     hash ^= this->hash(h);
   }
-  const auto word = std::find_if(divisor.begin(), divisor.end(), [](std::uint64_t w) { return w != 0; });
-  const std::uint64_t pivot = *word & (~*word + 1); // its lowest bit
+  const std::size_t pivot = divisor.find_first();
   for (Label& label : this->Labels)
   {
-    if (label.Bits[word - divisor.begin()] & pivot)
+    if (label.Bits.test(pivot))
     {
-      for (std::size_t w = 0; w < divisor.size(); ++w)
-      {
-        label.Bits[w] ^= divisor[w];
-      }
+      label.Bits ^= divisor;
       label.Hash ^= hash;
     }
   }
@@ -281,8 +260,8 @@ void HomologyLabels::followCut(const HalfedgeSurface& surface,
   int firstCopy)
 {
   this->divideBy(loop);
-  // Along the loop the labels are differences of a potential, as their sum is zero now. Extended by zero
-  // to the new vertices, it gives labels to the edges of the caps.
+  // The sum of the labels along the loop is zero now, so they are the differences of a potential. The
+  // potential is zero at the other vertices of the caps, and its differences label the edges there.
   std::map<int, int> potential;
   int label = 0;
   for (std::size_t i = 0; i < loop.size(); ++i)
@@ -300,14 +279,16 @@ void HomologyLabels::followCut(const HalfedgeSurface& surface,
   for (int h = begin; h < surface.halfedgeCount(); ++h)
   {
     const int twin = surface.twin(h);
-    this->LabelOf[h] = twin < h ? this->LabelOf[twin]
-                                : this->sum(potentialAt(surface.origin(h)), potentialAt(surface.tip(h)));
+    this->LabelOf[h] = twin < h
+                         ? this->LabelOf[twin]
+                         : this->sum(potentialAt(surface.source(h)), potentialAt(surface.target(h)));
   }
 }
 
 void HomologyLabels::followSplit(const HalfedgeSurface& surface, int h)
 {
-  // The first half gets zero, the second keeps the label; the rest follows from the faces.
+  // The half at the source of h gets zero, the other half keeps the label. The labels of the other new
+  // edges follow because the labels around a face sum to zero.
   const int beforeH = this->LabelOf[HalfedgeSurface::previous(h)];
   const int afterG = this->LabelOf[HalfedgeSurface::next(surface.twin(h))];
   this->LabelOf.insert(this->LabelOf.end(), { 0, beforeH, beforeH, 0, afterG, afterG });

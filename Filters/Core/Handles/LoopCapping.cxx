@@ -9,11 +9,9 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/utility.h>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
-#include <cmath>
 #include <iterator>
+#include <numeric>
 #include <random>
 #include <utility>
 
@@ -27,7 +25,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 using Polyline = std::vector<Eigen::Vector3d>;
 using Faces = std::vector<std::array<int, 3>>;
 
-// Turns the faces over if they do not run along the loop.
+// Reverses the faces if their sides do not have the direction of the loop.
 void orientAlongLoop(Faces& faces, int n)
 {
   const bool along = std::any_of(faces.begin(),
@@ -52,36 +50,38 @@ void orientAlongLoop(Faces& faces, int n)
   }
 }
 
-double perimeter(const Polyline& loop)
+std::vector<double> sideLengths(const Polyline& loop)
 {
-  double sum = 0.0;
+  std::vector<double> lengths;
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
-    sum += (loop[(i + 1) % loop.size()] - loop[i]).norm();
+    lengths.push_back((loop[(i + 1) % loop.size()] - loop[i]).norm());
   }
-  return sum;
+  return lengths;
+}
+
+double sum(const std::vector<double>& values)
+{
+  return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
 TriangleMesh meshOf(const Polyline& points, const Faces& faces)
 {
   TriangleMesh mesh;
   mesh.Vertices.resize(static_cast<Eigen::Index>(points.size()), 3);
-  for (std::size_t v = 0; v < points.size(); ++v)
-  {
-    mesh.Vertices.row(static_cast<Eigen::Index>(v)) = points[v].transpose();
-  }
   mesh.Faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
-  for (std::size_t f = 0; f < faces.size(); ++f)
+  for (int v = 0; v < mesh.vertexCount(); ++v)
   {
-    for (int k = 0; k < 3; ++k)
-    {
-      mesh.Faces(static_cast<Eigen::Index>(f), k) = faces[f][k];
-    }
+    mesh.Vertices.row(v) = points[v].transpose();
+  }
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    mesh.Faces.row(f) << faces[f][0], faces[f][1], faces[f][2];
   }
   return mesh;
 }
 
-// Adds vertices to the density of the loop's.
+// Adds vertices until the faces are as dense as the loop's vertices.
 void refine(SurfaceMesh& mesh)
 {
   const std::vector<SurfaceMesh::Face_index> old(mesh.faces().begin(), mesh.faces().end());
@@ -90,97 +90,88 @@ void refine(SurfaceMesh& mesh)
   PMP::refine(mesh, old, std::back_inserter(newFaces), std::back_inserter(newVertices));
 }
 
-// Does so too where edges to an inner vertex let refine() take the disk for a sparse one.
+// Replaces the faces by nearly equilateral ones with the loop's mean side length. This works on a cone
+// too, where the long edges to the centre would make refine() add hardly any vertex.
 void remesh(SurfaceMesh& mesh, const Polyline& loop)
 {
-  double longest = 0.0;
-  for (std::size_t i = 0; i < loop.size(); ++i)
-  {
-    longest = std::max(longest, (loop[(i + 1) % loop.size()] - loop[i]).norm());
-  }
-  const double mean = perimeter(loop) / static_cast<double>(loop.size());
-  // CGAL splits edges above 4/3 of the target. Were an edge of the loop, which stays, longer than that,
-  // those beside it would be as well, and splitting would not end.
+  const std::vector<double> sides = sideLengths(loop);
+  // CGAL splits edges above 4/3 of the target. If the loop's edges, which stay, were longer than that,
+  // the edges beside them would be too, and splitting would not end: so they are 1.2 targets long at
+  // most. With a factor above 4/3 remeshing can use up all memory; one near 1 makes caps coarser.
   constexpr double LongestOfLoop = 1.2;
-  constexpr int Iterations = 3;
+  constexpr int Iterations = 3; // a convention, as in CGAL's examples
   PMP::isotropic_remeshing(mesh.faces(),
-    std::max(mean, longest / LongestOfLoop),
+    std::max(sum(sides) / static_cast<double>(loop.size()),
+      *std::max_element(sides.begin(), sides.end()) / LongestOfLoop),
     mesh,
     CGAL::parameters::number_of_iterations(Iterations).protect_constraints(true));
   mesh.collect_garbage();
 }
 
-// A disk with vertices of its own; `coarse` may have one beside the loop's already, the centre.
+// The weights of the loop's vertices at a point of a coarse triangulation of the loop. Its vertices may
+// include the centre of the loop, which is made of all of them in equal shares.
+HalfedgeSurface::Origin weightsAt(const SurfacePoint& point, const TriangleMesh& coarse, int loopSize)
+{
+  HalfedgeSurface::Origin weights;
+  double share = 0.0; // of each vertex in the centre's weight
+  for (int k = 0; k < 3; ++k)
+  {
+    const int corner = coarse.Faces(point.Face, k);
+    if (corner >= loopSize)
+    {
+      share = point.Weights[k] / loopSize;
+    }
+    else if (point.Weights[k] > 0.0)
+    {
+      weights.emplace_back(corner, point.Weights[k]);
+    }
+  }
+  if (!(share > 0.0))
+  {
+    return weights;
+  }
+  HalfedgeSurface::Origin all;
+  for (int i = 0; i < loopSize; ++i)
+  {
+    all.emplace_back(i, share);
+  }
+  for (const auto& [corner, weight] : weights)
+  {
+    all[corner].second += weight;
+  }
+  return all;
+}
+
+// The cap of a refined mesh, with weights by the coarse triangulation that it was made from.
 LoopCap capOf(const SurfaceMesh& mesh, const TriangleMesh& coarse, std::size_t loopSize)
 {
   const TriangleMesh fine = toTriangleMesh(mesh);
-
   LoopCap cap;
   for (int f = 0; f < fine.faceCount(); ++f)
   {
     cap.Faces.push_back({ fine.Faces(f, 0), fine.Faces(f, 1), fine.Faces(f, 2) });
   }
   const auto n = static_cast<int>(loopSize);
-  if (fine.vertexCount() == n)
+  if (fine.vertexCount() > n)
   {
-    return cap;
-  }
-  const ClosestPointTree projection(coarse);
-  for (int v = n; v < fine.vertexCount(); ++v)
-  {
-    cap.Inside.push_back(fine.Vertices.row(v).transpose());
-    const SurfacePoint at = projection.closest(cap.Inside.back());
-    TracedSurface::Origin origin;
-    double rest = 0.0; // of the centre, if there is one
-    for (int k = 0; k < 3; ++k)
+    const ClosestPointTree surface(coarse);
+    for (int v = n; v < fine.vertexCount(); ++v)
     {
-      const int corner = coarse.Faces(at.Face, k);
-      if (corner >= n)
-      {
-        rest = at.Weights[k] / n;
-      }
-      else if (at.Weights[k] > 0.0)
-      {
-        origin.emplace_back(corner, at.Weights[k]);
-      }
+      cap.Inside.push_back(fine.Vertices.row(v).transpose());
+      cap.Weights.push_back(weightsAt(surface.closest(cap.Inside.back()), coarse, n));
     }
-    if (rest > 0.0)
-    {
-      std::vector<double> weights(loopSize, rest);
-      for (const auto& [corner, weight] : origin)
-      {
-        weights[corner] += weight;
-      }
-      origin.clear();
-      for (int i = 0; i < n; ++i)
-      {
-        origin.emplace_back(i, weights[i]);
-      }
-    }
-    cap.Weights.push_back(std::move(origin));
   }
   return cap;
 }
 
-// Calls visit(halfedge) for those that start at the origin of loop[i] on the loop's left; with the
-// reversed loop, on its right.
-template <typename Visit>
-void visitLeft(const HalfedgeSurface& surface, int before, int after, const Visit& visit)
-{
-  int h = after;
-  for (; HalfedgeSurface::previous(h) != before; h = surface.rotated(h))
-  {
-    visit(h);
-  }
-  visit(h);
-}
-
-// Among triangulations that are as good as each other, as for points of a grid or of a plane, CGAL's
-// choice depends on where in memory it works. Moved by this share of a side, no two are.
+// Moves the points by up to half of a hundred-thousandth of the mean side. Among triangulations that are
+// equally good, as for points of a grid or a plane, CGAL's choice depends on addresses in memory; for
+// points in general position no two are equally good. The share is a convention: it is far above
+// rounding and far below what changes a triangulation that is better than others.
 std::vector<Kernel::Point_3> inGeneralPosition(const Polyline& loop)
 {
   constexpr double Share = 1e-5;
-  const double size = Share * perimeter(loop) / static_cast<double>(loop.size());
+  const double size = Share * sum(sideLengths(loop)) / static_cast<double>(loop.size());
   std::mt19937 random;
   const auto shift = [&random, size]
   { return size * (static_cast<double>(random()) / static_cast<double>(std::mt19937::max()) - 0.5); };
@@ -192,6 +183,27 @@ std::vector<Kernel::Point_3> inGeneralPosition(const Polyline& loop)
     points.emplace_back(x, y, p.z() + shift());
   }
   return points;
+}
+
+// Splits the edge between two vertices, and the faces beside it, at a vertex in the middle.
+void splitFacesAt(Faces& faces, int a, int b, int middle)
+{
+  const std::size_t old = faces.size();
+  for (std::size_t f = 0; f < old; ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int from = faces[f][k];
+      const int to = faces[f][(k + 1) % 3];
+      if ((from == a && to == b) || (from == b && to == a))
+      {
+        const int corner = faces[f][(k + 2) % 3];
+        faces[f] = { from, middle, corner };
+        faces.push_back({ middle, to, corner });
+        break;
+      }
+    }
+  }
 }
 
 } // namespace
@@ -253,137 +265,12 @@ void splitEdgesOf(const HalfedgeSurface& surface,
       {
         continue;
       }
-      const int middle = n + static_cast<int>(cap.Inside.size());
       cap.Inside.push_back(0.5 * (loop[a] + loop[b]));
       cap.Weights.push_back({ { a, 0.5 }, { b, 0.5 } });
-      const std::size_t old = cap.Faces.size();
-      for (std::size_t g = 0; g < old; ++g)
-      {
-        for (int j = 0; j < 3; ++j)
-        {
-          const int p = cap.Faces[g][j];
-          const int q = cap.Faces[g][(j + 1) % 3];
-          if ((p == a && q == b) || (p == b && q == a))
-          {
-            const int corner = cap.Faces[g][(j + 2) % 3];
-            cap.Faces[g] = { p, middle, corner };
-            cap.Faces.push_back({ middle, q, corner });
-            break;
-          }
-        }
-      }
-      k = -1; // the face is another one now
+      splitFacesAt(cap.Faces, a, b, n + static_cast<int>(cap.Inside.size()) - 1);
+      k = -1; // the face has changed: look at all of its sides again
     }
   }
-}
-
-CappedCut capBothSides(const HalfedgeSurface& surface,
-  const std::vector<int>& loop,
-  const LoopCap& cap,
-  double step)
-{
-  const auto n = static_cast<int>(loop.size());
-  const auto inside = static_cast<int>(cap.Inside.size());
-  CappedCut result;
-  result.Cap = cap;
-  result.FirstCopy = surface.vertexCount();
-  result.FirstRight = result.FirstCopy + n;
-  result.FirstLeft = result.FirstRight + inside;
-  std::map<int, Eigen::Vector3d>& places = result.Faces.Places;
-
-  std::map<int, std::array<int, 3>> around;
-  const auto faceAround = [&](int h) -> std::array<int, 3>&
-  {
-    const int f = HalfedgeSurface::face(h);
-    return around
-      .try_emplace(f,
-        std::array<int, 3>{
-          surface.origin(3 * f), surface.origin(3 * f + 1), surface.origin(3 * f + 2) })
-      .first->second;
-  };
-  // The centre of the faces at a vertex of the loop on one side.
-  const auto place = [&](int before, int after, int v, int number)
-  {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    double area = 0.0;
-    const Eigen::Vector3d& p = surface.point(v);
-    visitLeft(surface,
-      before,
-      after,
-      [&](int h)
-      {
-        const Eigen::Vector3d a = surface.point(surface.tip(h)) - p;
-        const Eigen::Vector3d b = surface.point(surface.origin(HalfedgeSurface::previous(h))) - p;
-        const double twice = a.cross(b).norm();
-        sum += twice * (a + b) / 3.0;
-        area += twice;
-        faceAround(h)[h % 3] = number;
-      });
-    places[number] = area > 0.0 ? Eigen::Vector3d(p + step * sum / area) : p;
-  };
-
-  std::vector<Eigen::Vector3d> apart(n); // from the right copy to the left one
-  double distance = 0.0;
-  for (int i = 0; i < n; ++i)
-  {
-    const int v = surface.origin(loop[i]);
-    const int before = loop[(i + n - 1) % n];
-    result.Vertices.push_back(v);
-    place(before, loop[i], v, result.FirstCopy + i);
-    place(surface.twin(loop[i]), surface.twin(before), v, v);
-    apart[i] = places[result.FirstCopy + i] - places[v];
-    distance += apart[i].norm() / n;
-  }
-
-  // Inner vertices move along the cap's normal, to the side to which the loop's moved.
-  const auto at = [&](int v) -> const Eigen::Vector3d&
-  { return v < n ? surface.point(result.Vertices[v]) : cap.Inside[v - n]; };
-  std::vector<Eigen::Vector3d> normals(n + inside, Eigen::Vector3d::Zero());
-  for (const auto& face : cap.Faces)
-  {
-    const Eigen::Vector3d normal = (at(face[1]) - at(face[0])).cross(at(face[2]) - at(face[0]));
-    for (const int v : face)
-    {
-      normals[v] += normal;
-    }
-  }
-  double side = 0.0;
-  for (int i = 0; i < n; ++i)
-  {
-    side += apart[i].dot(normals[i].stableNormalized());
-  }
-  const double offset = std::copysign(0.5 * distance, side);
-  for (int j = 0; j < inside; ++j)
-  {
-    const Eigen::Vector3d shift = offset * normals[n + j].stableNormalized();
-    places[result.FirstRight + j] = cap.Inside[j] - shift;
-    places[result.FirstLeft + j] = cap.Inside[j] + shift;
-  }
-
-  for (const auto& [face, corners] : around)
-  {
-    result.Faces.Replaced.push_back(face);
-    result.Faces.Faces.push_back(corners);
-  }
-  for (const auto& face : cap.Faces)
-  {
-    std::array<int, 3> right;
-    for (int k = 0; k < 3; ++k)
-    {
-      right[k] = face[k] < n ? result.Vertices[face[k]] : result.FirstRight + face[k] - n;
-    }
-    result.Faces.Faces.push_back(right);
-  }
-  for (const auto& face : cap.Faces)
-  {
-    std::array<int, 3> left;
-    for (int k = 0; k < 3; ++k)
-    {
-      left[2 - k] = face[k] < n ? result.FirstCopy + face[k] : result.FirstLeft + face[k] - n;
-    }
-    result.Faces.Faces.push_back(left);
-  }
-  return result;
 }
 
 } // namespace flattening

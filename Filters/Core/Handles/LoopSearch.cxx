@@ -2,9 +2,6 @@
 #include "Handles/LoopSearch.h"
 
 #include <algorithm>
-#include <functional>
-#include <queue>
-#include <utility>
 
 namespace flattening
 {
@@ -14,106 +11,105 @@ LoopSearch::Result LoopSearch::shortestFrom(int seed,
   double near,
   const std::set<std::uint64_t>& ignored)
 {
-  const HalfedgeSurface& surface = this->Surface;
-  using Entry = std::pair<double, int>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  const int search = ++this->Searches;
-  const int settled = -search;
-  this->Vertices.resize(surface.vertexCount(), { 0.0, 0, -1, 0 });
-  this->Vertices[seed] = { 0.0, 0, -1, search };
-  queue.emplace(0.0, seed);
+  this->Vertices.resize(this->Surface.vertexCount(), { 0.0, 0, -1, 0 });
+  ++this->Searches;
+  this->Queue = {};
+  this->ShortestWalk = walk;
+  this->Closing = -1;
+  this->WasBounded = false;
+  this->reach(seed, { 0.0, 0, -1, this->Searches });
   Result result;
-  double best = walk;
-  int closing = -1;
-  while (!queue.empty())
+  while (!this->Queue.empty() && 2.0 * this->Queue.top().first <= this->ShortestWalk)
   {
-    const auto [distance, v] = queue.top();
-    queue.pop();
-    if (2.0 * distance > best) // not when it was put there, maybe
-    {
-      break;
-    }
-    Reached& here = this->Vertices[v];
-    if (here.Search == settled)
+    const auto [distance, v] = this->Queue.top();
+    this->Queue.pop();
+    if (this->isSettled(v))
     {
       continue;
     }
-    here.Search = settled;
+    this->Vertices[v].Search = -this->Searches;
     if (distance <= near)
     {
       result.Near.push_back(v);
     }
-    const int first = surface.outgoing(v);
-    int h = first;
-    do
-    {
-      const int w = surface.tip(h);
-      const std::uint64_t hash = here.Hash ^ this->Labels.hash(h);
-      Reached& next = this->Vertices[w];
-      if (next.Search == settled)
-      {
-        if (next.Hash != hash && !ignored.count(next.Hash ^ hash))
-        {
-          const double there = distance + surface.length(h);
-          if (there + next.Distance < best)
-          {
-            best = there + next.Distance;
-            closing = h;
-          }
-          result.WasBounded = true;
-        }
-      }
-      else if (const double there = distance + surface.length(h);
-               next.Search != search || there < next.Distance)
-      {
-        if (2.0 * there > best)
-        {
-          result.WasBounded = true;
-        }
-        else if (!surface.onBoundary(w))
-        {
-          next = { there, hash, h, search };
-          queue.emplace(there, w);
-        }
-      }
-      h = surface.rotated(h);
-    } while (h != first);
+    this->Surface.visitOutgoing(v, [&](int h) { this->follow(h, ignored); });
   }
-  if (closing >= 0)
+  if (this->Closing >= 0)
   {
-    result.Loop = this->loopThrough(closing, seed);
-    result.WasBounded = false;
+    result.Loop = this->closedLoop(seed);
   }
+  result.WasBounded = this->WasBounded && this->Closing < 0;
   return result;
 }
 
-SurfaceLoop LoopSearch::loopThrough(int closing, int seed) const
+void LoopSearch::reach(int v, const Reached& how)
 {
-  const auto pathTo = [this](int v)
+  this->Vertices[v] = how;
+  this->Queue.emplace(how.Distance, v);
+}
+
+// Takes the search over a half-edge that leaves a settled vertex.
+void LoopSearch::follow(int h, const std::set<std::uint64_t>& ignored)
+{
+  const Reached& here = this->Vertices[this->Surface.source(h)];
+  const int to = this->Surface.target(h);
+  const Reached& there = this->Vertices[to];
+  const std::uint64_t hash = here.Hash ^ this->Labels.hash(h);
+  if (this->isSettled(to))
   {
-    std::vector<int> path;
-    for (int h = this->Vertices[v].Edge; h >= 0; h = this->Vertices[this->Surface.origin(h)].Edge)
+    if (there.Hash != hash && !ignored.count(there.Hash ^ hash))
     {
-      path.push_back(h);
+      const double walk = here.Distance + this->Surface.length(h) + there.Distance;
+      if (walk < this->ShortestWalk)
+      {
+        this->ShortestWalk = walk;
+        this->Closing = h;
+      }
+      this->WasBounded = true;
     }
-    std::reverse(path.begin(), path.end());
-    return path;
-  };
-  const std::vector<int> out = pathTo(this->Surface.origin(closing));
-  const std::vector<int> back = pathTo(this->Surface.tip(closing));
-  std::size_t common = 0;
-  while (common < out.size() && common < back.size() && out[common] == back[common])
-  {
-    ++common;
+    return;
   }
+  const double distance = here.Distance + this->Surface.length(h);
+  if (there.Search == this->Searches && distance >= there.Distance)
+  {
+    return;
+  }
+  if (2.0 * distance > this->ShortestWalk)
+  {
+    this->WasBounded = true;
+  }
+  else if (!this->Surface.onBoundary(to))
+  {
+    this->reach(to, { distance, hash, h, this->Searches });
+  }
+}
+
+// Half-edges from the seed.
+std::vector<int> LoopSearch::pathTo(int v) const
+{
+  std::vector<int> path;
+  for (int h = this->Vertices[v].Edge; h >= 0; h = this->Vertices[this->Surface.source(h)].Edge)
+  {
+    path.push_back(h);
+  }
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+// The shortest walk without the path that its two halves share.
+SurfaceLoop LoopSearch::closedLoop(int seed) const
+{
+  const std::vector<int> out = this->pathTo(this->Surface.source(this->Closing));
+  const std::vector<int> back = this->pathTo(this->Surface.target(this->Closing));
+  const auto common =
+    std::mismatch(out.begin(), out.end(), back.begin(), back.end()).first - out.begin();
   SurfaceLoop loop;
   loop.Seed = seed;
-  loop.Halfedges.assign(out.begin() + static_cast<std::ptrdiff_t>(common), out.end());
-  loop.Halfedges.push_back(closing);
-  for (std::size_t i = back.size(); i-- > common;)
-  {
-    loop.Halfedges.push_back(this->Surface.twin(back[i]));
-  }
+  loop.Halfedges.assign(out.begin() + common, out.end());
+  loop.Halfedges.push_back(this->Closing);
+  std::for_each(back.rbegin(),
+    back.rend() - common,
+    [&](int h) { loop.Halfedges.push_back(this->Surface.twin(h)); });
   for (const int h : loop.Halfedges)
   {
     loop.Length += this->Surface.length(h);

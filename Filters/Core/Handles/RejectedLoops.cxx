@@ -10,6 +10,8 @@ namespace flattening
 namespace
 {
 
+// How many times as long a loop may be that is cut instead of one through a fold. A convention: with a
+// larger factor the cuts are longer and change more of the surface.
 constexpr double Patience = 1.5;
 
 } // namespace
@@ -19,14 +21,14 @@ RejectedLoops::RejectedLoops(double longestDetour)
 {
 }
 
-double RejectedLoops::longestInstead(const Refused& refused) const
+double RejectedLoops::longestInstead(const Rejected& rejected) const
 {
-  const double length = refused.Loop.Length;
-  return refused.Intersections > Few ? std::min(Patience * length, length + this->LongestDetour)
-                                     : length;
+  const double length = rejected.Loop.Length;
+  return rejected.Intersections > Few ? std::min(Patience * length, length + this->LongestDetour)
+                                      : length;
 }
 
-double RejectedLoops::Refused::cost() const
+double RejectedLoops::Rejected::cost() const
 {
   return this->Intersections * this->Loop.Length;
 }
@@ -40,22 +42,23 @@ bool RejectedLoops::contains(const SurfaceLoop& loop) const
 {
   return std::any_of(this->All.begin(),
     this->All.end(),
-    [&loop](const Refused& refused) { return refused.Loop.Halfedges == loop.Halfedges; });
+    [&loop](const Rejected& rejected) { return rejected.Loop.Halfedges == loop.Halfedges; });
 }
 
 void RejectedLoops::keepIf(const std::function<bool(const SurfaceLoop&)>& stillCuttable)
 {
-  this->All.erase(std::remove_if(this->All.begin(),
-                    this->All.end(),
-                    [&stillCuttable](const Refused& refused) { return !stillCuttable(refused.Loop); }),
+  this->All.erase(
+    std::remove_if(this->All.begin(),
+      this->All.end(),
+      [&stillCuttable](const Rejected& rejected) { return !stillCuttable(rejected.Loop); }),
     this->All.end());
 }
 
 void RejectedLoops::visit(const std::function<void(const SurfaceLoop&, int intersections)>& visit) const
 {
-  for (const Refused& refused : this->All)
+  for (const Rejected& rejected : this->All)
   {
-    visit(refused.Loop, refused.Intersections);
+    visit(rejected.Loop, rejected.Intersections);
   }
 }
 
@@ -63,18 +66,18 @@ double RejectedLoops::shortest() const
 {
   const auto shortest = std::min_element(this->All.begin(),
     this->All.end(),
-    [](const Refused& a, const Refused& b) { return a.Loop.Length < b.Loop.Length; });
+    [](const Rejected& a, const Rejected& b) { return a.Loop.Length < b.Loop.Length; });
   return shortest == this->All.end() ? 0.0 : shortest->Loop.Length;
 }
 
 double RejectedLoops::limit() const
 {
   double least = std::numeric_limits<double>::infinity();
-  for (const Refused& refused : this->All)
+  for (const Rejected& rejected : this->All)
   {
-    if (refused.Intersections > Few)
+    if (rejected.Intersections > Few)
     {
-      least = std::min(least, this->longestInstead(refused));
+      least = std::min(least, this->longestInstead(rejected));
     }
   }
   return least;
@@ -83,19 +86,19 @@ double RejectedLoops::limit() const
 const SurfaceLoop* RejectedLoops::due(double searched, double tried) const
 {
   double longest = std::numeric_limits<double>::infinity();
-  for (const Refused& refused : this->All)
+  for (const Rejected& rejected : this->All)
   {
-    if (refused.Loop.Length <= searched && this->longestInstead(refused) <= tried)
+    if (rejected.Loop.Length <= searched && this->longestInstead(rejected) <= tried)
     {
-      longest = std::min(longest, this->longestInstead(refused));
+      longest = std::min(longest, this->longestInstead(rejected));
     }
   }
-  const Refused* best = nullptr;
-  for (const Refused& refused : this->All)
+  const Rejected* best = nullptr;
+  for (const Rejected& rejected : this->All)
   {
-    if (refused.Loop.Length <= longest && (!best || refused.cost() < best->cost()))
+    if (rejected.Loop.Length <= longest && (!best || rejected.cost() < best->cost()))
     {
-      best = &refused;
+      best = &rejected;
     }
   }
   return longest < std::numeric_limits<double>::infinity() ? &best->Loop : nullptr;

@@ -13,14 +13,23 @@ namespace flattening
 namespace
 {
 
-// Every search has memory for all vertices.
+// Each thread keeps a search with 24 bytes per vertex. The number is a guard against more memory than
+// the surface itself takes; it changes no result.
 constexpr int MostThreads = 8;
 
-// From a seed within this share of a length of a loop, the walk there, around, and back.
+// Seeds within this share of a length from another seed are not searched from: a loop of that length
+// through them is part of a walk from the other seed, there, around and back, of 1 + 2 NearShare
+// lengths. Derived: with 1/2 that walk, and so the loop found, is at most twice as long. A smaller share
+// makes more searches, a larger one longer ones.
 constexpr double NearShare = 0.5;
 
-// Seeds that follow each other are near to each other; taken with a step of the golden section, they
-// are not.
+// Searches that are started together. Only those that the result of an earlier one in the batch makes
+// needless are lost; the size adapts to that. A guard for memory that changes no result.
+constexpr std::size_t SmallestBatch = 2;
+constexpr std::size_t LargestBatch = 256;
+
+// Orders seeds so that consecutive ones are far from each other, though neighbours in the list are near
+// to each other: by steps of the golden section.
 std::vector<int> spread(const std::vector<int>& seeds)
 {
   const std::size_t n = seeds.size();
@@ -55,7 +64,7 @@ std::vector<int> ShortLoops::seeds() const
   {
     if (h > this->Surface.twin(h) && this->Labels.hash(h) != 0)
     {
-      result.push_back(this->Surface.origin(h));
+      result.push_back(this->Surface.source(h));
     }
   }
   return result;
@@ -71,7 +80,7 @@ std::vector<SurfaceLoop> ShortLoops::find(const std::vector<int>& seeds,
   std::vector<char> covered(this->Surface.vertexCount(), 0);
   std::vector<SurfaceLoop> loops;
   std::size_t next = 0;
-  std::size_t batchSize = 2;
+  std::size_t batchSize = SmallestBatch;
   while (next < order.size())
   {
     report(progress, static_cast<double>(next) / order.size(), "searching for handles");
@@ -85,7 +94,7 @@ std::vector<SurfaceLoop> ShortLoops::find(const std::vector<int>& seeds,
     }
     std::vector<LoopSearch::Result> results =
       this->searchAll(batch, (1.0 + 2.0 * NearShare) * length, NearShare * length);
-    // As if there had been one thread: what the search before it covers has none.
+    // The result is that of a single thread, which would not have searched from a covered seed.
     std::size_t wasted = 0;
     for (std::size_t i = 0; i < batch.size(); ++i)
     {
@@ -104,9 +113,8 @@ std::vector<SurfaceLoop> ShortLoops::find(const std::vector<int>& seeds,
         loops.push_back(std::move(results[i].Loop));
       }
     }
-    constexpr std::size_t LargestBatch = 256;
     batchSize =
-      wasted == 0 ? std::min(LargestBatch, 2 * batchSize) : std::max<std::size_t>(2, batchSize / 2);
+      wasted == 0 ? std::min(LargestBatch, 2 * batchSize) : std::max(SmallestBatch, batchSize / 2);
   }
   std::sort(loops.begin(),
     loops.end(),
@@ -137,10 +145,10 @@ std::vector<SurfaceLoop> ShortLoops::findBeside(const SurfaceLoop& loop, double 
   return loops;
 }
 
-// Some of those that are up to half of its edges away, more of the nearer ones.
+// Ten vertices that are up to half as many edges away as the loop has, more near to it than far.
 std::vector<int> ShortLoops::verticesBeside(const SurfaceLoop& loop) const
 {
-  constexpr std::size_t Chosen = 10;
+  constexpr std::size_t Chosen = 10; // a convention; each costs a search
   std::set<int> reached;
   std::vector<int> order;
   const auto reach = [&](int v)
@@ -152,7 +160,7 @@ std::vector<int> ShortLoops::verticesBeside(const SurfaceLoop& loop) const
   };
   for (const int h : loop.Halfedges)
   {
-    reach(this->Surface.origin(h));
+    reach(this->Surface.source(h));
   }
   std::size_t begin = 0;
   for (std::size_t ring = 0; ring < 1 + loop.Halfedges.size() / 2; ++ring)
@@ -160,15 +168,9 @@ std::vector<int> ShortLoops::verticesBeside(const SurfaceLoop& loop) const
     const std::size_t end = order.size();
     for (; begin < end; ++begin)
     {
-      const int first = this->Surface.outgoing(order[begin]);
-      for (int h = first; !this->Surface.onBoundary(order[begin]);)
+      if (!this->Surface.onBoundary(order[begin]))
       {
-        reach(this->Surface.tip(h));
-        h = this->Surface.rotated(h);
-        if (h == first)
-        {
-          break;
-        }
+        this->Surface.visitOutgoing(order[begin], [&](int h) { reach(this->Surface.target(h)); });
       }
     }
   }
@@ -216,15 +218,15 @@ std::uint64_t ShortLoops::classHash(const SurfaceLoop& loop) const
 
 void ShortLoops::tighten(SurfaceLoop& loop)
 {
-  constexpr int Places = 4;
-  constexpr double Gain = 1.0 - 1e-9;
+  constexpr int Places = 4;           // vertices of the loop to search from; a convention
+  constexpr double Gain = 1.0 - 1e-9; // a guard against endless exchange of equal loops by rounding
   bool shorter = true;
   while (shorter)
   {
     shorter = false;
     for (int i = 0; i < Places && !shorter; ++i)
     {
-      const int v = this->Surface.origin(loop.Halfedges[i * loop.Halfedges.size() / Places]);
+      const int v = this->Surface.source(loop.Halfedges[i * loop.Halfedges.size() / Places]);
       SurfaceLoop other = this->search(v, Gain * loop.Length, -1.0).Loop;
       if (!other.Halfedges.empty() && other.Length < Gain * loop.Length)
       {

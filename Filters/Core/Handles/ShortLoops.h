@@ -14,43 +14,41 @@
 namespace flattening
 {
 
-/// Searches a surface for loops from many vertices, in several threads (oneTBB); what it finds does not
-/// depend on their number.
-///
-/// The surface and its labels may change between calls.
+/// Searches a surface for loops from many vertices, in several threads (oneTBB). The result does not
+/// depend on the number of threads. The surface and its labels may change between calls.
 class ShortLoops
 {
 public:
   ShortLoops(const HalfedgeSurface& surface, const HomologyLabels& labels);
 
-  /// Loops whose class has one of these hashes are passed over.
+  /// Hashes of classes; loops of these classes are passed over.
   std::set<std::uint64_t> Ignored;
 
-  /// For a set of vertices that every such loop meets: the vertices at which an edge with a label
-  /// starts.
+  /// Vertices of which every non-separating loop meets at least one: those at which an edge with a label
+  /// other than zero starts.
   std::vector<int> seeds() const;
 
-  /// If there is a loop that is not longer than @p length and meets one of the vertices, finds one that
-  /// is not longer than twice that. Finds at most one loop from each of the vertices, and none from
-  /// those near to others that were searched from. Sorted by length.
+  /// If there is a loop that is not longer than @p length and meets one of the seeds, finds a loop that
+  /// is not longer than twice that. Finds at most one loop from each seed, and none from a seed near to
+  /// another one that was searched from. The loops are sorted by length.
   std::vector<SurfaceLoop> find(const std::vector<int>& seeds,
     double length,
     const ProgressCallback& progress = {});
 
-  /// The same from one vertex, for @p length or that of the last find() if it was less. No half-edges if
-  /// there is none.
+  /// Searches from one vertex again, up to @p length or the length of the last find(), whichever is
+  /// less. The loop has no half-edges if none was found.
   SurfaceLoop findAgain(int seed, double length);
 
-  /// Loops from some vertices near to @p loop, not longer than @p length, without a seed.
+  /// Searches from some vertices near to @p loop, up to @p length. The loops have no seed.
   std::vector<SurfaceLoop> findBeside(const SurfaceLoop& loop, double length);
 
-  /// Whether some search since the last find() ended only because its loop would have been too long.
+  /// Whether a search since the last find() ended only because its loop would have been too long.
   bool wasBounded() const { return this->Bounded; }
 
   /// The hash of a loop's class.
   std::uint64_t classHash(const SurfaceLoop& loop) const;
 
-  /// Replaces @p loop by a shorter one near to it while there is one.
+  /// Replaces @p loop by a shorter one near to it as long as there is one.
   void tighten(SurfaceLoop& loop);
 
 private:
@@ -61,7 +59,7 @@ private:
   const HalfedgeSurface& Surface;
   const HomologyLabels& Labels;
   tbb::enumerable_thread_specific<LoopSearch> Searches;
-  double Length = 0.0; // of the last find()
+  double Length = 0.0; // the length up to which the last find() searched
   bool Bounded = false;
 };
 

@@ -23,7 +23,7 @@ TEST(HalfedgeSurface, CutsAndCapsALoop)
   for (int j = 0; j < 8; ++j)
   {
     loop.push_back(surface.edgeBetween(j, (j + 1) % 8));
-    ASSERT_EQ(surface.origin(loop.back()), j);
+    ASSERT_EQ(surface.source(loop.back()), j);
   }
   const int copies = surface.cut(loop);
   EXPECT_EQ(copies, 96);
@@ -49,8 +49,8 @@ TEST(HalfedgeSurface, CutsAndCapsALoop)
   for (int h = 0; h < surface.halfedgeCount(); ++h)
   {
     ASSERT_EQ(surface.twin(surface.twin(h)), h);
-    ASSERT_EQ(surface.origin(surface.twin(h)), surface.tip(h));
-    ASSERT_EQ(surface.origin(surface.outgoing(surface.origin(h))), surface.origin(h));
+    ASSERT_EQ(surface.source(surface.twin(h)), surface.target(h));
+    ASSERT_EQ(surface.source(surface.outgoing(surface.source(h))), surface.source(h));
   }
 }
 
@@ -75,7 +75,7 @@ TEST(HalfedgeSurface, SplitsEveryInnerEdge)
     analyseTopology(mesh.Faces, mesh.vertexCount()).BoundaryLoops);
   for (int v = 0; v < surface.vertexCount(); ++v)
   {
-    EXPECT_EQ(surface.origin(surface.outgoing(v)), v);
+    EXPECT_EQ(surface.source(surface.outgoing(v)), v);
     EXPECT_EQ(surface.onBoundary(v), v < mesh.vertexCount());
   }
   for (int f = 0; f < surface.faceCount(); ++f)

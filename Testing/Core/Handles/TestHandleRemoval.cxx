@@ -271,7 +271,7 @@ TEST(HandleRemoval, StopsWhenToldAndReportsProgressThatNeverFalls)
     removeHandles(mesh, [](double fraction, const char*) { return fraction < 0.5; }), Cancelled);
 }
 
-TEST(HandleRemoval, RefusesWhatIsNotOneSurface)
+TEST(HandleRemoval, RejectsDisconnectedAndNonManifoldSurfaces)
 {
   EXPECT_TRUE(
     contains(messageOf<TopologyError>([] { removeHandles(both(sphere(1), moved(sphere(1), 5, 0, 0))); }),

@@ -20,7 +20,7 @@ TEST(HomologyLabels, AreCocyclesThatTellMeridianFromLongitude)
   for (int f = 0; f < surface.faceCount(); ++f)
   {
     EXPECT_EQ(labels.hash(3 * f) ^ labels.hash(3 * f + 1) ^ labels.hash(3 * f + 2), 0u);
-    EXPECT_TRUE(HomologyLabels::isZero(labels.classOf({ 3 * f, 3 * f + 1, 3 * f + 2 })));
+    EXPECT_TRUE(labels.classOf({ 3 * f, 3 * f + 1, 3 * f + 2 }).none());
     labelled += labels.hash(3 * f) != 0;
   }
   EXPECT_GT(labelled, 0);
@@ -35,8 +35,8 @@ TEST(HomologyLabels, AreCocyclesThatTellMeridianFromLongitude)
   };
   const auto meridian = labels.classOf(around(0, 1, 8));
   const auto longitude = labels.classOf(around(0, 8, 12));
-  EXPECT_FALSE(HomologyLabels::isZero(meridian));
-  EXPECT_FALSE(HomologyLabels::isZero(longitude));
+  EXPECT_FALSE(meridian.none());
+  EXPECT_FALSE(longitude.none());
   EXPECT_NE(meridian, longitude);
   // Parallel curves are homologous.
   EXPECT_EQ(meridian, labels.classOf(around(40, 1, 8)));

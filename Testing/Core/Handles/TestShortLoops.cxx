@@ -106,32 +106,32 @@ TEST(HandleRemoval, DoesNotDependOnTheNumberOfThreads)
 TEST(RejectedLoops, GiveTheCheapestWithinADetour)
 {
   const auto loop = [](double length, int halfedge) { return SurfaceLoop{ length, { halfedge }, 0 }; };
-  RejectedLoops refused(10.0);
-  EXPECT_EQ(refused.due(1000.0, 1000.0), nullptr);
-  EXPECT_EQ(refused.limit(), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(refused.shortest(), 0.0);
+  RejectedLoops rejected(10.0);
+  EXPECT_EQ(rejected.due(1000.0, 1000.0), nullptr);
+  EXPECT_EQ(rejected.limit(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(rejected.shortest(), 0.0);
 
-  refused.add(loop(12.0, 1), 40); // up to 18
-  refused.add(loop(17.0, 2), 33);
-  refused.add(loop(16.0, 3), 31); // costs 496, more than 480 and less than 561
-  refused.add(loop(30.0, 4), 1);
-  EXPECT_EQ(refused.shortest(), 12.0);
-  EXPECT_EQ(refused.limit(), 18.0);
-  EXPECT_EQ(refused.due(11.0, 100.0), nullptr); // not all as short as that were looked for
-  EXPECT_EQ(refused.due(12.0, 15.0), nullptr);  // not all within the detour were tried
-  ASSERT_NE(refused.due(12.0, 18.0), nullptr);
-  EXPECT_EQ(refused.due(12.0, 18.0)->Halfedges[0], 1);
-  refused.add(loop(15.0, 5), 32);
-  refused.add(loop(13.0, 6), 36);
-  EXPECT_EQ(refused.due(12.0, 18.0)->Halfedges[0], 6); // 468
+  rejected.add(loop(12.0, 1), 40); // up to 18
+  rejected.add(loop(17.0, 2), 33);
+  rejected.add(loop(16.0, 3), 31); // costs 496, more than 480 and less than 561
+  rejected.add(loop(30.0, 4), 1);
+  EXPECT_EQ(rejected.shortest(), 12.0);
+  EXPECT_EQ(rejected.limit(), 18.0);
+  EXPECT_EQ(rejected.due(11.0, 100.0), nullptr); // not all as short as that were looked for
+  EXPECT_EQ(rejected.due(12.0, 15.0), nullptr);  // not all within the detour were tried
+  ASSERT_NE(rejected.due(12.0, 18.0), nullptr);
+  EXPECT_EQ(rejected.due(12.0, 18.0)->Halfedges[0], 1);
+  rejected.add(loop(15.0, 5), 32);
+  rejected.add(loop(13.0, 6), 36);
+  EXPECT_EQ(rejected.due(12.0, 18.0)->Halfedges[0], 6); // 468
   // Few pairs are taken at their own length.
-  refused.keepIf([](const SurfaceLoop& l) { return l.Halfedges[0] == 3 || l.Halfedges[0] == 4; });
-  EXPECT_EQ(refused.limit(), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(refused.due(16.0, 16.0)->Halfedges[0], 3);
+  rejected.keepIf([](const SurfaceLoop& l) { return l.Halfedges[0] == 3 || l.Halfedges[0] == 4; });
+  EXPECT_EQ(rejected.limit(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(rejected.due(16.0, 16.0)->Halfedges[0], 3);
   // Long loops have no longer detours than 10.
-  refused.keepIf([](const SurfaceLoop&) { return false; });
-  refused.add(loop(100.0, 7), 400);
-  EXPECT_EQ(refused.limit(), 110.0);
+  rejected.keepIf([](const SurfaceLoop&) { return false; });
+  rejected.add(loop(100.0, 7), 400);
+  EXPECT_EQ(rejected.limit(), 110.0);
 }
 
 } // namespace
