@@ -65,7 +65,7 @@ void compare(benchmark::State& state, const TriangleMesh& mesh, ConformalMethod 
     counters["conformal_ratio"] = seconds / factorization;
     counters["angle_error"] = distortion[Measure::AngleError].Mean;
     counters["angle_distortion_p95"] = distortion[Measure::AngleDistortion].P95;
-    counters["repaired"] = map.Repair.RepairedFaces;
+    counters["repaired"] = map.Untangling.RepairedFaces;
     counters["flipped"] = map.FlippedFaces;
     if (method == ConformalMethod::RicciFlow)
     {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Conformal/BoundaryAngles.h"
 
-#include "Mesh/ComplexPositions.h"
-
 #include <cmath>
 #include <limits>
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Where the vertices of a boundary loop lie on the unit circle.
+/// Positions of a boundary loop's vertices on the unit circle.
 #pragma once
 
-#include "Conformal/DiskNormalisation.h"
 #include "Mesh/ComplexPositions.h"
 #include "Mesh/TriangleMesh.h"
 
@@ -11,16 +10,16 @@
 namespace flattening
 {
 
-/// Lengths of the edges from each vertex of @p loop to the next (input units), @p addedLength longer
-/// than they are.
+/// Lengths of the edges from each vertex of @p loop to the next (input units), each increased by @p
+/// addedLength (see IntrinsicTriangulation::addedLength).
 Eigen::VectorXd loopLengths(const TriangleMesh& mesh, const std::vector<int>& loop, double addedLength);
 
-/// Angles of the vertices of a loop (radians), from 0 for the first on counter-clockwise to below 2 pi,
-/// whose differences are in proportion to @p lengths, those of the edges that follow them.
+/// Angles of a loop's vertices (radians, in [0, 2 pi), ascending from 0 for the first vertex) whose
+/// differences are proportional to @p lengths, the lengths of the edges that follow the vertices.
 Eigen::VectorXd anglesInProportion(const Eigen::VectorXd& lengths);
 
-/// The points of the half-plane's boundary that the Cayley map with centre i takes to @p angles on the
-/// circle: infinity for angle 0.
+/// The points of the real axis that the Cayley map with centre i takes to @p angles on the unit circle
+/// (radians, in [0, 2 pi)); infinity for angle 0.
 ComplexVector halfPlaneBoundary(const Eigen::VectorXd& angles);
 
 } // namespace flattening

@@ -6,10 +6,9 @@
 #include "Conformal/BoundaryAngles.h"
 #include "Conformal/ConvexCombinationDisk.h"
 #include "Conformal/CotangentWeights.h"
+#include "Conformal/CurvatureSystem.h"
 #include "Conformal/ProtrusionSpreading.h"
 #include "Intrinsic/IntrinsicTriangulation.h"
-#include "Mesh/ComplexPositions.h"
-#include "Mesh/GraphLaplacian.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,9 +22,12 @@ namespace
 {
 
 using Complex = std::complex<double>;
-// Radians. The error that is left is no greater than the last change.
+// Change of an angle in an iteration (radians) at which the boundary has settled. Iterations halve the
+// error, so the error that is left is no greater than the last change. A choice, far below the
+// discretisation error.
 constexpr double GreatestChange = 1e-9;
-constexpr int LargestIterations = 200;
+// Most iterations: a guard, for about 25 are needed.
+constexpr int MostIterations = 200;
 constexpr const char* LaplacianStage = "Cotangent Laplacian";
 
 // The Poisson equation on the surface, with the angle defects as its curvature.
@@ -36,12 +38,8 @@ public:
     const std::vector<int>& loop,
     const ProgressCallback& progress)
     : Loop(loop)
-    , Defects(Eigen::VectorXd::Constant(t.vertexCount(), 2.0 * EIGEN_PI))
+    , Defects(flatAngleSums(t))
   {
-    for (const int v : loop)
-    {
-      this->Defects[v] = EIGEN_PI;
-    }
     const IntrinsicTriangulation::Factors none = IntrinsicTriangulation::Factors::Zero(t.vertexCount());
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(9 * t.faceCount());
@@ -74,8 +72,7 @@ public:
     }
   }
 
-  // Logarithmic factors, up to a constant, from the exterior angles that the loop's vertices are to
-  // have.
+  // Logarithmic factors, up to a constant, that give the loop's vertices the exterior angles.
   Eigen::VectorXd factors(const Eigen::VectorXd& exteriorAngles) const
   {
     Eigen::VectorXd right = -this->Defects;
@@ -92,23 +89,24 @@ public:
 
 private:
   const std::vector<int>& Loop;
-  Eigen::VectorXd Defects; // 2 pi, or pi on the boundary, minus the angle sum
+  Eigen::VectorXd Defects; // flat angle sum minus angle sum
   SparseCholesky Cholesky{ SparseCholesky::Ordering::Quick };
 };
 
-// Mean of each entry, which belongs to the edge after a vertex, and the one before.
-Eigen::VectorXd atVertices(const Eigen::VectorXd& ofEdges)
+// For every vertex of the loop the mean over its two edges, given values of the edges that follow the
+// vertices.
+Eigen::VectorXd meanOfEdges(const Eigen::VectorXd& edgeValues)
 {
-  Eigen::VectorXd mean = ofEdges;
-  mean[0] += ofEdges[ofEdges.size() - 1];
-  mean.tail(ofEdges.size() - 1) += ofEdges.head(ofEdges.size() - 1);
+  Eigen::VectorXd mean = edgeValues;
+  mean[0] += edgeValues[edgeValues.size() - 1];
+  mean.tail(edgeValues.size() - 1) += edgeValues.head(edgeValues.size() - 1);
   return 0.5 * mean;
 }
 
 Eigen::VectorXd scaledLengths(const Eigen::VectorXd& lengths, const Eigen::VectorXd& u)
 {
   Eigen::VectorXd scaled(lengths.size());
-  const double unit = u.maxCoeff(); // no factor is too large for a double
+  const double unit = u.maxCoeff(); // with which no factor overflows
   for (Eigen::Index k = 0; k < lengths.size(); ++k)
   {
     scaled[k] = lengths[k] * std::exp(0.5 * (u[k] + u[(k + 1) % u.size()]) - unit);
@@ -116,8 +114,8 @@ Eigen::VectorXd scaledLengths(const Eigen::VectorXd& lengths, const Eigen::Vecto
   return scaled;
 }
 
-// Adds to the factors those of the Moebius map that centres @p masses on the circle. False if half of
-// them lie in one place, as far as doubles tell.
+// Adds to the factors those of the Moebius map that centres @p masses on the circle. Returns false if
+// half of the mass lies in one point, to the precision of doubles.
 bool centre(const Eigen::VectorXd& lengths, const Eigen::VectorXd& masses, Eigen::VectorXd& u)
 {
   const Complex up(0.0, 1.0);
@@ -144,12 +142,12 @@ Eigen::VectorXd boundaryAngles(const CherrierEquation& equation,
   int& iterations,
   const ProgressCallback& progress)
 {
-  const Eigen::VectorXd masses = atVertices(lengths) / lengths.sum();
+  const Eigen::VectorXd masses = meanOfEdges(lengths) / lengths.sum();
   Eigen::VectorXd scaled = lengths;
   Eigen::VectorXd angles = anglesInProportion(lengths);
-  for (iterations = 1; iterations <= LargestIterations; ++iterations)
+  for (iterations = 1; iterations <= MostIterations; ++iterations)
   {
-    Eigen::VectorXd u = equation.boundaryFactors(2.0 * EIGEN_PI / scaled.sum() * atVertices(scaled));
+    Eigen::VectorXd u = equation.boundaryFactors(2.0 * EIGEN_PI / scaled.sum() * meanOfEdges(scaled));
     if (!u.allFinite() || !centre(lengths, masses, u))
     {
       break;
@@ -162,15 +160,15 @@ Eigen::VectorXd boundaryAngles(const CherrierEquation& equation,
     {
       return angles;
     }
-    report(progress, static_cast<double>(iterations) / LargestIterations, "Boundary factors");
+    report(progress, static_cast<double>(iterations) / MostIterations, "Boundary factors");
   }
   throw ConvergenceError(
-    "Boundary First stopped at iteration " + std::to_string(std::min(iterations, LargestIterations)) +
+    "Boundary First stopped at iteration " + std::to_string(std::min(iterations, MostIterations)) +
     " without the lengths of the boundary in the disk: set Method to Ricci Flow, or "
     "remesh the surface (Surface To Disk, Remesh)");
 }
 
-// Logarithmic factors of all vertices for the boundary's place in the disk.
+// Logarithmic factors of all vertices for the boundary's position in the disk.
 IntrinsicTriangulation::Factors logFactorsOf(const CherrierEquation& equation,
   const Eigen::VectorXd& lengths,
   const std::vector<int>& loop,
@@ -182,7 +180,7 @@ IntrinsicTriangulation::Factors logFactorsOf(const CherrierEquation& equation,
     const double arc = std::arg(disk[loop[(k + 1) % loop.size()]] * std::conj(disk[loop[k]]));
     arcs[k] = arc < 0.0 ? arc + 2.0 * EIGEN_PI : arc;
   }
-  Eigen::VectorXd u = equation.factors(atVertices(arcs));
+  Eigen::VectorXd u = equation.factors(meanOfEdges(arcs));
   u.array() += std::log(arcs.sum() / scaledLengths(lengths, u(loop)).sum()) - u(loop).maxCoeff();
   return u.cast<long double>();
 }
@@ -190,7 +188,7 @@ IntrinsicTriangulation::Factors logFactorsOf(const CherrierEquation& equation,
 std::vector<NeighbourWeight> cotangentWeights(const IntrinsicTriangulation& t)
 {
   std::vector<NeighbourWeight> weights;
-  for (const Spring& s : springsOf(t, IntrinsicTriangulation::Factors::Zero(t.vertexCount())))
+  for (const Spring& s : cotangentSprings(t, IntrinsicTriangulation::Factors::Zero(t.vertexCount())))
   {
     weights.push_back({ s.From, s.To, s.Weight });
     weights.push_back({ s.To, s.From, s.Weight });
@@ -222,8 +220,11 @@ ConformalDiskMap boundaryFirstDisk(const TriangleMesh& mesh,
     cotangentWeights(triangulation), WeightSymmetry::Symmetric, loop, angles, centring, extension);
   report(extension, 1.0, "");
   const double area = faceAreas(mesh.Vertices, mesh.Faces).sum();
-  map.SpreadVertices = spreadProtrusionsInOwnMetric(
-    triangulation, logFactorsOf(equation, lengths, loop, disk), 0.5 * std::log(EIGEN_PI / area), disk);
+  map.SpreadVertices = spreadProtrusions(triangulation,
+    IntrinsicTriangulation::Factors::Zero(triangulation.vertexCount()),
+    logFactorsOf(equation, lengths, loop, disk),
+    0.5 * std::log(EIGEN_PI / area),
+    disk);
   map.Positions = pointsOf(disk);
   return map;
 }

@@ -4,7 +4,6 @@
 #include "Base/Errors.h"
 #include "Conformal/BoundaryFirstDisk.h"
 #include "Conformal/ConformalFactors.h"
-#include "Conformal/DiskCentring.h"
 #include "Conformal/DiskNormalisation.h"
 #include "Conformal/MeanValueDisk.h"
 #include "Conformal/RicciFlowDisk.h"
@@ -61,7 +60,7 @@ ConformalDiskMap centredMap(const TriangleMesh& mesh,
   return ricciFlowDisk(mesh, loop, centring, options.Flow, progress);
 }
 
-// The angle by which a centred map is turned.
+// The angle by which a centred map is rotated.
 double rotationOf(const ComplexVector& disk,
   const TriangleMesh& mesh,
   const std::vector<int>& loop,
@@ -71,13 +70,11 @@ double rotationOf(const ComplexVector& disk,
   {
     return -std::arg(disk[boundaryVertex]);
   }
-  double angle = 0.0;
-  const DiskCentring area(mesh);
-  return intrinsicRotation(disk, mesh.Vertices, area.weights(), angle) ? angle
-                                                                       : -std::arg(disk[loop.front()]);
+  return intrinsicRotation(disk, mesh.Vertices, DiskCentring(mesh).weights())
+    .value_or(-std::arg(disk[loop.front()]));
 }
 
-// Those that the repair of flipped faces must not move.
+// The vertices that untangling must not move.
 std::vector<int> fixedVertices(const std::vector<int>& loop, const ConformalDiskOptions& options)
 {
   std::vector<int> fixed = loop;
@@ -105,9 +102,9 @@ ConformalDiskMap conformalDiskMap(const TriangleMesh& mesh,
     z *= rotation;
   }
   map.Positions = pointsOf(disk);
-  map.Repair =
+  map.Untangling =
     untangleMap(mesh, fixedVertices(loop, options), map.Positions, subrange(progress, 0.95, 1.0));
-  map.FlippedFaces = map.Repair.FlippedFaces;
+  map.FlippedFaces = map.Untangling.FlippedFaces;
   if (options.Method != ConformalMethod::RicciFlow)
   {
     map.LogFactors = logConformalFactors(mesh, map.Positions, map.AddedLength);

@@ -11,6 +11,8 @@ namespace flattening
 namespace
 {
 
+// Least total length, in radii of the unit disk: a guard that keeps logarithms finite. Positions in the
+// unit disk do not resolve shorter edges.
 constexpr double LeastResolved = 1e-16;
 
 std::vector<std::pair<int, int>> edgesOf(const FaceMatrix& faces)

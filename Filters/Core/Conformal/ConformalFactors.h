@@ -7,11 +7,10 @@
 namespace flattening
 {
 
-/// Natural logarithm, for every vertex (n), of the sum of its edges' lengths in @p positions over the
-/// sum of their lengths on the surface, @p addedLength longer than they are. Of a smooth conformal map
-/// it is the scale at the vertex up to the square of the edge length; on the boundary, where the edges
-/// lie to one side, up to the edge length. Flat sums below 1e-16, which positions in the unit disk do
-/// not resolve, count as that.
+/// The natural logarithm, for every vertex (n), of the total length of its edges in @p positions (n x 2)
+/// over their total length on the surface, with @p addedLength added to each edge. For a smooth
+/// conformal map this is the logarithm of its scale at the vertex, with an error of the order of the
+/// squared edge length, or of the edge length on the boundary. A flat total below 1e-16 counts as 1e-16.
 Eigen::VectorXd logConformalFactors(const TriangleMesh& mesh,
   const Points2& positions,
   double addedLength);

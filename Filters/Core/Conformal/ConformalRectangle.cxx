@@ -3,10 +3,9 @@
 
 #include "Base/Errors.h"
 #include "Conformal/CotangentWeights.h"
+#include "Conformal/CurvatureSystem.h"
 #include "Conformal/HalfPlaneEmbedding.h"
-#include "Conformal/PointAtInfinity.h"
 #include "Conformal/ProtrusionSpreading.h"
-#include "Mesh/ComplexPositions.h"
 #include "Mesh/GraphLaplacian.h"
 #include "Mesh/MeshTopology.h"
 #include "Untangling/MapUntangling.h"
@@ -29,45 +28,46 @@ void requireCorners(const std::vector<int>& corners, const std::vector<int>& loo
   {
     throw InvalidInput("a rectangle has 4 corners; " + std::to_string(corners.size()) + " were given");
   }
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> indices;
   for (const int corner : corners)
   {
-    const auto place = std::find(loop.begin(), loop.end(), corner);
-    if (place == loop.end())
+    const auto found = std::find(loop.begin(), loop.end(), corner);
+    if (found == loop.end())
     {
       throw InvalidInput("the corner vertex " + std::to_string(corner) +
                          " is not on the boundary: choose four boundary vertices");
     }
-    places.push_back(place - loop.begin());
+    indices.push_back(found - loop.begin());
   }
-  std::rotate(places.begin(), std::min_element(places.begin(), places.end()), places.end());
+  std::rotate(indices.begin(), std::min_element(indices.begin(), indices.end()), indices.end());
   for (int k = 0; k < 3; ++k)
   {
-    if (places[k] == places[k + 1] || places[0] == places[k + 1])
+    if (indices[k] == indices[k + 1] || indices[0] == indices[k + 1])
     {
       throw InvalidInput(
         "two corners are the same boundary vertex: choose four different ones; if they are, the surface "
         "has too few boundary vertices there");
     }
   }
-  if (!std::is_sorted(places.begin(), places.end()))
+  if (!std::is_sorted(indices.begin(), indices.end()))
   {
     throw InvalidInput("the corners are not in the order of the boundary with the surface on its left: "
                        "exchange the second and the fourth, or two neighbours");
   }
 }
 
-// A vertex of the straightened boundary: on one of the four sides, so far along it and so far inside.
-struct BoundaryPlace
+// The position of a boundary vertex on the straightened boundary.
+struct SidePosition
 {
   int Vertex;
-  int Side;
-  double Along;
-  double Inside;
+  int Side;      // 0 to 3, counter-clockwise from the lower one
+  double Along;  // length from the beginning of the side
+  double Inside; // distance from the side
 };
 
-// Walks along the mirror, whose cells tell the places, from the first corner.
-std::vector<BoundaryPlace> placesOnSides(const IntrinsicTriangulation& t,
+// Positions of the boundary vertices, by a walk along the mirror cells from the first corner. Sets the
+// lengths of the sides, too.
+std::vector<SidePosition> sidePositions(const IntrinsicTriangulation& t,
   const IntrinsicTriangulation::Factors& u,
   const std::vector<int>& corners,
   std::array<double, 4>& lengths)
@@ -78,7 +78,7 @@ std::vector<BoundaryPlace> placesOnSides(const IntrinsicTriangulation& t,
   {
     ++first;
   }
-  std::vector<BoundaryPlace> places;
+  std::vector<SidePosition> positions;
   int side = 0;
   double along = 0.0;
   int b = first;
@@ -90,13 +90,13 @@ std::vector<BoundaryPlace> placesOnSides(const IntrinsicTriangulation& t,
       along = 0.0;
     }
     const SymmetricTrapezoid cell = t.scaledTrapezoid(b, u);
-    places.push_back(
+    positions.push_back(
       { boundary[b].Origin, side, along, 0.5 * std::exp(static_cast<double>(cell.LogAtOrigin)) });
     along += trapezoidShape(cell).Extent * std::exp(static_cast<double>(cell.LogEdge));
     b = boundary[b].Next;
   } while (b != first);
   lengths[3] = along;
-  return places;
+  return positions;
 }
 
 struct Rectangle
@@ -104,7 +104,6 @@ struct Rectangle
   double Width;
   double Height;
 
-  // Sides are numbered counter-clockwise from the lower one.
   Complex at(int side, double share, double inside) const
   {
     switch (side)
@@ -121,8 +120,9 @@ struct Rectangle
   }
 };
 
-// Opposite sides, which only rounding makes unequal, become equal.
-Rectangle layOut(const IntrinsicTriangulation& t,
+// Gives all vertices their positions in a rectangle, which it returns. Its sides are the means of
+// opposite sides, which differ by rounding only.
+Rectangle embed(const IntrinsicTriangulation& t,
   const IntrinsicTriangulation::Factors& u,
   const std::vector<int>& corners,
   const EliminationOrder& order,
@@ -130,16 +130,16 @@ Rectangle layOut(const IntrinsicTriangulation& t,
   const ProgressCallback& progress)
 {
   std::array<double, 4> lengths{};
-  const std::vector<BoundaryPlace> places = placesOnSides(t, u, corners, lengths);
+  const std::vector<SidePosition> boundary = sidePositions(t, u, corners, lengths);
   const Rectangle rectangle{ 0.5 * (lengths[0] + lengths[2]), 0.5 * (lengths[1] + lengths[3]) };
   std::vector<char> placed(t.vertexCount(), 0);
   position.assign(t.vertexCount(), 0.0);
-  for (const BoundaryPlace& place : places)
+  for (const SidePosition& p : boundary)
   {
-    position[place.Vertex] = rectangle.at(place.Side, place.Along / lengths[place.Side], place.Inside);
-    placed[place.Vertex] = 1;
+    position[p.Vertex] = rectangle.at(p.Side, p.Along / lengths[p.Side], p.Inside);
+    placed[p.Vertex] = 1;
   }
-  relaxSprings(springsOf(t, u), placed, position, order, progress);
+  relaxSprings(cotangentSprings(t, u), placed, position, order, progress);
   return rectangle;
 }
 
@@ -157,25 +157,18 @@ ConformalRectangleMap conformalRectangleMap(const TriangleMesh& mesh,
       " vertices: a rectangle needs 4 corners; remesh the surface or map it to the disk");
   }
   ConformalRectangleMap result;
+  ConformalDiskMap& map = result.Map;
   result.Corners = options.Corners.empty() ? rectangleCorners(mesh, loop) : options.Corners;
   requireCorners(result.Corners, loop);
 
   report(progress, 0.0, "Intrinsic Delaunay triangulation");
   const int n = mesh.vertexCount();
   IntrinsicTriangulation t(mesh);
-  result.Map.AddedLength = t.addedLength();
-  result.Map.Flips += t.flipToDelaunay();
-  const std::vector<char> onBoundary = boundaryVertices(t);
-  result.Map.Flips += t.flipDoubleToDelaunay();
-  Eigen::VectorXd targets(n);
-  for (int v = 0; v < n; ++v)
-  {
-    targets[v] = onBoundary[v] ? EIGEN_PI : 2.0 * EIGEN_PI;
-  }
-  for (const int corner : result.Corners)
-  {
-    targets[corner] = 0.5 * EIGEN_PI;
-  }
+  map.AddedLength = t.addedLength();
+  map.Flips += t.flipToDelaunay();
+  Eigen::VectorXd targets = flatAngleSums(t);
+  map.Flips += t.flipDoubleToDelaunay();
+  targets(result.Corners).setConstant(0.5 * EIGEN_PI);
   std::vector<char> fixed(n, 0);
   fixed[result.Corners[0]] = 1; // for the scale; its angle follows from all others
   const RicciFlowResult flow = discreteRicciFlow(t,
@@ -184,28 +177,31 @@ ConformalRectangleMap conformalRectangleMap(const TriangleMesh& mesh,
     IntrinsicTriangulation::Factors::Zero(n),
     options.Flow,
     subrange(progress, 0.1, 0.85));
-  result.Map.NewtonIterations = flow.NewtonIterations;
-  result.Map.Flips += flow.Flips;
-  result.Map.MaxCurvatureError = flow.MaxCurvatureError;
+  map.NewtonIterations = flow.NewtonIterations;
+  map.Flips += flow.Flips;
+  map.MaxCurvatureError = flow.MaxCurvatureError;
 
   ComplexVector position;
-  const Rectangle rectangle = layOut(
-    t, flow.LogFactors, result.Corners, flow.Elimination, position, subrange(progress, 0.9, 0.95));
-  result.Map.LayoutError = layoutError(t, flow.LogFactors, position);
-  requireLayout(result.Map.LayoutError);
+  const Rectangle rectangle =
+    embed(t, flow.LogFactors, result.Corners, flow.Elimination, position, subrange(progress, 0.9, 0.95));
+  map.LayoutError = layoutError(t, flow.LogFactors, position);
+  requireLayout(map.LayoutError);
   result.Modulus = rectangle.Width / rectangle.Height;
   const double area = faceAreas(mesh.Vertices, mesh.Faces).sum();
-  result.Map.SpreadVertices = spreadProtrusions(
-    t, flow.LogFactors, 0.5 * std::log(rectangle.Width * rectangle.Height / area), position);
-  result.Map.Positions = pointsOf(position) / rectangle.Height;
+  map.SpreadVertices = spreadProtrusions(t,
+    flow.LogFactors,
+    flow.LogFactors,
+    0.5 * std::log(rectangle.Width * rectangle.Height / area),
+    position);
+  map.Positions = pointsOf(position) / rectangle.Height;
   for (const int v : loop)
   {
-    result.Map.Positions(v, 0) = std::clamp(result.Map.Positions(v, 0), 0.0, result.Modulus);
-    result.Map.Positions(v, 1) = std::clamp(result.Map.Positions(v, 1), 0.0, 1.0);
+    map.Positions(v, 0) = std::clamp(map.Positions(v, 0), 0.0, result.Modulus);
+    map.Positions(v, 1) = std::clamp(map.Positions(v, 1), 0.0, 1.0);
   }
-  result.Map.LogFactors = flow.LogFactors.cast<double>().array() - std::log(rectangle.Height);
-  result.Map.Repair = untangleMap(mesh, loop, result.Map.Positions, subrange(progress, 0.95, 1.0));
-  result.Map.FlippedFaces = result.Map.Repair.FlippedFaces;
+  map.LogFactors = flow.LogFactors.cast<double>().array() - std::log(rectangle.Height);
+  map.Untangling = untangleMap(mesh, loop, map.Positions, subrange(progress, 0.95, 1.0));
+  map.FlippedFaces = map.Untangling.FlippedFaces;
   report(progress, 1.0, "Conformal rectangle");
   return result;
 }

@@ -4,7 +4,6 @@
 #include "Base/Errors.h"
 #include "Base/SparseFactorization.h"
 #include "Conformal/BoundaryAngles.h"
-#include "Mesh/ComplexPositions.h"
 
 #include <cmath>
 #include <optional>
@@ -17,9 +16,11 @@ namespace
 {
 
 using Complex = std::complex<double>;
-// Of what a boundary vertex may weigh in the centre: with half of it no Moebius map of the circle
-// centres the masses, and close to that all other vertices crowd at the far side.
+// Greatest share of the mass that one boundary vertex may carry: with half of it no Moebius map of the
+// circle centres the masses, and close to that all other vertices crowd at the far side.
 constexpr double GreatestShare = 0.49;
+// Rounds of refinement after the first solution: one brings the rounding errors of the factorization
+// down to those of the residuals. More only cost time.
 constexpr int Refinements = 1;
 constexpr const char* Stage = "Convex combination map";
 
@@ -59,13 +60,14 @@ public:
     }
   }
 
-  // What every boundary vertex, in the order of the loop, weighs in the mean of all vertices.
-  Eigen::VectorXd boundaryShares(const Eigen::VectorXd& vertexShares) const
+  // The share that every boundary vertex, in the order of the loop, has in the mean of all vertices with
+  // the given weights.
+  Eigen::VectorXd boundaryShares(const Eigen::VectorXd& vertexWeights) const
   {
-    Eigen::VectorXd all = vertexShares;
+    Eigen::VectorXd all = vertexWeights;
     if (!this->Inner.empty())
     {
-      const Eigen::VectorXd inner = vertexShares(this->Inner);
+      const Eigen::VectorXd inner = vertexWeights(this->Inner);
       const Eigen::VectorXd passed =
         this->Cholesky ? this->Cholesky->solve(inner) : this->Lu->solveTransposed(inner);
       for (const NeighbourWeight& w : this->Weights)
@@ -77,7 +79,7 @@ public:
     return shares / shares.sum();
   }
 
-  // All positions, from those of the boundary.
+  // The positions of all vertices for given positions of the boundary.
   ComplexVector extended(const ComplexVector& boundary) const
   {
     ComplexVector position(this->Row.size(), Complex(0.0, 0.0));
@@ -85,7 +87,7 @@ public:
     {
       position[this->Loop[k]] = boundary[k];
     }
-    // As sums of differences the residuals keep their digits where neighbours are close.
+    // Residuals are sums of differences, which keep their digits where neighbours are close.
     for (int round = 0; !this->Inner.empty() && round < 1 + Refinements; ++round)
     {
       Eigen::MatrixXd residual = Eigen::MatrixXd::Zero(this->Inner.size(), 2);
@@ -138,7 +140,7 @@ private:
   }
 
   const std::vector<int>& Loop;
-  std::vector<int> Row; // of every vertex; -1 on the boundary
+  std::vector<int> Row; // index of every vertex among the inner ones; -1 on the boundary
   std::vector<int> Inner;
   std::vector<NeighbourWeight> Weights; // of inner vertices
   // The factors of the matrix: Cholesky if it is symmetric, otherwise LU.
@@ -146,38 +148,36 @@ private:
   std::optional<SparseLu> Lu;
 };
 
-ComplexVector onCircle(ComplexVector points)
-{
-  for (Complex& z : points)
-  {
-    z /= std::abs(z);
-  }
-  return points;
-}
-
-// The map whose boundary is moved by the Moebius map that centres the boundary's shares.
+// The map after the boundary has been moved by the Moebius map that centres the boundary's shares.
 ComplexVector centredByBoundary(const ConvexCombinations& combinations,
   const Eigen::VectorXd& angles,
   const Eigen::VectorXd& shares)
 {
   const ComplexVector halfPlane = halfPlaneBoundary(angles);
-  return combinations.extended(onCircle(cayley(halfPlane, centreOfMass(halfPlane, shares))));
+  ComplexVector circle = cayley(halfPlane, centreOfMass(halfPlane, shares));
+  for (Complex& z : circle)
+  {
+    z /= std::abs(z);
+  }
+  return combinations.extended(circle);
 }
 
-// The map of which all vertices are moved by a Moebius map. What is centred lies close to one boundary
-// vertex: distances from it keep their digits where it is the origin, and infinity in the half-plane.
+// The map after all vertices have been moved by a Moebius map. The centre lies close to the boundary
+// vertex
+// @p nearest: distances from it keep their digits if it is the origin of the first map, and infinity in
+// the half-plane.
 ComplexVector centredByAll(const ConvexCombinations& combinations,
   const std::vector<int>& loop,
   const Eigen::VectorXd& angles,
   Eigen::Index nearest,
   const DiskCentring& centring)
 {
-  Eigen::VectorXd turned = angles.array() - angles[nearest];
-  turned = (turned.array() < 0.0).select(turned.array() + 2.0 * EIGEN_PI, turned);
+  Eigen::VectorXd rotated = angles.array() - angles[nearest];
+  rotated = (rotated.array() < 0.0).select(rotated.array() + 2.0 * EIGEN_PI, rotated);
   ComplexVector boundary(loop.size());
   for (std::size_t k = 0; k < loop.size(); ++k)
   {
-    boundary[k] = Complex(0.0, 2.0 * std::sin(0.5 * turned[k])) * std::polar(1.0, 0.5 * turned[k]);
+    boundary[k] = Complex(0.0, 2.0 * std::sin(0.5 * rotated[k])) * std::polar(1.0, 0.5 * rotated[k]);
   }
   ComplexVector halfPlane = combinations.extended(boundary);
   for (std::size_t v = 0; v < halfPlane.size(); ++v)
@@ -192,16 +192,13 @@ ComplexVector centredByAll(const ConvexCombinations& combinations,
     }
     fromNearest = Complex(0.0, -1.0) * (2.0 + fromNearest) / fromNearest;
   }
-  const ComplexVector line = halfPlaneBoundary(turned);
+  const ComplexVector line = halfPlaneBoundary(rotated);
   for (std::size_t k = 0; k < loop.size(); ++k)
   {
     halfPlane[loop[k]] = line[k];
   }
   ComplexVector disk = cayley(halfPlane, centring.centre(halfPlane));
-  for (const int v : loop)
-  {
-    disk[v] /= std::abs(disk[v]);
-  }
+  moveToCircle(loop, disk);
   return disk;
 }
 
@@ -230,7 +227,7 @@ ComplexVector convexCombinationDisk(const std::vector<NeighbourWeight>& weights,
   ComplexVector disk = centred(combinations, loop, angles, centring);
   if (centring.vertex() >= 0)
   {
-    disk[centring.vertex()] = 0.0; // but for rounding it is there
+    disk[centring.vertex()] = 0.0; // it is there, but for rounding
   }
   for (const Complex& z : disk)
   {

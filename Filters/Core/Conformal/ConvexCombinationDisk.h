@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Maps to the disk in which every inner vertex is a weighted mean of its neighbours.
+/// Convex combination maps to the disk: every interior vertex is a weighted mean of its neighbours.
 #pragma once
 
 #include "Base/Progress.h"
-#include "Conformal/DiskCentring.h"
+#include "Conformal/DiskNormalisation.h"
 #include "Mesh/ComplexPositions.h"
 
 #include <vector>
@@ -11,8 +11,8 @@
 namespace flattening
 {
 
-/// What vertex To weighs in the mean that vertex From is, in any unit that all weights of From share; >=
-/// 0. Weights of boundary vertices are not used.
+/// The weight of vertex To in the mean that vertex From is: >= 0, in any unit that all weights of From
+/// share. Weights of boundary vertices are not used.
 struct NeighbourWeight
 {
   int From;
@@ -20,25 +20,26 @@ struct NeighbourWeight
   double Weight;
 };
 
-/// Whether every pair of inner vertices weighs the same in each other; that saves half of the time.
+/// Whether the weights of every two interior vertices in each other's mean are equal, which saves half
+/// of the time.
 enum class WeightSymmetry
 {
   Symmetric,
   General
 };
 
-/// Places the vertices of the boundary @p loop on the unit circle, at @p angles (see BoundaryAngles.h)
-/// but for a Moebius map of the circle that makes the whole obey @p centring, and every other vertex at
-/// the weighted mean of its neighbours (Floater 1997, "convex combination map"): one factorization of a
-/// sparse matrix. The centre is a linear function of the boundary, which shows how much every boundary
-/// vertex weighs in it; the Moebius map is the one that puts the centre of these masses at 0.
+/// Places the vertices of the boundary @p loop on the unit circle and every other vertex at the weighted
+/// mean of its neighbours (Floater 1997, "convex combination map"), by one factorization of a sparse
+/// matrix. The boundary has @p angles (radians, see BoundaryAngles.h) up to the Moebius map of the
+/// circle with which the whole obeys @p centring: the centre is a linear function of the boundary, which
+/// gives every boundary vertex a mass, and the Moebius map puts the centre of these masses at 0.
 ///
-/// With positive weights on every edge no face is flipped (Tutte 1963; Floater 2003, theorem 4.1),
-/// chords between boundary vertices or not, as no three points of a circle are on a line. It ends in two
-/// places. Weights and positions are rounded: where positions are closer to each other than 1e-15, or a
-/// neighbour weighs less than that, faces may flip. And where one boundary vertex weighs half of the
-/// centre or more, as where the centre is a neighbour of the boundary, no boundary on the circle has it
-/// at 0: a Moebius map is then applied to all of the vertices.
+/// With positive weights on all edges no face is flipped (Tutte 1963; Floater 2003, theorem 4.1), even
+/// with edges between boundary vertices, as no three points of a circle are on a line. There are two
+/// exceptions. Where positions are closer to each other than 1e-15, or a neighbour's share is less than
+/// that, rounding may flip faces. And if one boundary vertex carries half of the mass or more, as where
+/// the centre is a neighbour of the boundary, no boundary on the circle has the centre at 0: a Moebius
+/// map is applied to all vertices then.
 /// @throws ConvergenceError if the matrix cannot be factored or the centre is not found; Cancelled.
 ComplexVector convexCombinationDisk(const std::vector<NeighbourWeight>& weights,
   WeightSymmetry symmetry,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Conformal/CotangentWeights.h"
 
-#include "Mesh/GraphLaplacian.h"
-
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -14,11 +12,13 @@ namespace flattening
 namespace
 {
 
+// Faces per task of a parallel loop: enough to outweigh the cost of a task.
 constexpr int FacesPerTask = 1024;
 
 } // namespace
 
-std::vector<Spring> springsOf(const IntrinsicTriangulation& t, const IntrinsicTriangulation::Factors& u)
+std::vector<Spring> cotangentSprings(const IntrinsicTriangulation& t,
+  const IntrinsicTriangulation::Factors& u)
 {
   std::vector<double> cotangents(t.halfedgeCount());
   tbb::parallel_for(tbb::blocked_range<int>(0, t.faceCount(), FacesPerTask),

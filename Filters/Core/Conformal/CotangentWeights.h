@@ -10,9 +10,10 @@
 namespace flattening
 {
 
-/// The edges of @p triangulation with their cotangent weights at factors @p u, which are not negative in
-/// a Delaunay triangulation but for rounding: in a flat metric coordinates are in equilibrium.
-std::vector<Spring> springsOf(const IntrinsicTriangulation& triangulation,
+/// The edges of @p triangulation as springs with the cotangent weights at factors @p u, which are not
+/// negative in a Delaunay triangulation, but for rounding. Edges of weight 0 are left out. In a flat
+/// metric the coordinates of the vertices are in equilibrium.
+std::vector<Spring> cotangentSprings(const IntrinsicTriangulation& triangulation,
   const IntrinsicTriangulation::Factors& u);
 
 } // namespace flattening

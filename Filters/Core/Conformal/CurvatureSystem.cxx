@@ -12,9 +12,23 @@ namespace flattening
 namespace
 {
 
+// Faces per task of a parallel loop: enough to outweigh the cost of a task.
 constexpr int FacesPerTask = 1024;
 
 } // namespace
+
+Eigen::VectorXd flatAngleSums(const IntrinsicTriangulation& t)
+{
+  Eigen::VectorXd sums = Eigen::VectorXd::Constant(t.vertexCount(), 2.0 * EIGEN_PI);
+  for (int h = 0; h < t.halfedgeCount(); ++h)
+  {
+    if (t.twin(h) < 0)
+    {
+      sums[t.origin(h)] = sums[t.tip(h)] = EIGEN_PI;
+    }
+  }
+  return sums;
+}
 
 CurvatureSystem::CurvatureSystem(const IntrinsicTriangulation& triangulation,
   const Eigen::VectorXd& targetAngles,
@@ -52,11 +66,7 @@ void CurvatureSystem::evaluate(const IntrinsicTriangulation::Factors& u)
       }
     });
 
-  this->Gradient.resize(this->unknowns());
-  for (int r = 0; r < this->unknowns(); ++r)
-  {
-    this->Gradient[r] = this->TargetAngles[this->Vertex[r]];
-  }
+  this->Gradient = this->TargetAngles(this->Vertex);
   this->DegenerateFaces = 0;
   for (int f = 0; f < t.faceCount(); ++f)
   {

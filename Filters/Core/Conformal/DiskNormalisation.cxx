@@ -2,7 +2,6 @@
 #include "Conformal/DiskNormalisation.h"
 
 #include "Base/Errors.h"
-#include "Mesh/ComplexPositions.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -18,7 +17,21 @@ namespace
 {
 
 using Complex = std::complex<double>;
+// Points per task of a parallel loop: enough to outweigh the cost of a task.
 constexpr std::size_t PointsPerTask = 4096;
+// Distance of the centre of mass from 0, in radii, that Newton's method aims at: a few roundings.
+constexpr double CentringTolerance = 1e-14;
+// Distance that is accepted where no step reduces it, as rounding of the sums may forbid. A guard: maps
+// that are off by more are refused.
+constexpr double AcceptedOffset = 1e-9;
+// Guards against endless loops: convergence takes a few iterations, and 2^-50 of a step moves nothing.
+constexpr int MostIterations = 200;
+constexpr int MostHalvings = 50;
+// Longest step, in radii of the disk: the step is worked out for small ones.
+constexpr double LongestStep = 0.5;
+// Least length of the mean direction, from 0 to 1, that counts as a direction. A guard: in a symmetric
+// surface rounding leaves 1e-15, and a rotation by that would depend on the numbering.
+constexpr double LeastAsymmetry = 1e-6;
 
 double weightedMedian(const std::vector<double>& values, const Eigen::VectorXd& masses)
 {
@@ -42,8 +55,8 @@ double weightedMedian(const std::vector<double>& values, const Eigen::VectorXd& 
 
 struct Moments
 {
-  Complex First{ 0.0, 0.0 };  // sum nu z
-  Complex Second{ 0.0, 0.0 }; // sum nu z^2
+  Complex First{ 0.0, 0.0 };  // sum of mass z
+  Complex Second{ 0.0, 0.0 }; // sum of mass z^2
 };
 
 Moments moments(const ComplexVector& disk, const Eigen::VectorXd& masses)
@@ -74,6 +87,14 @@ ComplexVector cayley(const ComplexVector& halfPlane, Complex centre)
   return disk;
 }
 
+void moveToCircle(const std::vector<int>& vertices, ComplexVector& disk)
+{
+  for (const int v : vertices)
+  {
+    disk[v] /= std::abs(disk[v]);
+  }
+}
+
 Complex centreOfMass(const ComplexVector& halfPlane, const Eigen::VectorXd& masses)
 {
   std::vector<double> x;
@@ -83,7 +104,7 @@ Complex centreOfMass(const ComplexVector& halfPlane, const Eigen::VectorXd& mass
     x.push_back(std::isfinite(z.real()) ? z.real() : 0.0);
     y.push_back(std::isfinite(z.real()) ? z.imag() : 0.0);
   }
-  // A first centre amid the mass, so that no image loses its digits by lying close to the circle.
+  // The first centre lies amid the mass, so that no image loses digits by lying close to the circle.
   Complex centre(weightedMedian(x, masses), weightedMedian(y, masses));
   if (!(centre.imag() > 0.0))
   {
@@ -93,20 +114,21 @@ Complex centreOfMass(const ComplexVector& halfPlane, const Eigen::VectorXd& mass
   }
   const double total = masses.sum();
   Moments m = moments(cayley(halfPlane, centre), masses);
-  for (int iteration = 0; iteration < 200; ++iteration)
+  for (int iteration = 0; iteration < MostIterations; ++iteration)
   {
     const double error = std::abs(m.First) / total;
-    if (error < 1e-14)
+    if (error < CentringTolerance)
     {
       return centre;
     }
-    // Newton at a = 0: F(a) = First - total a + Second conj(a), solved for a.
+    // Newton's method for the Moebius map of the disk that takes a to 0: the first moment after it is
+    // First - total a + Second conj(a) for small a, which is solved for a.
     const Complex s = m.Second / total;
     const Complex f = m.First / total;
     Complex step = (f + s * std::conj(f)) / std::max(1.0 - std::norm(s), 1e-12);
-    step *= std::min(1.0, 0.5 / std::abs(step));
+    step *= std::min(1.0, LongestStep / std::abs(step));
     bool improved = false;
-    for (int trial = 0; trial < 50 && !improved; ++trial, step *= 0.5)
+    for (int trial = 0; trial < MostHalvings && !improved; ++trial, step *= 0.5)
     {
       const Complex next = (centre - step * std::conj(centre)) / (1.0 - step);
       if (!(next.imag() > 0.0))
@@ -123,9 +145,9 @@ Complex centreOfMass(const ComplexVector& halfPlane, const Eigen::VectorXd& mass
     }
     if (!improved)
     {
-      if (error < 1e-9)
+      if (error < AcceptedOffset)
       {
-        return centre; // at the rounding floor
+        return centre;
       }
       break;
     }
@@ -134,26 +156,41 @@ Complex centreOfMass(const ComplexVector& halfPlane, const Eigen::VectorXd& mass
     "the conformal disk could not be centred: give an interior point for the centre");
 }
 
-bool intrinsicRotation(const ComplexVector& disk,
+std::optional<double> intrinsicRotation(const ComplexVector& disk,
   const Points3& surface,
-  const Eigen::VectorXd& masses,
-  double& angle)
+  const Eigen::VectorXd& masses)
 {
   const Eigen::RowVector3d centroid = (masses.transpose() * surface) / masses.sum();
   Complex direction(0.0, 0.0);
   double scale = 0.0;
   for (std::size_t i = 0; i < disk.size(); ++i)
   {
-    const double far = masses[i] * (surface.row(i) - centroid).norm();
-    direction += far * disk[i];
-    scale += far;
+    const double weight = masses[i] * (surface.row(i) - centroid).norm();
+    direction += weight * disk[i];
+    scale += weight;
   }
-  if (!(std::abs(direction) > 1e-6 * scale))
+  if (!(std::abs(direction) > LeastAsymmetry * scale))
   {
-    return false;
+    return std::nullopt;
   }
-  angle = -std::arg(direction);
-  return true;
+  return -std::arg(direction);
+}
+
+DiskCentring::DiskCentring(const TriangleMesh& mesh)
+  : Weights(vertexAreas(mesh.Faces, faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount()))
+{
+  this->Weights /= this->Weights.sum();
+}
+
+DiskCentring::DiskCentring(const TriangleMesh& mesh, int vertex)
+  : Vertex(vertex)
+  , Weights(Eigen::VectorXd::Unit(mesh.vertexCount(), vertex))
+{
+}
+
+Complex DiskCentring::centre(const ComplexVector& halfPlane) const
+{
+  return this->Vertex >= 0 ? halfPlane[this->Vertex] : centreOfMass(halfPlane, this->Weights);
 }
 
 } // namespace flattening

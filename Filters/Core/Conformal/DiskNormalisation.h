@@ -1,28 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// From the half-plane to the disk, and which of the disk's Moebius images to take.
+/// Normalisation of a conformal disk: Moebius maps from the half-plane, the centre and the rotation.
 #pragma once
 
 #include "Mesh/ComplexPositions.h"
+#include "Mesh/TriangleMesh.h"
+
+#include <complex>
+#include <optional>
+#include <vector>
 
 namespace flattening
 {
 
-/// (z - centre) / (z - conj(centre)): the upper half-plane onto the unit disk, centre to 0 and infinity
-/// to 1. Infinite entries of @p halfPlane are allowed.
+/// The Cayley map (z - centre) / (z - conj(centre)), which takes the upper half-plane onto the unit
+/// disk, @p centre to 0 and infinity to 1. Infinite entries of @p halfPlane are allowed.
 ComplexVector cayley(const ComplexVector& halfPlane, std::complex<double> centre);
 
-/// The point of the half-plane that the Cayley map must send to 0 so that the images have their centre
-/// of mass at 0: sum_i mass_i m(z_i) = 0 (mathematics.md, "Measures"; the conformal barycentre). Unique
-/// if no point on the boundary carries half of the mass. @p masses >= 0, one per point.
-/// @throws ConvergenceError if Newton's method does not end.
+/// Moves the given vertices of @p disk radially onto the unit circle.
+void moveToCircle(const std::vector<int>& vertices, ComplexVector& disk);
+
+/// The point of the half-plane for which the Cayley map m puts the centre of mass of the images at 0:
+/// sum_i mass_i m(z_i) = 0, the conformal barycentre (docs/mathematics.md, "Conformal map"). It is
+/// unique if no point on the boundary carries half of the mass.
+/// @param masses  >= 0, one per point
+/// @throws ConvergenceError if Newton's method does not converge.
 std::complex<double> centreOfMass(const ComplexVector& halfPlane, const Eigen::VectorXd& masses);
 
-/// The angle (radians) by which to rotate the disk so that its orientation depends on the surface alone,
-/// not on its numbering or its place in space: the direction in which, by mass, the points far from the
-/// surface's centroid lie. Returns false if the surface is too symmetric to have one.
-bool intrinsicRotation(const ComplexVector& disk,
+/// The angle (radians) by which to rotate @p disk so that its orientation depends on the shape of @p
+/// surface alone, not on the numbering of its vertices or its position in space: afterwards the mean
+/// direction of the vertices, weighted by mass times distance from the surface's centroid, is that of
+/// the real axis. None if the surface is too symmetric to have such a direction.
+std::optional<double> intrinsicRotation(const ComplexVector& disk,
   const Points3& surface,
-  const Eigen::VectorXd& masses,
-  double& angle);
+  const Eigen::VectorXd& masses);
+
+/// The rule that tells which point of the surface a map to the disk puts at the centre.
+class DiskCentring
+{
+public:
+  /// The surface's area, a third of each face at each of its corners, gets its centroid at 0.
+  explicit DiskCentring(const TriangleMesh& mesh);
+  /// Vertex @p vertex of @p mesh goes to 0.
+  DiskCentring(const TriangleMesh& mesh, int vertex);
+
+  /// The vertex at 0, or -1.
+  int vertex() const { return this->Vertex; }
+  /// One weight per vertex, of sum 1: a map is centred if sum_i weight_i position_i = 0.
+  const Eigen::VectorXd& weights() const { return this->Weights; }
+
+  /// The point that the Cayley map must send to 0, given the positions of all vertices in the
+  /// half-plane.
+  /// @throws ConvergenceError as centreOfMass
+  std::complex<double> centre(const ComplexVector& halfPlane) const;
+
+private:
+  int Vertex = -1;
+  Eigen::VectorXd Weights;
+};
 
 } // namespace flattening

@@ -3,7 +3,6 @@
 
 #include "Base/Errors.h"
 #include "Conformal/CotangentWeights.h"
-#include "Mesh/ComplexPositions.h"
 #include "Mesh/GraphLaplacian.h"
 
 #include <tbb/blocked_range.h>
@@ -21,34 +20,39 @@ namespace
 {
 
 using Complex = std::complex<double>;
+// Greatest relative error of an edge that is accepted: a guard, for a metric that is flat to 1e-10
+// radians is laid out to far less. Maps with larger errors are not conformal.
 constexpr double LargestLayoutError = 1e-3;
-// Of the layout's extent. Along a horn of the surface lengths fall exponentially, past what doubles tell
-// apart.
+// Shortest edge whose relative error counts, as a share of the embedding's extent. Along a protrusion
+// lengths fall exponentially, past the resolution of doubles; with a smaller share, maps of real
+// surfaces are refused for edges that nobody can see.
 constexpr double LeastResolved = 1e-11;
+// Half-edges per task of a parallel loop: enough to outweigh the cost of a task.
 constexpr int HalfedgesPerTask = 4096;
 const Complex Infinity(std::numeric_limits<double>::infinity(), 0.0);
 
-// Places the boundary of the finite part: along the real axis, where the mirror cells tell places, from
-// @p firstEdge on, then the link of the vertex at infinity, whose shape the angles at its vertices tell.
-// Returns which vertices it placed.
-std::vector<char> layOutBoundary(const IntrinsicTriangulation& t,
+// Positions the boundary: first along the real axis from @p firstEdge on, by the mirror cells, then
+// along the link of the vertex at infinity, by the angles at the link's vertices. Returns one flag per
+// vertex, 1 if it has a position.
+std::vector<char> embedBoundary(const IntrinsicTriangulation& t,
   const IntrinsicTriangulation::Factors& u,
   int firstEdge,
   ComplexVector& position)
 {
   std::vector<char> placed(t.vertexCount(), 0);
   std::vector<double> angle(t.vertexCount(), 0.0);
-  std::vector<char> isWanted(t.vertexCount(), 0);
+  std::vector<char> onBoundary(t.vertexCount(), 0);
   for (const auto& edge : t.boundaryEdges())
   {
     if (edge.Origin >= 0)
     {
-      isWanted[edge.Origin] = 1;
+      onBoundary[edge.Origin] = 1;
     }
   }
   for (int f = 0; f < t.faceCount(); ++f)
   {
-    if (!isWanted[t.origin(3 * f)] && !isWanted[t.origin(3 * f + 1)] && !isWanted[t.origin(3 * f + 2)])
+    if (!onBoundary[t.origin(3 * f)] && !onBoundary[t.origin(3 * f + 1)] &&
+        !onBoundary[t.origin(3 * f + 2)])
     {
       continue;
     }
@@ -71,21 +75,21 @@ std::vector<char> layOutBoundary(const IntrinsicTriangulation& t,
     angle[t.tipOfBoundaryEdge(b)] += shape.AngleAtTip;
     along += shape.Extent * std::exp(static_cast<double>(cell.LogEdge));
   }
-  double heading = 0.0;
-  Complex place(along, 0.0);
+  double heading = 0.0; // angle of the next edge of the link against the real axis
+  Complex end(along, 0.0);
   std::vector<int> link;
   for (; b != firstEdge; b = boundary[b].Next)
   {
     const int v = boundary[b].Origin;
-    position[v] = place;
+    position[v] = end;
     placed[v] = 1;
     link.push_back(v);
     heading += EIGEN_PI - angle[v];
     const long double scale = 0.5L * (u[v] + u[t.tipOfBoundaryEdge(b)]);
-    place += std::polar(std::exp(static_cast<double>(boundary[b].LogLength + scale)), heading);
+    end += std::polar(std::exp(static_cast<double>(boundary[b].LogLength + scale)), heading);
   }
-  // Spread what rounding left open over the link.
-  const Complex gap = position[boundary[firstEdge].Origin] - place;
+  // The link does not end where it should, by rounding: its vertices share the gap.
+  const Complex gap = position[boundary[firstEdge].Origin] - end;
   for (std::size_t k = 1; k < link.size(); ++k)
   {
     position[link[k]] += gap * (static_cast<double>(k) / link.size());
@@ -95,14 +99,14 @@ std::vector<char> layOutBoundary(const IntrinsicTriangulation& t,
 
 } // namespace
 
-ComplexVector layOutInHalfPlane(const IntrinsicTriangulation& t,
+ComplexVector embedInHalfPlane(const IntrinsicTriangulation& t,
   const IntrinsicTriangulation::Factors& u,
   int firstEdge,
   const EliminationOrder& order,
   const ProgressCallback& progress)
 {
   ComplexVector position(t.vertexCount(), Infinity);
-  std::vector<char> placed = layOutBoundary(t, u, firstEdge, position);
+  std::vector<char> placed = embedBoundary(t, u, firstEdge, position);
   std::vector<char> hasFace(t.vertexCount(), 0);
   for (int h = 0; h < t.halfedgeCount(); ++h)
   {
@@ -119,7 +123,7 @@ ComplexVector layOutInHalfPlane(const IntrinsicTriangulation& t,
       placed[v] = 1;
     }
   }
-  relaxSprings(springsOf(t, u), placed, position, order, progress);
+  relaxSprings(cotangentSprings(t, u), placed, position, order, progress);
   return position;
 }
 

@@ -14,8 +14,8 @@ namespace flattening
 namespace
 {
 
-// At a corner of a face both sides weigh tan(angle / 2) over their length; the two corners next to an
-// edge add up to its weight.
+// The weight of an edge at its origin: the sum over the two faces beside it of tan(angle / 2) / length,
+// with the face's angle at the origin.
 std::vector<NeighbourWeight> meanValueWeights(const IntrinsicTriangulation& t)
 {
   const IntrinsicTriangulation::Factors none = IntrinsicTriangulation::Factors::Zero(t.vertexCount());

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A map to the disk without flipped faces: Floater's mean value coordinates.
+/// The map to the disk by mean value coordinates, in which no face is flipped.
 #pragma once
 
 #include "Base/Progress.h"
 #include "Conformal/ConformalDiskMap.h"
-#include "Conformal/DiskCentring.h"
+#include "Conformal/DiskNormalisation.h"
 
 #include <vector>
 
 namespace flattening
 {
 
-/// The boundary goes to the circle in proportion to its length, but for the Moebius map that centres the
-/// surface; every inner vertex is the mean of its neighbours with mean value weights, which are positive
-/// whatever the triangles (Floater 2003, "Mean value coordinates"; see ConvexCombinationDisk.h for where
-/// that guarantees that no face is flipped). The map is not conformal: angles are distorted most along
-/// the boundary, whose own shape is not used. It needs one factorization.
+/// Places the boundary on the circle in proportion to its length, but for the Moebius map that centres
+/// the surface, and every interior vertex at the mean of its neighbours with mean value weights. These
+/// are positive for all triangles (Floater 2003, "Mean value coordinates"), so that no face is flipped
+/// (see ConvexCombinationDisk.h for the limits of that). The map is not conformal: angles are distorted
+/// most along the boundary, whose own shape is not used. It takes one factorization.
 ///
-/// Faces without area are first opened (see AddedLength), so that all weights are finite.
-/// MaxCurvatureError and LayoutError are NaN, LogFactors not computed.
-/// @p mesh is a disk with the boundary @p loop (see requireDisk). The map is centred, not rotated, and
-/// its flipped faces are not counted.
+/// Faces without area are opened first (see AddedLength), so that all weights are finite.
+/// MaxCurvatureError and LayoutError are NaN; LogFactors and FlippedFaces are not computed; the map is
+/// centred, not rotated.
+/// @p mesh is a disk with the boundary @p loop (see requireDisk).
 /// @throws ConvergenceError, Cancelled.
 ConformalDiskMap meanValueDisk(const TriangleMesh& mesh,
   const std::vector<int>& loop,

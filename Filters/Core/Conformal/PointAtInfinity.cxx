@@ -10,7 +10,21 @@ namespace flattening
 namespace
 {
 
-// Negative if the vertex cannot go to infinity.
+std::vector<char> boundaryVertices(const IntrinsicTriangulation& t)
+{
+  std::vector<char> onBoundary(t.vertexCount(), 0);
+  for (int h = 0; h < t.halfedgeCount(); ++h)
+  {
+    if (t.twin(h) < 0)
+    {
+      onBoundary[t.origin(h)] = onBoundary[t.tip(h)] = 1;
+    }
+  }
+  return onBoundary;
+}
+
+// A heuristic measure of how well the vertex can go to infinity; negative if it cannot. The Ricci flow
+// cannot flip the edges around infinity, so stars are preferred whose edges need no flip.
 double starQuality(const IntrinsicTriangulation& t, const std::vector<char>& onBoundary, int vertex)
 {
   const std::vector<int> around = t.outgoing(vertex);
@@ -21,7 +35,7 @@ double starQuality(const IntrinsicTriangulation& t, const std::vector<char>& onB
   std::vector<int> link;
   double smallestAngle = EIGEN_PI;
   double angleSum = 0.0;
-  double slack = EIGEN_PI; // of the Delaunay condition across the link
+  double slack = EIGEN_PI; // least reserve of the Delaunay condition across the link, radians
   for (const int h : around)
   {
     link.push_back(t.tip(h));
@@ -53,19 +67,6 @@ double starQuality(const IntrinsicTriangulation& t, const std::vector<char>& onB
 }
 
 } // namespace
-
-std::vector<char> boundaryVertices(const IntrinsicTriangulation& t)
-{
-  std::vector<char> onBoundary(t.vertexCount(), 0);
-  for (int h = 0; h < t.halfedgeCount(); ++h)
-  {
-    if (t.twin(h) < 0)
-    {
-      onBoundary[t.origin(h)] = onBoundary[t.tip(h)] = 1;
-    }
-  }
-  return onBoundary;
-}
 
 std::vector<int> verticesForInfinity(const IntrinsicTriangulation& triangulation)
 {

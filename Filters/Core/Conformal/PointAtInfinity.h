@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Which boundary vertex goes to infinity when a disk is mapped to the half-plane.
+/// The choice of the boundary vertex that goes to infinity when a disk is mapped to the half-plane.
 #pragma once
 
 #include "Intrinsic/IntrinsicTriangulation.h"
@@ -9,12 +9,10 @@
 namespace flattening
 {
 
-/// 1 for every vertex on the boundary, else 0.
-std::vector<char> boundaryVertices(const IntrinsicTriangulation& triangulation);
-
-/// The boundary vertices that can be sent to infinity, best first: those whose neighbours are distinct
-/// and inside of the surface but for the first and the last. Best is a star of wide angles, on a
-/// straight piece of the boundary, whose circumcircles keep clear of the vertices behind its link.
+/// The boundary vertices that can be sent to infinity, best first. The neighbours of such a vertex are
+/// distinct and, but for the first and the last, interior vertices. The best vertex has a star of wide
+/// angles on a straight piece of the boundary, and the circumcircles of the star's faces keep clear of
+/// the vertices beyond it.
 std::vector<int> verticesForInfinity(const IntrinsicTriangulation& triangulation);
 
 } // namespace flattening

@@ -15,21 +15,25 @@ namespace flattening
 namespace
 {
 
-// Of the mean scale: -log(1e5).
-constexpr double HornLogScale = -11.512925464970229;
-// On a tube of radius a, springs of weight s^p make a harmonic map fall like exp(-k x / a) instead of
-// the conformal scale s = exp(-x / a), k = sqrt(1 + p^2 / 4) - p / 2.
+// Logarithm of the scale, relative to the map's mean scale, at which a protrusion begins: -log(1e5). A
+// choice: 1e-5 of the mean leaves ten digits for positions; where it begins later, the transport no
+// longer gets through, and where it begins earlier, more of the map is not conformal.
+constexpr double LogScaleOfProtrusions = -11.512925464970229;
+// Power p of the scale by which springs weaken. On a tube of radius a, springs of weight s^p make a
+// harmonic map fall like exp(-k x / a) instead of the conformal scale s = exp(-x / a), with
+// k = sqrt(1 + p^2 / 4) - p / 2: about a quarter for p = 4. A greater power spreads more, by springs
+// that differ more in strength.
 constexpr double SpringPower = 4.0;
-
-// Vertices whose scale is less than exp(3) = 20 times that of a horn's beginning may move as well. What
-// reaches farther falls with the square of the scale: it is less than 1/400 of the scale there.
+// Logarithm of the scale, relative to where protrusions begin, up to which vertices may move: 20 times
+// the scale there. The effect of a spread protrusion falls with the square of the scale: it is less than
+// 1/400 of the scale where the vertices stay.
 constexpr double NeckDepth = 3.0;
 
-// Horns of a map to a convex region whose boundary stays.
-class Horns
+// The protrusions of a map to a convex region whose boundary stays.
+class Protrusions
 {
 public:
-  Horns(const IntrinsicTriangulation& t,
+  Protrusions(const IntrinsicTriangulation& t,
     const IntrinsicTriangulation::Factors& logFactors,
     double logMeanFactor)
     : Triangulation(t)
@@ -49,7 +53,7 @@ public:
     }
     for (int v = 0; v < t.vertexCount(); ++v)
     {
-      this->Depth[v] = static_cast<double>(logFactors[v]) - logMeanFactor - HornLogScale;
+      this->Depth[v] = static_cast<double>(logFactors[v]) - logMeanFactor - LogScaleOfProtrusions;
       this->Count += !this->Fixed[v] && this->Depth[v] < 0.0;
     }
   }
@@ -58,7 +62,7 @@ public:
 
   void spread(const IntrinsicTriangulation::Factors& metric, ComplexVector& disk) const
   {
-    std::vector<Spring> springs = springsOf(this->Triangulation, metric);
+    std::vector<Spring> springs = cotangentSprings(this->Triangulation, metric);
     for (Spring& s : springs)
     {
       const double depth = std::min(this->Depth[s.From], 0.0) + std::min(this->Depth[s.To], 0.0);
@@ -71,7 +75,7 @@ public:
     }
     ComplexVector spread = disk;
     relaxSprings(springs, fixed, spread);
-    // The rim of the necks need not be convex, as the boundary of the whole is.
+    // The rim of the vertices that move need not be convex, unlike the boundary of the map.
     if (this->flippedFaces(fixed, spread) > 0)
     {
       spread = disk;
@@ -81,7 +85,7 @@ public:
   }
 
 private:
-  // With a vertex that is not fixed.
+  // Number of flipped faces with a vertex that is not fixed.
   int flippedFaces(const std::vector<char>& fixed, const ComplexVector& disk) const
   {
     const IntrinsicTriangulation& t = this->Triangulation;
@@ -103,42 +107,25 @@ private:
   }
 
   const IntrinsicTriangulation& Triangulation;
-  std::vector<double> Depth; // below 0 in horns
+  std::vector<double> Depth; // log of the scale relative to where protrusions begin: below 0 in them
   std::vector<char> Fixed;
   int Count = 0;
 };
 
-int spread(const IntrinsicTriangulation& t,
-  const IntrinsicTriangulation::Factors& metric,
-  const IntrinsicTriangulation::Factors& logFactors,
-  double logMeanFactor,
-  ComplexVector& disk)
-{
-  const Horns horns(t, logFactors, logMeanFactor);
-  if (horns.vertexCount() > 0)
-  {
-    horns.spread(metric, disk);
-  }
-  return horns.vertexCount();
-}
-
 } // namespace
 
 int spreadProtrusions(const IntrinsicTriangulation& t,
+  const IntrinsicTriangulation::Factors& metric,
   const IntrinsicTriangulation::Factors& logFactors,
   double logMeanFactor,
-  ComplexVector& disk)
+  ComplexVector& positions)
 {
-  return spread(t, logFactors, logFactors, logMeanFactor, disk);
-}
-
-int spreadProtrusionsInOwnMetric(const IntrinsicTriangulation& t,
-  const IntrinsicTriangulation::Factors& logFactors,
-  double logMeanFactor,
-  ComplexVector& disk)
-{
-  const IntrinsicTriangulation::Factors none = IntrinsicTriangulation::Factors::Zero(t.vertexCount());
-  return spread(t, none, logFactors, logMeanFactor, disk);
+  const Protrusions protrusions(t, logFactors, logMeanFactor);
+  if (protrusions.vertexCount() > 0)
+  {
+    protrusions.spread(metric, positions);
+  }
+  return protrusions.vertexCount();
 }
 
 } // namespace flattening

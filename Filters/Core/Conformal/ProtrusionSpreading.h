@@ -1,34 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Parts of a conformal disk that are too small for what comes after it.
+/// Spreading of protrusions, which a conformal map shrinks below the resolution of doubles.
 #pragma once
 
-#include "Conformal/DiskNormalisation.h"
 #include "Intrinsic/IntrinsicTriangulation.h"
 #include "Mesh/ComplexPositions.h"
 
 namespace flattening
 {
 
-/// Along a horn of the surface, a part longer than wide, the conformal map's scale falls exponentially
-/// with length over radius, soon below what doubles tell apart. Where @p logFactors (of flat over
-/// surface length, one per vertex) falls below 1e-5 of exp(@p logMeanFactor), it is made to fall a
-/// quarter as fast: the positions @p disk of the vertices within are moved to the equilibrium of
-/// cotangent springs that weaken with the fourth power of the scale, which turns no triangle of @p
-/// triangulation over (see relaxSprings) and moves nothing where the scale is more than 20 times as
-/// large. The map is no longer conformal in the horns, where no double could say so. Boundary vertices
-/// stay.
-/// @returns how many vertices lie in horns; with 0 nothing is moved.
+/// Moves the vertices of protrusions apart in a conformal map.
+///
+/// A protrusion is a part of the surface that is longer than wide. Along it the conformal factor falls
+/// exponentially with length over radius, soon below the resolution of doubles. Where @p logFactors
+/// falls below @p logMeanFactor - log(1e5), it is made to fall a quarter as fast: the vertices there
+/// move to the equilibrium of cotangent springs that weaken with the fourth power of the scale. That
+/// flips no triangle of @p triangulation (see relaxSprings) and moves nothing where the scale is more
+/// than 20 times as large. The map is no longer conformal in the protrusions, where doubles cannot be.
+/// Boundary vertices stay.
+/// @param metric         factors in whose metric the cotangents are measured: @p logFactors if they make
+///                       the triangulation flat to rounding, otherwise zeros, as triangles may
+///                       degenerate
+/// @param logFactors     log of flat over surface length, one per vertex
+/// @param logMeanFactor  the same for the map as a whole
+/// @param positions      positions in the map, one per vertex, changed in place
+/// @returns the number of vertices in protrusions; with 0 nothing is moved.
 /// @throws ConvergenceError as relaxSprings
 int spreadProtrusions(const IntrinsicTriangulation& triangulation,
+  const IntrinsicTriangulation::Factors& metric,
   const IntrinsicTriangulation::Factors& logFactors,
   double logMeanFactor,
-  ComplexVector& disk);
-
-/// The same with the springs' cotangents in the triangulation's own metric: for factors that do not make
-/// it flat to rounding, and under which a triangle may degenerate.
-int spreadProtrusionsInOwnMetric(const IntrinsicTriangulation& triangulation,
-  const IntrinsicTriangulation::Factors& logFactors,
-  double logMeanFactor,
-  ComplexVector& disk);
+  ComplexVector& positions);
 
 } // namespace flattening

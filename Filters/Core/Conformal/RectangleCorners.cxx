@@ -13,10 +13,15 @@ namespace flattening
 namespace
 {
 
+// Length of the boundary over that of the chords that measure a turn to either side of a vertex. A
+// choice: shorter chords see the noise of single edges, longer ones miss corners that are close to each
+// other.
 constexpr double WindowsPerLoop = 40.0;
+// Least turn of a corner (radians), half of a right angle: a choice. With less, smooth boundaries have
+// corners.
 constexpr double LeastTurn = 0.25 * EIGEN_PI;
 
-// The boundary as a closed curve, known by length.
+// The boundary as a closed curve, parametrised by length.
 class BoundaryCurve
 {
 public:
@@ -47,7 +52,7 @@ public:
            t * this->Mesh.Vertices.row(this->Loop[(k + 1) % this->Loop.size()]);
   }
 
-  // Radians, between the chords before and after a vertex.
+  // The angle between the chords before and after vertex k of the loop (radians).
   double turn(int k) const
   {
     const double window = this->length() / WindowsPerLoop;
@@ -57,25 +62,21 @@ public:
     return std::atan2(before.cross(after).norm(), before.dot(after));
   }
 
-  double distance(int k, int l) const
+  // The distance between two parameters along the curve, the shorter way around.
+  double distance(double a, double b) const
   {
-    const double d = std::abs(this->Along[k] - this->Along[l]);
+    const double d = std::abs(a - b);
     return std::min(d, this->length() - d);
   }
 
-  // The vertex nearest to a place.
+  // The vertex nearest to a parameter.
   int nearest(double along) const
   {
     along -= this->length() * std::floor(along / this->length());
     int best = 0;
     for (int k = 1; k < static_cast<int>(this->Loop.size()); ++k)
     {
-      const auto off = [&](int i)
-      {
-        const double d = std::abs(this->Along[i] - along);
-        return std::min(d, this->length() - d);
-      };
-      best = off(k) < off(best) ? k : best;
+      best = this->distance(this->Along[k], along) < this->distance(this->Along[best], along) ? k : best;
     }
     return best;
   }
@@ -86,7 +87,7 @@ private:
   std::vector<double> Along;
 };
 
-// Places in the loop, in its order; fewer than four if it does not turn so often.
+// Indices into the loop of its sharp corners, ascending; fewer than four if it does not turn so often.
 std::vector<int> sharpCorners(const BoundaryCurve& curve, int count)
 {
   std::vector<double> turns(count);
@@ -102,7 +103,8 @@ std::vector<int> sharpCorners(const BoundaryCurve& curve, int count)
   {
     const bool isFree = std::all_of(corners.begin(),
       corners.end(),
-      [&](int other) { return curve.distance(k, other) > 2.0 * curve.length() / WindowsPerLoop; });
+      [&](int other)
+      { return curve.distance(curve.at(k), curve.at(other)) > 2.0 * curve.length() / WindowsPerLoop; });
     if (turns[k] >= LeastTurn && isFree && corners.size() < 4)
     {
       corners.push_back(k);
@@ -112,6 +114,8 @@ std::vector<int> sharpCorners(const BoundaryCurve& curve, int count)
   return corners;
 }
 
+// Indices into the loop of four vertices a quarter of its length apart, ascending; fewer if some
+// coincide.
 std::vector<int> evenCorners(const BoundaryCurve& curve, int first)
 {
   std::vector<int> corners;
@@ -132,8 +136,8 @@ std::vector<int> seamCorners(const TriangleMesh& mesh,
 {
   const int count = static_cast<int>(loop.size());
   const auto marked = [&](int k) { return onSeam[loop[k % count]] != 0; };
-  std::vector<std::pair<int, int>>
-    stretches; // first and last place, the last may lie beyond the loop's end
+  // First and last index into the loop of each marked stretch; the last may lie beyond the loop's end.
+  std::vector<std::pair<int, int>> stretches;
   for (int k = 0; k < count; ++k)
   {
     if (marked(k + 1) && !marked(k))
@@ -177,35 +181,35 @@ std::vector<int> rectangleCorners(const TriangleMesh& mesh, const std::vector<in
   const auto distance = [&](int k) { return (mesh.Vertices.row(loop[k]) - centroid).norm(); };
 
   const BoundaryCurve curve(mesh, loop);
-  std::vector<int> places = sharpCorners(curve, count);
-  if (places.size() < 4)
+  std::vector<int> indices = sharpCorners(curve, count);
+  if (indices.size() < 4)
   {
     int farthest = 0;
     for (int k = 1; k < count; ++k)
     {
       farthest = distance(k) > distance(farthest) ? k : farthest;
     }
-    places = evenCorners(curve, farthest);
+    indices = evenCorners(curve, farthest);
   }
-  if (places.size() < 4)
+  if (indices.size() < 4)
   {
-    places.resize(4);
+    indices.resize(4);
     for (int k = 0; k < 4; ++k)
     {
-      places[k] = k * count / 4;
+      indices[k] = k * count / 4;
     }
   }
   const auto side = [&](int k)
   {
-    const double length = curve.at(places[(k + 1) % 4]) - curve.at(places[k % 4]);
+    const double length = curve.at(indices[(k + 1) % 4]) - curve.at(indices[k % 4]);
     return length < 0.0 ? length + curve.length() : length;
   };
   int first = side(0) + side(2) >= side(1) + side(3) ? 0 : 1;
-  first += distance(places[(first + 2) % 4]) > distance(places[first]) ? 2 : 0;
+  first += distance(indices[(first + 2) % 4]) > distance(indices[first]) ? 2 : 0;
   std::vector<int> corners;
   for (int k = 0; k < 4; ++k)
   {
-    corners.push_back(loop[places[(first + k) % 4]]);
+    corners.push_back(loop[indices[(first + k) % 4]]);
   }
   return corners;
 }

@@ -16,39 +16,59 @@ namespace flattening
 namespace
 {
 
-// Of the gradient, left over by a step's linear system.
+// Relative residual of a step's linear system. A choice: with more, steps lose their direction; with
+// less, each takes more iterations of conjugate gradients without fewer steps.
 constexpr double LinearTolerance = 1e-2;
+// Most trial lengths of a step: a guard, for each trial shortens the step at least to a half.
 constexpr int MostTrials = 40;
-// Radians; what is accepted as flat.
+// Greatest curvature error that counts as flat (radians), ten times the default tolerance: a guard for
+// flows that end at the rounding errors of large surfaces.
 constexpr double GreatestError = 1e-10;
-// Radians; vertices that are farther off, if they are few, are settled before the others move on: in
-// horns the energy is far from quadratic when it is nearly so elsewhere.
+// The flow ends after this many steps that reduce the error by less than a tenth, if it is below the
+// value (radians) at which only rounding can be the cause.
+constexpr int MostStalledSteps = 4;
+constexpr double RoundingError = 1e-9;
+// Vertices whose angle sums are off by more than OutlierError (radians) are settled with the rest fixed
+// before the others move on, if they are few: in protrusions the energy is far from quadratic when it is
+// nearly quadratic elsewhere. On a closed brain a few such vertices kept the other hundred thousand from
+// converging.
 constexpr double OutlierError = 0.2;
+// Few are at most 8 per mille of the unknowns, or 20: a choice, for more are not local.
 constexpr int MostOutliersPerMille = 8;
 constexpr int LeastMostOutliers = 20;
+// Rings of faces around the outliers that move with them. A choice: fewer leave too little room, more
+// cost time.
 constexpr int OutlierRings = 4;
+// Error (radians) at which the outliers are settled, a tenth of that which makes them outliers, and a
+// guard against endless steps.
 constexpr double OutlierTolerance = 0.02;
 constexpr int MostLocalSteps = 20;
-// Greatest change in one step of the difference of two neighbours' factors: a triangle whose sides
-// differ by more than a thousand million has no angles in the precision at hand.
+// Greatest change in one step of the difference between the factors of two neighbours. A triangle whose
+// sides differ by more than a factor of 1e9 has no angles in the precision at hand. A bound on the
+// factors themselves would slow down deep protrusions.
 constexpr double LongestStep = 8.0;
-// Radians; below, convergence is quadratic, and the iterations of all systems to come are those that
-// reduce a residual as much as the error is to fall. If they are more than these, a new factor is
-// cheaper.
+// Error (radians) below which convergence is quadratic. The iterations of conjugate gradients of all
+// systems to come are then those that reduce a residual as much as the error is to fall.
 constexpr double QuadraticError = 0.1;
+// Number of such iterations from which on a new factor is cheaper: one costs about as much as twenty.
 constexpr double WorthAFactor = 30.0;
-// Flips since the last factorization, as a share of the half-edges, that make its order of elimination a
-// bad one, and unknowns for which it is worth a thread that looks for a new one, for the layout, while
-// the last systems are solved.
+// Flips since the last factorization, as a share of the half-edges, after which its elimination order is
+// a bad one for the layout.
 constexpr double WornOrder = 1e-4;
+// Unknowns from which on a new order is worth a thread that looks for it while the last systems are
+// solved.
 constexpr int WorthAThread = 10000;
-// A ridge on the Hessian, whose entries are cotangents, where the energy is flat.
+// Number that is added to the diagonal of the Hessian, whose entries are cotangents, where the energy is
+// flat because triangles are degenerate. A guard: small against cotangents, large against rounding.
 constexpr double Ridge = 1e-3;
-// Radians; what is degenerate next to infinity when no angle is farther off will stay so.
+// Error (radians) below which, or number of steps after which, triangles that are degenerate next to
+// infinity will stay so. A choice: too early, vertices are sent towards infinity without need.
 constexpr double SettledError = 0.1;
+constexpr int SettledSteps = 8;
 
 // Lets vertices beyond an edge at infinity become neighbours of infinity, and fixes their factors.
-// Vertices of the mirror are not asked: only its ends are next to infinity.
+// Vertices of the mirror are excluded: only its ends are next to infinity. Returns whether there were
+// any.
 bool reachInfinity(IntrinsicTriangulation& triangulation,
   const Eigen::VectorXd& targetAngles,
   std::vector<char>& fixed,
@@ -69,7 +89,7 @@ bool reachInfinity(IntrinsicTriangulation& triangulation,
   return any;
 }
 
-// Faces within some rings of the vertices.
+// The faces within some rings of the vertices.
 std::vector<int> facesAround(const IntrinsicTriangulation& t,
   const std::vector<int>& vertices,
   int rings)
@@ -145,7 +165,7 @@ public:
 private:
   void iterate(const ProgressCallback& progress)
   {
-    // The error falls quadratically at the end; progress is its logarithm's.
+    // The error falls quadratically at the end, so progress is measured by its logarithm.
     const double tolerance = this->Options.Tolerance;
     const double startError = std::max(this->System.error(), 10.0 * tolerance);
     double fraction = 0.0;
@@ -162,9 +182,9 @@ private:
       this->settleOutliers();
       stalled = this->System.error() < 0.9 * best ? 0 : stalled + 1;
       best = std::min(best, this->System.error());
-      if (stalled >= 4 && best < 1e-9)
+      if (stalled >= MostStalledSteps && best < RoundingError)
       {
-        break; // at the rounding floor
+        break;
       }
     }
   }
@@ -175,7 +195,7 @@ private:
     this->System.evaluate(this->Result.LogFactors);
   }
 
-  // Near the solution the linear system is solved the more exactly the smaller the error, so that
+  // The Newton step. The smaller the error, the more exactly the linear system is solved, so that
   // convergence stays quadratic.
   Eigen::VectorXd direction(const ProgressCallback& progress)
   {
@@ -185,7 +205,8 @@ private:
       hessian.diagonal().array() += Ridge;
     }
     const double error = this->System.error();
-    if (error<QuadraticError&& this->Solver.iterationsFor(this->Options.Tolerance / error)> WorthAFactor)
+    const double iterationsLeft = this->Solver.iterationsFor(this->Options.Tolerance / error);
+    if (error < QuadraticError && iterationsLeft > WorthAFactor)
     {
       this->Solver.forgetFactor();
     }
@@ -220,7 +241,8 @@ private:
   }
 
   // The energy is convex: along a descent direction its derivative grows, and a step is long enough as
-  // soon as the derivative has shrunk, too long once it is as steep upwards as it was downwards.
+  // soon as the derivative has shrunk. It is too long once the energy rises more than half as steeply as
+  // it fell.
   void step(const ProgressCallback& progress)
   {
     report(progress, 0.0, "Ricci flow: direction");
@@ -247,7 +269,7 @@ private:
   void settleInfinity()
   {
     if (this->System.degenerateFaces() > 0 &&
-        (this->System.error() < SettledError || this->Result.NewtonIterations > 8) &&
+        (this->System.error() < SettledError || this->Result.NewtonIterations > SettledSteps) &&
         reachInfinity(this->Triangulation, this->TargetAngles, this->Settled, this->Result.LogFactors))
     {
       this->System.setFixed(this->Settled);
@@ -255,7 +277,7 @@ private:
     }
   }
 
-  // Minimises the energy over the surroundings of the outliers, all else fixed.
+  // Minimises the energy over the surroundings of the outliers, with all other vertices fixed.
   void settleOutliers()
   {
     const std::vector<int> outliers = this->System.verticesOffBy(OutlierError);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Discrete Ricci (Yamabe) flow: conformal factors that give every vertex its target curvature.
+/// Discrete Ricci (Yamabe) flow: finds conformal factors that give every vertex its target curvature.
 #pragma once
 
 #include "Base/Progress.h"
@@ -13,30 +13,32 @@ namespace flattening
 
 struct RicciFlowOptions
 {
-  /// Greatest |angle sum - target| accepted, radians. Range (0, 1e-3].
+  /// Greatest accepted difference between an angle sum and its target (radians). Range (0, 1e-3].
   double Tolerance = 1e-11;
-  int MaximumIterations = 60;
+  int MaximumIterations = 60; ///< greatest number of Newton steps, >= 0
 };
 
 struct RicciFlowResult
 {
-  IntrinsicTriangulation::Factors LogFactors; ///< u of l_ij exp((u_i + u_j) / 2), one per vertex
+  IntrinsicTriangulation::Factors
+    LogFactors; ///< one u per vertex: lengths become l exp((u_i + u_j) / 2)
   int NewtonIterations = 0;
   int Flips = 0;
   double MaxCurvatureError = 0.0; ///< radians
-  EliminationOrder Elimination;   ///< of vertices, by the last factorization, for the layout to use
+  EliminationOrder Elimination;   ///< order of the vertices in the last factorization, for the layout
 };
 
 /// Minimises the convex energy whose gradient is (target angle sum - angle sum) by Newton's method with
 /// the cotangent Laplacian as Hessian. The triangulation is kept Delaunay at the current factors by
-/// Ptolemaic flips, so no triangle away from the boundary can degenerate on the way.
-/// (Springborn, Schroeder, Pinkall 2008; Gu, Luo, Sun, Wu 2018; Gillespie, Springborn, Crane 2021.)
+/// Ptolemaic flips, so that no triangle away from the boundary can degenerate.
+/// (Springborn, Schroeder, Pinkall 2008; Gu, Luo, Sun, Wu 2018; Gillespie, Springborn, Crane 2021; see
+/// docs/mathematics.md, "Conformal map".)
 ///
 /// @param triangulation  changed by flips only
 /// @param targetAngles   wanted angle sum per vertex (radians): 2 pi inside, pi on a straight boundary
-/// @param fixed          1 where u keeps its value in @p start; at least one vertex
-/// @param start          u to begin with, one per vertex
-/// @throws ConvergenceError if the tolerance is not met or a boundary triangle degenerates.
+/// @param fixed          1 for vertices whose u keeps its value in @p start; at least one vertex
+/// @param start          initial u, one per vertex
+/// @throws ConvergenceError if the tolerance is not met or a boundary triangle degenerates; Cancelled.
 RicciFlowResult discreteRicciFlow(IntrinsicTriangulation& triangulation,
   const Eigen::VectorXd& targetAngles,
   const std::vector<char>& fixed,

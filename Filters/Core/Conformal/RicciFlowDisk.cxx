@@ -2,11 +2,10 @@
 #include "Conformal/RicciFlowDisk.h"
 
 #include "Base/Errors.h"
-#include "Conformal/DiskNormalisation.h"
+#include "Conformal/CurvatureSystem.h"
 #include "Conformal/HalfPlaneEmbedding.h"
 #include "Conformal/PointAtInfinity.h"
 #include "Conformal/ProtrusionSpreading.h"
-#include "Mesh/ComplexPositions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,23 +19,25 @@ namespace
 {
 
 using Complex = std::complex<double>;
-// How many vertices are tried at infinity before the map is given up.
-constexpr int LargestAttempts = 4;
-// How often a surface too coarse for any of them is subdivided.
-constexpr int LargestSubdivisions = 4;
+// Number of vertices that are tried at infinity before the map is given up: a choice, as each attempt
+// costs a whole flow.
+constexpr int MostAttempts = 4;
+// Number of times that a surface too coarse for any of them is subdivided: a guard, for one subdivision
+// gives every boundary edge a vertex with interior neighbours.
+constexpr int MostSubdivisions = 4;
 
-// The surface while it is being mapped.
-struct Workpiece
+// A surface and its intrinsic Delaunay triangulation.
+struct IntrinsicSurface
 {
   IntrinsicTriangulation Triangulation;
   Points3 Points;
 };
 
-Workpiece prepare(const TriangleMesh& mesh, int& flips)
+IntrinsicSurface intrinsicSurface(const TriangleMesh& mesh, int& flips)
 {
-  Workpiece piece{ IntrinsicTriangulation(mesh), mesh.Vertices };
-  flips += piece.Triangulation.flipToDelaunay();
-  return piece;
+  IntrinsicSurface surface{ IntrinsicTriangulation(mesh), mesh.Vertices };
+  flips += surface.Triangulation.flipToDelaunay();
+  return surface;
 }
 
 struct HalfPlaneMap
@@ -47,31 +48,29 @@ struct HalfPlaneMap
   int AtInfinity = -1;
 };
 
-// Gives every vertex its place in the half-plane, one boundary vertex at infinity.
-HalfPlaneMap mapToHalfPlane(Workpiece& piece,
+// Maps the surface to the half-plane, with one boundary vertex at infinity.
+HalfPlaneMap mapToHalfPlane(IntrinsicSurface surface,
   int atInfinity,
   const RicciFlowOptions& options,
   ConformalDiskMap& map,
   const ProgressCallback& progress)
 {
-  IntrinsicTriangulation& t = piece.Triangulation;
-  const std::vector<char> onBoundary = boundaryVertices(t);
+  IntrinsicTriangulation& t = surface.Triangulation;
+  const Eigen::VectorXd targets = flatAngleSums(t);
   const IntrinsicTriangulation::Star star = t.removeStar(atInfinity);
 
-  // The other side of a seam lies in the very place of the vertex at infinity.
+  // A vertex on the other side of a seam has the very position of the vertex at infinity.
   double nearest = HUGE_VAL;
   for (const auto& spoke : star.Spokes)
   {
     nearest = std::min(nearest, static_cast<double>(std::exp(spoke.LogLength)));
   }
   const int n = t.vertexCount();
-  Eigen::VectorXd targets(n);
   IntrinsicTriangulation::Factors start(n);
   for (int v = 0; v < n; ++v)
   {
-    targets[v] = onBoundary[v] ? EIGEN_PI : 2.0 * EIGEN_PI;
-    // Inversion of space in the vertex at infinity: exact on planar surfaces.
-    const double distance = (piece.Points.row(v) - piece.Points.row(atInfinity)).norm();
+    // The inversion of space in the vertex at infinity, which is exact on planar surfaces.
+    const double distance = (surface.Points.row(v) - surface.Points.row(atInfinity)).norm();
     start[v] = v == atInfinity ? 0.0 : -2.0 * std::log(std::max(distance, nearest));
   }
   std::vector<char> fixed(n, 0);
@@ -88,7 +87,7 @@ HalfPlaneMap mapToHalfPlane(Workpiece& piece,
   map.Flips += flow.Flips;
   map.MaxCurvatureError = flow.MaxCurvatureError;
 
-  const ComplexVector positions = layOutInHalfPlane(
+  const ComplexVector positions = embedInHalfPlane(
     t, flow.LogFactors, star.FirstBoundaryEdge, flow.Elimination, subrange(progress, 0.9, 0.95));
   report(progress, 0.95, "Layout");
   map.LayoutError = layoutError(t, flow.LogFactors, positions);
@@ -96,41 +95,36 @@ HalfPlaneMap mapToHalfPlane(Workpiece& piece,
   return { std::move(t), positions, flow.LogFactors, atInfinity };
 }
 
-// The same from the first of the candidates for infinity that gets there: near a vertex with an unlucky
-// star the flow, which cannot flip the edges around infinity, may have no solution.
-HalfPlaneMap mapToHalfPlane(const Workpiece& piece,
+// Maps the surface with the first of the candidates at infinity that succeeds: near a vertex with an
+// unlucky star the flow, which cannot flip the edges around infinity, may have no solution.
+HalfPlaneMap mapToHalfPlane(const IntrinsicSurface& surface,
   const std::vector<int>& candidates,
   const RicciFlowOptions& options,
   ConformalDiskMap& map,
   const ProgressCallback& progress)
 {
-  const int attempts = std::min(static_cast<int>(candidates.size()), LargestAttempts);
-  for (int k = 0; k + 1 < attempts; ++k)
+  const int attempts = std::min(static_cast<int>(candidates.size()), MostAttempts);
+  for (int k = 0; k < attempts; ++k)
   {
     try
     {
-      Workpiece attempt = piece;
-      return mapToHalfPlane(attempt,
-        candidates[k],
-        options,
-        map,
-        subrange(progress, static_cast<double>(k) / attempts, static_cast<double>(k + 1) / attempts));
+      const double begin = static_cast<double>(k) / attempts;
+      const double end = static_cast<double>(k + 1) / attempts;
+      return mapToHalfPlane(surface, candidates[k], options, map, subrange(progress, begin, end));
     }
     catch (const ConvergenceError&)
     {
+      if (k + 1 == attempts)
+      {
+        throw;
+      }
     }
   }
-  if (attempts == 0)
-  {
-    throw ConvergenceError(
-      "no boundary vertex of the surface can be sent to infinity: remesh the surface "
-      "(Surface To Disk, Remesh)");
-  }
-  Workpiece attempt = piece;
-  return mapToHalfPlane(
-    attempt, candidates[attempts - 1], options, map, subrange(progress, 1.0 - 1.0 / attempts, 1.0));
+  throw ConvergenceError("no boundary vertex of the surface can be sent to infinity: remesh the surface "
+                         "(Surface To Disk, Remesh)");
 }
 
+// The positions of the first vertices.
 ComplexVector firstOf(const ComplexVector& positions, int count)
 {
   return ComplexVector(positions.begin(), positions.begin() + count);
@@ -182,24 +176,21 @@ ConformalDiskMap ricciFlowDisk(const TriangleMesh& mesh,
   const int n = mesh.vertexCount();
   ConformalDiskMap map;
   report(progress, 0.0, "Intrinsic Delaunay triangulation");
-  Workpiece piece = prepare(mesh, map.Flips);
-  map.AddedLength = piece.Triangulation.addedLength();
-  std::vector<int> candidates = verticesForInfinity(piece.Triangulation);
+  IntrinsicSurface surface = intrinsicSurface(mesh, map.Flips);
+  map.AddedLength = surface.Triangulation.addedLength();
+  std::vector<int> candidates = verticesForInfinity(surface.Triangulation);
   TriangleMesh fine = mesh;
-  for (int round = 0; candidates.empty() && round < LargestSubdivisions; ++round)
+  for (int round = 0; candidates.empty() && round < MostSubdivisions; ++round)
   {
     fine = subdivided(fine);
-    piece = prepare(fine, map.Flips);
-    candidates = verticesForInfinity(piece.Triangulation);
+    surface = intrinsicSurface(fine, map.Flips);
+    candidates = verticesForInfinity(surface.Triangulation);
   }
-  HalfPlaneMap half = mapToHalfPlane(piece, candidates, options, map, subrange(progress, 0.1, 0.9));
+  HalfPlaneMap half = mapToHalfPlane(surface, candidates, options, map, subrange(progress, 0.1, 0.9));
   report(progress, 0.95, "Moebius normalisation");
   const Complex centre = centring.centre(firstOf(half.Positions, n));
   ComplexVector disk = cayley(half.Positions, centre);
-  for (const int v : loop)
-  {
-    disk[v] /= std::abs(disk[v]);
-  }
+  moveToCircle(loop, disk);
 
   IntrinsicTriangulation::Factors logFactors = half.LogFactors;
   for (Eigen::Index v = 0; v < logFactors.size(); ++v)
@@ -213,7 +204,7 @@ ConformalDiskMap ricciFlowDisk(const TriangleMesh& mesh,
   map.LogFactors = logFactors.head(n).cast<double>();
   const double area = faceAreas(mesh.Vertices, mesh.Faces).sum();
   map.SpreadVertices =
-    spreadProtrusions(half.Triangulation, logFactors, 0.5 * std::log(EIGEN_PI / area), disk);
+    spreadProtrusions(half.Triangulation, logFactors, logFactors, 0.5 * std::log(EIGEN_PI / area), disk);
   map.Positions = pointsOf(firstOf(disk, n));
   return map;
 }

@@ -4,7 +4,7 @@
 
 #include "Base/Progress.h"
 #include "Conformal/ConformalDiskMap.h"
-#include "Conformal/DiskCentring.h"
+#include "Conformal/DiskNormalisation.h"
 #include "Conformal/RicciFlow.h"
 
 #include <vector>
@@ -12,11 +12,11 @@
 namespace flattening
 {
 
-/// Sends one boundary vertex to infinity; the flow makes the rest of the boundary straight, the surface
-/// is laid out in the half-plane and carried to the disk by a Moebius map, which keeps discrete
+/// Sends one boundary vertex to infinity. The flow makes the rest of the boundary straight; the surface
+/// is then embedded in the half-plane and carried to the disk by a Moebius map, which keeps discrete
 /// conformality exactly (Springborn, Schroeder, Pinkall 2008, section 5.2; paper, Theorem 2).
 /// @p mesh is a disk with the boundary @p loop (see requireDisk). The map is centred, not rotated, and
-/// its flipped faces are not counted.
+/// FlippedFaces is not computed.
 /// @throws ConvergenceError, Cancelled.
 ConformalDiskMap ricciFlowDisk(const TriangleMesh& mesh,
   const std::vector<int>& loop,

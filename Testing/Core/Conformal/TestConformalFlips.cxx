@@ -58,13 +58,13 @@ TEST_P(ConformalSlivers, AreNotFlipped)
   EXPECT_GE(smallestAngleOf(mesh), 0.99 * GetParam().LeastAngle);
   const std::vector<int> loop = requireDisk(mesh);
   const ConformalDiskMap map = conformalDiskMap(mesh, { -1, loop[5], {} });
-  std::cout << mesh.faceCount() << " faces, " << map.Repair.RepairedFaces << " flipped, "
-            << map.Repair.MovedVertices << " vertices moved, by " << map.Repair.GreatestMove
+  std::cout << mesh.faceCount() << " faces, " << map.Untangling.RepairedFaces << " flipped, "
+            << map.Untangling.MovedVertices << " vertices moved, by " << map.Untangling.GreatestMove
             << " edges at most\n";
   EXPECT_EQ(map.FlippedFaces, 0);
   EXPECT_EQ(countFlippedFaces(map.Positions, mesh.Faces), 0);
-  EXPECT_GT(map.Repair.RepairedFaces, 0) << "the surface is no test of the repair";
-  EXPECT_LT(map.Repair.MovedVertices, 2 * map.Repair.RepairedFaces);
+  EXPECT_GT(map.Untangling.RepairedFaces, 0) << "the surface is no test of the repair";
+  EXPECT_LT(map.Untangling.MovedVertices, 2 * map.Untangling.RepairedFaces);
   for (const int v : loop)
   {
     EXPECT_NEAR(map.Positions.row(v).norm(), 1.0, 1e-15) << v;
@@ -111,7 +111,7 @@ void map(const TriangleMesh& disk, SurfaceRecord& record)
   try
   {
     const ConformalDiskMap map = conformalDiskMap(disk);
-    record.Repair = map.Repair;
+    record.Repair = map.Untangling;
     record.CurvatureError = map.MaxCurvatureError;
   }
   catch (const FlatteningError& error)
