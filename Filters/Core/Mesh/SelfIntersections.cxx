@@ -79,6 +79,20 @@ bool overlapAcrossEdge(const PlacedTriangle& a, int cornerOfA, const PlacedTrian
          CGAL::coplanar_orientation(from, to, apexOfA, apexOfB) == CGAL::POSITIVE;
 }
 
+std::vector<PlacedTriangle> placedFaces(const TriangleMesh& mesh)
+{
+  std::vector<PlacedTriangle> triangles(mesh.faceCount());
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      triangles[f].Vertices[k] = mesh.Faces(f, k);
+      triangles[f].Points[k] = mesh.Vertices.row(mesh.Faces(f, k));
+    }
+  }
+  return triangles;
+}
+
 } // namespace
 
 bool intersect(const PlacedTriangle& a, const PlacedTriangle& b)
@@ -181,16 +195,30 @@ Pairs intersectingPairs(const std::vector<PlacedTriangle>& triangles, const Prog
 
 Pairs selfIntersections(const TriangleMesh& mesh, const ProgressCallback& progress)
 {
-  std::vector<PlacedTriangle> triangles(mesh.faceCount());
-  for (int f = 0; f < mesh.faceCount(); ++f)
+  return intersectingPairs(placedFaces(mesh), progress);
+}
+
+std::vector<int> intersectionsPerGroup(const TriangleMesh& mesh,
+  const std::vector<std::vector<int>>& groups)
+{
+  const std::vector<PlacedTriangle> all = placedFaces(mesh);
+  std::vector<PlacedTriangle> some;
+  std::vector<std::pair<int, int>> groupAndFace;
+  for (std::size_t group = 0; group < groups.size(); ++group)
   {
-    for (int k = 0; k < 3; ++k)
+    for (const int face : groups[group])
     {
-      triangles[f].Vertices[k] = mesh.Faces(f, k);
-      triangles[f].Points[k] = mesh.Vertices.row(mesh.Faces(f, k));
+      some.push_back(all[face]);
+      groupAndFace.emplace_back(static_cast<int>(group), face);
     }
   }
-  return intersectingPairs(triangles, progress);
+  std::vector<int> count(groups.size(), 0);
+  for (const auto& [i, other] : overlappingBoxes(some, all))
+  {
+    const auto [group, face] = groupAndFace[i];
+    count[group] += face != other && intersect(all[face], all[other]);
+  }
+  return count;
 }
 
 } // namespace flattening

@@ -45,4 +45,9 @@ std::vector<std::pair<int, int>> overlappingBoxes(const std::vector<PlacedTriang
 std::vector<std::pair<int, int>> selfIntersections(const TriangleMesh& mesh,
   const ProgressCallback& progress = {});
 
+/// For each group of faces of @p mesh the number of pairs of a face in it and any other face of the mesh
+/// that intersect; a pair within the group counts twice.
+std::vector<int> intersectionsPerGroup(const TriangleMesh& mesh,
+  const std::vector<std::vector<int>>& groups);
+
 } // namespace flattening

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Remeshing/BoundaryConditioning.h"
 
+#include "Mesh/SliverThresholds.h"
 #include "Remeshing/EdgeFlips.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -25,16 +26,21 @@ using Face = EditableSurface::Face;
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
 
-constexpr double ShortShare = 0.8; // of the mean boundary edge
+// Edges shorter than this share of the mean boundary edge are collapsed. Isotropic remeshing uses the
+// same share (Botsch, Kobbelt 2004); a larger one coarsens good boundaries.
+constexpr double ShortShare = 0.8;
+// Inner vertices nearer to the boundary than this share may become boundary vertices where they are,
+// unless the curve is kept: a larger share would make the boundary jagged.
 constexpr double VeryShortShare = 0.2;
-constexpr double SmallestTilt = 0.5; // cosine of 60 degrees
-constexpr double Rounding = 1e-6;    // of angles
-constexpr double GoodAngle = 0.35;   // 20 degrees; a collapse need not leave a larger one
+// Cosine of 60 degrees: a collapse that tilts a face more could fold the surface.
+constexpr double SmallestTilt = 0.5;
+// The share by which a collapse may lower the smallest angle: a guard against rounding.
+constexpr double Rounding = 1e-6;
 
 class BoundaryConditioner
 {
 public:
-  // With the vertices of the cut, if it is to keep its curve.
+  // `onCut` flags the vertices of the cut; `keepsCurve` says that the cut must keep its curve.
   BoundaryConditioner(EditableSurface& surface,
     int minimumVertices,
     std::vector<char> onCut,
@@ -61,7 +67,7 @@ public:
 
   void run()
   {
-    // A collapse or flip may be what another one waits for.
+    // A collapse may make a flip possible, and a flip a collapse.
     do
     {
       this->Changed = false;
@@ -71,7 +77,7 @@ public:
   }
 
 private:
-  // A half-edge of the boundary that the cut has made.
+  // Whether it is a border half-edge that the cut has made.
   bool isCut(Halfedge border) const
   {
     return this->Mesh.is_border(border) && this->OnCut[this->Mesh.source(border)] &&
@@ -84,7 +90,7 @@ private:
     return this->isCut(h) || this->isCut(this->Mesh.opposite(h));
   }
 
-  // Where the cut meets an older boundary.
+  // Whether the cut meets an older boundary there.
   bool isEndOfCut(Vertex v) const
   {
     for (const Halfedge h : this->Mesh.halfedges_around_target(this->Mesh.halfedge(v)))
@@ -118,8 +124,6 @@ private:
     }
   }
 
-  // Turns edges beside the boundary over where that makes the smallest of the six angles larger and the
-  // surface is nearly flat.
   void flipAtBoundary()
   {
     std::vector<Edge> edges;
@@ -134,23 +138,10 @@ private:
         edges.push_back(edge);
       }
     }
-    bool flipped = true;
-    while (flipped)
-    {
-      flipped = false;
-      for (const Edge edge : edges)
-      {
-        if (flipImproves(this->Mesh, this->Mesh.halfedge(edge)))
-        {
-          CGAL::Euler::flip_edge(this->Mesh.halfedge(edge), this->Mesh);
-          flipped = true;
-          this->Changed = true;
-        }
-      }
-    }
+    this->Changed |= flipWhileImproving(this->Mesh, edges, [](Edge) { return true; });
   }
 
-  // Single precision, so that equal lengths up to rounding tie and go by index.
+  // In single precision, so that lengths equal up to rounding tie and are sorted by index.
   using Candidate = std::pair<float, Edge>;
 
   void enqueueAround(Vertex v)
@@ -191,7 +182,7 @@ private:
         return; // a chord between boundary vertices
       }
     }
-    // An inner vertex all but on the curve may become a boundary vertex where it is.
+    // An inner vertex very near to the curve may become a boundary vertex where it is.
     if (!this->mayMove(h, isCut) &&
         (isCut || (!this->KeepsCurve && this->Surface.squaredLength(h) < this->VeryShort)))
     {
@@ -220,8 +211,8 @@ private:
     return !(isCut && this->isEndOfCut(this->Mesh.source(h))) && this->improves(h);
   }
 
-  // Whether the faces around the source keep their side and a smallest angle no worse if it moves to the
-  // target.
+  // Whether moving the source to the target tilts the faces around it little and leaves a smallest angle
+  // that is no worse.
   bool improves(Halfedge h) const
   {
     const Vertex goes = this->Mesh.source(h);
@@ -251,13 +242,13 @@ private:
       }
       const Vector old = CGAL::cross_product(corners[1] - corners[0], corners[2] - corners[0]);
       const Vector now = CGAL::cross_product(moved[1] - moved[0], moved[2] - moved[0]);
-      if (!(old * now > SmallestTilt * std::sqrt(old.squared_length() * now.squared_length())))
+      if (!isTiltedLess(old, now, SmallestTilt))
       {
         return false;
       }
       after = std::min(after, smallestAngle(moved));
     }
-    return after >= (1.0 - Rounding) * std::min(before, GoodAngle);
+    return after >= (1.0 - Rounding) * std::min(before, slivers::CutAngle);
   }
 
   EditableSurface& Surface;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Well-shaped triangles along a boundary that a cut has just made.
+/// Well-shaped triangles along a boundary that a cut has made.
 #pragma once
 
 #include "Mesh/EditableSurface.h"
@@ -10,17 +10,18 @@ namespace flattening
 {
 
 /// Removes the slivers that a curve leaves where it passes close to vertices.
-/// Short edges at the boundary are collapsed, shortest first: boundary vertices too close to each other
-/// become one of them, inner vertices too close to the boundary move onto it. Short is below 0.8 of the
-/// mean boundary edge. A collapse must keep the topology, tilt no face by more than 60 degrees, and
+///
+/// Edges at the boundary that are shorter than 0.8 of the mean boundary edge are collapsed, shortest
+/// first: boundary vertices too close to each other become one of them, inner vertices too close to the
+/// boundary move onto it. A collapse must keep the topology, tilt no face by more than 60 degrees, and
 /// leave angles of 20 degrees or no smaller ones than before. Then edges beside the boundary are flipped
-/// where the surface is flat (11 degrees) and that makes the smallest angle larger; both in turns until
-/// nothing changes. At least @p minimumVertices boundary vertices are left, if there are as many.
+/// (flipWhileImproving). Both alternate until nothing changes. At least @p minimumVertices boundary
+/// vertices are left, if there were as many.
 void conditionBoundary(EditableSurface& surface, int minimumVertices);
 
-/// The same for boundary edges between vertices marked in @p onCut (one flag per vertex) alone. Other
-/// boundaries stay as they are, the ends of the cut at them too, and the cut keeps its curve: its
-/// vertices become fewer, but none moves off it.
+/// The same, but only for boundary edges between vertices flagged in @p onCut (one flag per vertex).
+/// Other boundaries stay as they are, and so do the ends of the cut on them. The cut keeps its curve: it
+/// loses vertices, but none of them moves off the curve.
 void conditionCut(EditableSurface& surface, const std::vector<char>& onCut, int minimumVertices);
 
 } // namespace flattening

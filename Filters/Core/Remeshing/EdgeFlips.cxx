@@ -17,8 +17,39 @@ using Edge = SurfaceMesh::Edge_index;
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
 
-constexpr double FlatTilt = 0.98; // cosine of 11 degrees
-constexpr double Rounding = 1e-6; // of angles
+// Cosine of 11 degrees: where faces are tilted more against each other, flipping their edge would
+// visibly change the surface.
+constexpr double FlatTilt = 0.98;
+// The share by which the smallest angle must grow: a guard against rounding, which could flip an edge to
+// and fro.
+constexpr double Rounding = 1e-6;
+
+bool flipImproves(const SurfaceMesh& mesh, Halfedge h)
+{
+  const Vertex left = mesh.target(mesh.next(h));
+  const Vertex right = mesh.target(mesh.next(mesh.opposite(h)));
+  const Point& p = mesh.point(mesh.source(h));
+  const Point& q = mesh.point(mesh.target(h));
+  const Point& r = mesh.point(left);
+  const Point& s = mesh.point(right);
+  const double before = std::min(smallestAngle({ p, q, r }), smallestAngle({ q, p, s }));
+  const double after = std::min(smallestAngle({ s, q, r }), smallestAngle({ p, s, r }));
+  if (!(after > (1.0 + Rounding) * before))
+  {
+    return false;
+  }
+  for (const Vector& old : { CGAL::cross_product(q - p, r - p), CGAL::cross_product(p - q, s - q) })
+  {
+    for (const Vector& now : { CGAL::cross_product(q - s, r - s), CGAL::cross_product(s - p, r - p) })
+    {
+      if (!isTiltedLess(old, now, FlatTilt))
+      {
+        return false;
+      }
+    }
+  }
+  return !mesh.halfedge(left, right).is_valid();
+}
 
 } // namespace
 
@@ -35,37 +66,30 @@ double smallestAngle(const std::array<Point, 3>& corners)
   return smallest;
 }
 
-bool flipImproves(const SurfaceMesh& mesh, SurfaceMesh::Halfedge_index h)
+bool isTiltedLess(const Vector& a, const Vector& b, double cosine)
 {
-  const auto a = mesh.source(h);
-  const auto b = mesh.target(h);
-  const auto c = mesh.target(mesh.next(h));
-  const auto d = mesh.target(mesh.next(mesh.opposite(h)));
-  const Point& p = mesh.point(a);
-  const Point& q = mesh.point(b);
-  const Point& r = mesh.point(c);
-  const Point& s = mesh.point(d);
-  const double before = std::min(smallestAngle({ p, q, r }), smallestAngle({ q, p, s }));
-  const double after = std::min(smallestAngle({ s, q, r }), smallestAngle({ p, s, r }));
-  if (!(after > (1.0 + Rounding) * before))
+  return a * b > cosine * std::sqrt(a.squared_length() * b.squared_length());
+}
+
+bool flipWhileImproving(SurfaceMesh& mesh,
+  const std::vector<Edge>& edges,
+  const std::function<bool(Edge)>& mayFlip)
+{
+  bool changed = false;
+  for (bool flipped = true; flipped;)
   {
-    return false;
-  }
-  const Vector first = CGAL::cross_product(q - p, r - p);
-  const Vector second = CGAL::cross_product(p - q, s - q);
-  const Vector third = CGAL::cross_product(q - s, r - s);
-  const Vector fourth = CGAL::cross_product(s - p, r - p);
-  for (const Vector& old : { first, second })
-  {
-    for (const Vector& now : { third, fourth })
+    flipped = false;
+    for (const Edge edge : edges)
     {
-      if (!(old * now > FlatTilt * std::sqrt(old.squared_length() * now.squared_length())))
+      const Halfedge h = mesh.halfedge(edge);
+      if (!mesh.is_border(edge) && mayFlip(edge) && flipImproves(mesh, h))
       {
-        return false;
+        CGAL::Euler::flip_edge(h, mesh);
+        flipped = changed = true;
       }
     }
   }
-  return !mesh.halfedge(c, d).is_valid();
+  return changed;
 }
 
 void flipInsideOriginalFaces(EditableSurface& surface, const std::vector<Vertex>& vertices)
@@ -81,7 +105,7 @@ void flipInsideOriginalFaces(EditableSurface& surface, const std::vector<Vertex>
   {
     for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
     {
-      for (const Halfedge side : { h, mesh.prev(h) }) // of the fan, and around it
+      for (const Halfedge side : { h, mesh.prev(h) }) // one of the fan of faces, and one of its rim
       {
         edges.push_back(mesh.edge(side));
       }
@@ -90,25 +114,14 @@ void flipInsideOriginalFaces(EditableSurface& surface, const std::vector<Vertex>
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 
-  bool flipped = true;
-  while (flipped)
-  {
-    flipped = false;
-    for (const Edge edge : edges)
+  flipWhileImproving(mesh,
+    edges,
+    [&](Edge edge)
     {
       const Halfedge h = mesh.halfedge(edge);
-      if (mesh.is_border(edge) || (listed[mesh.source(h)] && listed[mesh.target(h)]) ||
-          surface.origin(mesh.face(h)) != surface.origin(mesh.face(mesh.opposite(h))))
-      {
-        continue;
-      }
-      if (flipImproves(mesh, h))
-      {
-        CGAL::Euler::flip_edge(h, mesh);
-        flipped = true;
-      }
-    }
-  }
+      return !(listed[mesh.source(h)] && listed[mesh.target(h)]) &&
+             surface.origin(mesh.face(h)) == surface.origin(mesh.face(mesh.opposite(h)));
+    });
 }
 
 } // namespace flattening

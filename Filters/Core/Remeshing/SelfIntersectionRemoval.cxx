@@ -29,8 +29,6 @@ constexpr int Rounds = 5;
 // around it: the smallest that helps is taken. Steps near 1 would fold the surface.
 constexpr double Steps[] = { 0.02, 0.05, 0.1, 0.2, 0.4 };
 
-using Box = Eigen::AlignedBox3d;
-
 // Takes a pair of intersecting faces apart. Changes are tested against the faces near the pair.
 class PairSeparation
 {
@@ -67,8 +65,8 @@ int PairSeparation::intersections(const LocalChange::Triangles& triangles,
   int enough) const
 {
   std::vector<PlacedTriangle> own;
-  std::vector<Box> boxes;
-  Box all;
+  std::vector<Eigen::AlignedBox3d> boxes;
+  Eigen::AlignedBox3d all;
   for (const CornerTriangle& triangle : triangles)
   {
     own.push_back(placed(triangle));
