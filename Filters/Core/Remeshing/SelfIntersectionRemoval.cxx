@@ -86,7 +86,7 @@ int PairSeparation::intersections(const LocalChange::Triangles& triangles,
     const Face f = this->Faces[n];
     const int index = static_cast<int>(f.idx());
     const PlacedTriangle other = placed(this->Surface.triangle(f));
-    const Box box = other.box();
+    const Eigen::AlignedBox3d box = other.box();
     if (!all.intersects(box) ||
         std::find(change.Removed.begin(), change.Removed.end(), index) != change.Removed.end())
     {
