@@ -106,52 +106,60 @@ void vtkPlanarWarp::Execute(vtkInformationVector** inputVector, vtkInformationVe
   const flattening::PlanarWarp warp(mesh, positions, flattening::subrange(progress, 0.0, 0.2));
   if (warp.facesDown())
   {
-    vtkWarningMacro(<< this->GetBlockPrefix()
-                    << "the mesh faced down (towards negative z) before it was flattened, so what it "
-                       "carries is mirrored: turn its triangles over first, e.g. with Flip Normals in "
-                       "Generate Surface Normals");
+    vtkWarningMacro(
+      << this->GetBlockPrefix()
+      << "the mesh faced down (towards negative z) before it was flattened, so that the "
+         "warped data are mirrored: reverse its triangles first, e.g. with Flip Normals in "
+         "Generate Surface Normals");
   }
-  const auto ofCarrying = flattening::subrange(progress, 0.2, 1.0);
   const flattening::WarpRules rules{ warp,
     this->OutsidePoints == REMOVE,
     segmentLength(this->SubdivideLines, this->MaximumSegmentLength, warp.meanSide()),
-    ofCarrying };
-  flattening::CarryCounts counts;
-  if (auto* lines = vtkPolyData::SafeDownCast(data))
+    flattening::subrange(progress, 0.2, 1.0) };
+  flattening::WarpCounts counts;
+  if (auto* image = vtkImageData::SafeDownCast(data))
   {
-    counts = flattening::warpPolyData(lines, rules, vtkPolyData::SafeDownCast(output));
+    counts.Outside = this->WarpImage(image, flat, rules, output);
   }
   else if (auto* graph = vtkGraph::SafeDownCast(data))
   {
     counts = flattening::warpGraph(graph, rules, vtkGraph::SafeDownCast(output));
   }
-  else if (auto* textured = vtkPolyData::SafeDownCast(output))
-  {
-    textured->ShallowCopy(flat);
-    counts.Outside =
-      flattening::addTextureCoordinates(vtkImageData::SafeDownCast(data), mesh.Vertices, textured);
-  }
   else
   {
-    auto* image = vtkImageData::SafeDownCast(data);
-    const int* chosen = chosenSize(this->ImageSize) ? this->ImageSize : image->GetDimensions();
-    if (std::min(chosen[0], chosen[1]) < 2 || std::max(chosen[0], chosen[1]) > 65535)
-    {
-      throw InvalidInput("the image is to be of " + std::to_string(chosen[0]) + " x " +
-                         std::to_string(chosen[1]) +
-                         " pixels: set both numbers from 2 to 65535, or both to 0");
-    }
-    counts.Outside = flattening::warpImage(image,
-      flat,
-      { warp,
-        this->OutsidePoints == LEAVE_UNMOVED,
-        this->NearestPixel,
-        { chosen[0], chosen[1] },
-        ofCarrying },
-      vtkImageData::SafeDownCast(output));
+    counts = flattening::warpPolyData(
+      vtkPolyData::SafeDownCast(data), rules, vtkPolyData::SafeDownCast(output));
   }
   flattening::setDatum(output->GetFieldData(), "OutsidePoints", counts.Outside);
   flattening::setDatum(output->GetFieldData(), "InsertedPoints", counts.Inserted);
+}
+
+long long vtkPlanarWarp::WarpImage(vtkImageData* image,
+  vtkPolyData* flat,
+  const flattening::WarpRules& rules,
+  vtkDataObject* output)
+{
+  if (auto* textured = vtkPolyData::SafeDownCast(output))
+  {
+    textured->ShallowCopy(flat);
+    return flattening::addTextureCoordinates(
+      image, flattening::surfaceOfFlattened(flat).Vertices, textured);
+  }
+  const int* size = chosenSize(this->ImageSize) ? this->ImageSize : image->GetDimensions();
+  if (std::min(size[0], size[1]) < 2 || std::max(size[0], size[1]) > 65535)
+  {
+    throw InvalidInput("the output image has " + std::to_string(size[0]) + " x " +
+                       std::to_string(size[1]) +
+                       " pixels: set both numbers from 2 to 65535, or both to 0");
+  }
+  return flattening::warpImage(image,
+    flat,
+    { rules.Warp,
+      this->OutsidePoints == LEAVE_UNMOVED,
+      this->NearestPixel,
+      { size[0], size[1] },
+      rules.Progress },
+    vtkImageData::SafeDownCast(output));
 }
 
 void vtkPlanarWarp::PrintSelf(ostream& os, vtkIndent indent)

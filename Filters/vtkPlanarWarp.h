@@ -49,6 +49,13 @@
 
 #include "vtkBlockwisePolyDataAlgorithm.h"
 
+namespace flattening
+{
+struct WarpRules;
+}
+
+class vtkImageData;
+
 class SURFACEFLATTENINGFILTERS_EXPORT vtkPlanarWarp : public vtkBlockwisePolyDataAlgorithm
 {
 public:
@@ -167,6 +174,11 @@ protected:
 private:
   vtkPlanarWarp(const vtkPlanarWarp&) = delete;
   void operator=(const vtkPlanarWarp&) = delete;
+
+  long long WarpImage(vtkImageData* image,
+    vtkPolyData* flat,
+    const flattening::WarpRules& rules,
+    vtkDataObject* output);
 };
 
 #endif

@@ -2,6 +2,7 @@
 #include "Internal/WarpGraph.h"
 
 #include "Core/Base/Errors.h"
+#include "Internal/ArrayConversion.h"
 #include "Internal/PolyDataConversion.h"
 
 #include <vtkDataSetAttributes.h>
@@ -31,7 +32,7 @@ Points3 positionsOf(vtkGraph* graph)
   }
   if (positions.rows() > 1 && (positions.rowwise() - positions.row(0)).isZero(0.0))
   {
-    throw InvalidInput("the graph's vertices are all in one place: lay the graph out first");
+    throw InvalidInput("the vertices of the graph all have the same position: lay the graph out first");
   }
   return positions;
 }
@@ -41,7 +42,7 @@ std::vector<Eigen::Vector3d> polylineOf(vtkGraph* graph,
   vtkIdType edge,
   const Points3& vertices,
   const WarpRules& rules,
-  CarryCounts& counts)
+  WarpCounts& counts)
 {
   std::vector<Eigen::Vector3d> corners{ vertices.row(graph->GetSourceVertex(edge)) };
   for (vtkIdType k = 0; k < graph->GetNumberOfEdgePoints(edge); ++k)
@@ -63,8 +64,8 @@ std::vector<Eigen::Vector3d> polylineOf(vtkGraph* graph,
   return line;
 }
 
-// x, y, z of the carried points between the ends of an edge.
-std::vector<double> carriedEdgePoints(const std::vector<Eigen::Vector3d>& line, const WarpRules& rules)
+// The x, y, z of the warped points between the ends of an edge.
+std::vector<double> warpedEdgePoints(const std::vector<Eigen::Vector3d>& line, const WarpRules& rules)
 {
   Points3 between(static_cast<Eigen::Index>(line.size()) - 2, 3);
   for (Eigen::Index k = 0; k < between.rows(); ++k)
@@ -73,90 +74,119 @@ std::vector<double> carriedEdgePoints(const std::vector<Eigen::Vector3d>& line, 
   }
   WarpRules silent = rules;
   silent.Progress = {};
-  const CarriedInSpace carried = carryInSpace(between, silent);
+  const WarpedInSpace warped = warpInSpace(between, silent);
   std::vector<double> points;
   for (Eigen::Index k = 0; k < between.rows(); ++k)
   {
-    if (carried.Inside[k] || !rules.RemoveOutside)
+    if (warped.Inside[k] || !rules.RemoveOutside)
     {
-      const auto* x = carried.Positions.row(k).data();
+      const auto* x = warped.Positions.row(k).data();
       points.insert(points.end(), x, x + 3);
     }
   }
   return points;
 }
 
-template <typename Builder>
-CarryCounts carry(vtkGraph* input, const WarpRules& rules, vtkGraph* output)
+void copyTuples(vtkDataSetAttributes* from,
+  const std::vector<vtkIdType>& tuples,
+  vtkDataSetAttributes* to)
 {
-  CarryCounts counts;
-  const Points3 before = positionsOf(input);
-  const CarriedInSpace carried = carryInSpace(before, rules);
-  requireSomeInside(carried, before);
-
-  vtkNew<Builder> graph;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> surface;
-  surface->SetName(SurfacePointsName);
-  surface->SetNumberOfComponents(3);
-  vtkNew<vtkUnsignedCharArray> inMap;
-  inMap->SetName(InMapName);
-  std::vector<vtkIdType> keptAs(before.rows(), -1);
-  std::vector<vtkIdType> vertices;
-  for (vtkIdType v = 0; v < before.rows(); ++v)
+  to->CopyAllOn();
+  to->CopyAllocate(from, static_cast<vtkIdType>(tuples.size()));
+  for (std::size_t i = 0; i < tuples.size(); ++i)
   {
-    counts.Outside += carried.Inside[v] == 0;
-    if (carried.Inside[v] || !rules.RemoveOutside)
-    {
-      keptAs[v] = graph->AddVertex();
-      vertices.push_back(v);
-      points->InsertNextPoint(carried.Positions.row(v).data());
-      surface->InsertNextTuple(before.row(v).data());
-      inMap->InsertNextValue(carried.Inside[v]);
-    }
+    to->CopyData(from, tuples[i], static_cast<vtkIdType>(i));
   }
-  graph->SetPoints(points);
+}
 
-  std::vector<vtkIdType> edges;
-  for (vtkIdType e = 0; e < input->GetNumberOfEdges(); ++e)
+// The warped graph as it is built, a vtkMutableDirectedGraph or vtkMutableUndirectedGraph.
+template <typename Builder>
+class GraphWarp
+{
+public:
+  GraphWarp(vtkGraph* input, const WarpRules& rules)
+    : Input(input)
+    , Rules(rules)
+    , Before(positionsOf(input))
+    , KeptAs(this->Before.rows(), -1)
   {
-    const vtkIdType source = keptAs[input->GetSourceVertex(e)];
-    const vtkIdType target = keptAs[input->GetTargetVertex(e)];
-    if (source >= 0 && target >= 0)
-    {
-      const vtkIdType id = graph->AddEdge(source, target).Id;
-      const std::vector<double> between =
-        carriedEdgePoints(polylineOf(input, e, before, rules, counts), rules);
-      graph->SetEdgePoints(id, static_cast<vtkIdType>(between.size() / 3), between.data());
-      edges.push_back(e);
-    }
   }
 
-  const auto copyRows =
-    [](vtkDataSetAttributes* from, const std::vector<vtkIdType>& rows, vtkDataSetAttributes* to)
+  void addVertices()
   {
-    to->CopyAllOn();
-    to->CopyAllocate(from, static_cast<vtkIdType>(rows.size()));
-    for (std::size_t row = 0; row < rows.size(); ++row)
+    const WarpedInSpace warped = warpInSpace(this->Before, this->Rules);
+    requireSomeInside(warped, this->Before);
+    std::vector<vtkIdType> kept;
+    std::vector<char> inMap;
+    for (vtkIdType v = 0; v < this->Before.rows(); ++v)
     {
-      to->CopyData(from, rows[row], static_cast<vtkIdType>(row));
+      this->Counts.Outside += warped.Inside[v] == 0;
+      if (warped.Inside[v] || !this->Rules.RemoveOutside)
+      {
+        this->KeptAs[v] = this->Graph->AddVertex();
+        kept.push_back(v);
+        inMap.push_back(warped.Inside[v]);
+      }
     }
-  };
-  copyRows(input->GetVertexData(), vertices, graph->GetVertexData());
-  copyRows(input->GetEdgeData(), edges, graph->GetEdgeData());
-  graph->GetVertexData()->AddArray(surface);
-  graph->GetVertexData()->AddArray(inMap);
-  output->CheckedShallowCopy(graph);
-  return counts;
+    vtkNew<vtkPoints> points;
+    points->SetData(newTuples<vtkDoubleArray>("Points", Points3(warped.Positions(kept, Eigen::all))));
+    this->Graph->SetPoints(points);
+    vtkDataSetAttributes* data = this->Graph->GetVertexData();
+    copyTuples(this->Input->GetVertexData(), kept, data);
+    data->AddArray(
+      newTuples<vtkDoubleArray>(SurfacePointsName, Points3(this->Before(kept, Eigen::all))));
+    data->AddArray(newArray<vtkUnsignedCharArray>(InMapName, inMap));
+  }
+
+  void addEdges()
+  {
+    std::vector<vtkIdType> kept;
+    for (vtkIdType e = 0; e < this->Input->GetNumberOfEdges(); ++e)
+    {
+      const vtkIdType source = this->KeptAs[this->Input->GetSourceVertex(e)];
+      const vtkIdType target = this->KeptAs[this->Input->GetTargetVertex(e)];
+      if (source >= 0 && target >= 0)
+      {
+        const vtkIdType id = this->Graph->AddEdge(source, target).Id;
+        const std::vector<double> between = warpedEdgePoints(
+          polylineOf(this->Input, e, this->Before, this->Rules, this->Counts), this->Rules);
+        this->Graph->SetEdgePoints(id, static_cast<vtkIdType>(between.size() / 3), between.data());
+        kept.push_back(e);
+      }
+    }
+    copyTuples(this->Input->GetEdgeData(), kept, this->Graph->GetEdgeData());
+  }
+
+  WarpCounts write(vtkGraph* output)
+  {
+    output->CheckedShallowCopy(this->Graph);
+    return this->Counts;
+  }
+
+private:
+  vtkGraph* Input;
+  const WarpRules& Rules;
+  Points3 Before;                // positions of the input's vertices
+  std::vector<vtkIdType> KeptAs; // number of each vertex in the output; -1: not kept
+  vtkNew<Builder> Graph;
+  WarpCounts Counts;
+};
+
+template <typename Builder>
+WarpCounts warp(vtkGraph* input, const WarpRules& rules, vtkGraph* output)
+{
+  GraphWarp<Builder> graph(input, rules);
+  graph.addVertices();
+  graph.addEdges();
+  return graph.write(output);
 }
 
 } // namespace
 
-CarryCounts warpGraph(vtkGraph* input, const WarpRules& rules, vtkGraph* output)
+WarpCounts warpGraph(vtkGraph* input, const WarpRules& rules, vtkGraph* output)
 {
-  return vtkDirectedGraph::SafeDownCast(input) ? carry<vtkMutableDirectedGraph>(input, rules, output)
-                                               : carry<vtkMutableUndirectedGraph>(input, rules, output);
+  return vtkDirectedGraph::SafeDownCast(input) ? warp<vtkMutableDirectedGraph>(input, rules, output)
+                                               : warp<vtkMutableUndirectedGraph>(input, rules, output);
 }
 
 } // namespace flattening

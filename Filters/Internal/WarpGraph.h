@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Graphs that Planar Warp carries.
+/// Planar Warp of graphs.
 #pragma once
 
 #include "Internal/WarpRules.h"
@@ -9,9 +9,10 @@ class vtkGraph;
 namespace flattening
 {
 
-/// Fills @p output, a vtkDirectedGraph or vtkUndirectedGraph as @p input is directed or not, with what
-/// is carried of it: edges that lose a vertex go; edge points outside the mesh go from their edge alone.
-/// @throws InvalidInput as requireSomeInside and segmentParts, and if the vertices have no positions.
-CarryCounts warpGraph(vtkGraph* input, const WarpRules& rules, vtkGraph* output);
+/// Fills @p output, a vtkDirectedGraph or vtkUndirectedGraph like @p input, with the warped graph. If
+/// points outside the mesh are removed, edges that lose a vertex are removed, too; an edge point outside
+/// the mesh is removed alone.
+/// @throws InvalidInput as requireSomeInside and segmentParts do, and if the vertices have no positions.
+WarpCounts warpGraph(vtkGraph* input, const WarpRules& rules, vtkGraph* output);
 
 } // namespace flattening

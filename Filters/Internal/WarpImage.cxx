@@ -2,6 +2,7 @@
 #include "Internal/WarpImage.h"
 
 #include "Core/Base/Errors.h"
+#include "Internal/ArrayConversion.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -41,15 +42,15 @@ void requirePicture(vtkImageData* image)
   }
 }
 
-// The place in units of pixels from the first one; moved to the image's outermost pixels if it is within
-// the half of them that lies beyond their centres. False if it is beyond that.
+// The position in units of pixels. In the outer half of the outermost pixels it is moved to their
+// centres. Returns false outside the image.
 bool pixelAt(vtkImageData* image, double x, double y, double index[3])
 {
   const int* extent = image->GetExtent();
-  const double place[3] = { x, y, image->GetBounds()[4] };
-  image->TransformPhysicalPointToContinuousIndex(place, index);
+  const double position[3] = { x, y, image->GetBounds()[4] };
+  image->TransformPhysicalPointToContinuousIndex(position, index);
   index[2] = extent[4];
-  constexpr double half = 0.5 + 1e-6;
+  constexpr double half = 0.5 + 1e-6; // positions may be rounded to single precision
   for (int axis = 0; axis < 2; ++axis)
   {
     const double first = extent[2 * axis];
@@ -63,7 +64,7 @@ bool pixelAt(vtkImageData* image, double x, double y, double index[3])
   return true;
 }
 
-// A grid of square pixels over the flat map, and over the image too if it is left where it is.
+// Lays a grid of square pixels over the flat map, and over the image, too, if it stays unmoved.
 void layOut(vtkImageData* input, vtkPolyData* flat, const ResamplingRules& rules, vtkImageData* output)
 {
   double bounds[6];
@@ -99,17 +100,18 @@ Points2 pixelCentres(vtkImageData* image)
   return centres;
 }
 
-// Where what each pixel shows comes from.
-CarriedPoints sourcesOf(const Points2& centres, const ResamplingRules& rules)
+// The position in the image of the point that each pixel shows. Inside is 2 for pixels that stay
+// unmoved.
+WarpedPoints sourcesOf(const Points2& centres, const ResamplingRules& rules)
 {
-  CarriedPoints sources =
-    rules.Warp.carryBack(centres, subrange(rules.Progress, 0.0, rules.LeaveUnmoved ? 0.5 : 1.0));
+  WarpedPoints sources =
+    rules.Warp.warpBack(centres, subrange(rules.Progress, 0.0, rules.LeaveUnmoved ? 0.5 : 1.0));
   if (rules.LeaveUnmoved)
   {
-    const CarriedPoints covered = rules.Warp.carry(centres, subrange(rules.Progress, 0.5, 1.0));
+    const WarpedPoints covered = rules.Warp.warp(centres, subrange(rules.Progress, 0.5, 1.0));
     for (Eigen::Index i = 0; i < centres.rows(); ++i)
     {
-      if (!sources.Inside[i] && !covered.Inside[i]) // else what was there is elsewhere now
+      if (!sources.Inside[i] && !covered.Inside[i]) // otherwise the mesh moved away from this pixel
       {
         sources.Inside[i] = 2;
       }
@@ -118,19 +120,77 @@ CarriedPoints sourcesOf(const Points2& centres, const ResamplingRules& rules)
   return sources;
 }
 
-vtkSmartPointer<vtkPointData> interpolated(vtkImageData* input, vtkPoints* places)
+vtkSmartPointer<vtkPointData> interpolated(vtkImageData* input, vtkPoints* positions)
 {
   vtkNew<vtkPolyData> probes;
-  probes->SetPoints(places);
+  probes->SetPoints(positions);
   vtkNew<vtkProbeFilter> filter;
   filter->SetInputData(probes);
   filter->SetSourceData(input);
   filter->SetValidPointMaskArrayName(
-    "vtkPlanarWarpValidPointMask"); // the default is in images of other probes
+    "vtkPlanarWarpValidPointMask"); // images from other probes have an array of the default name
   filter->Update();
   vtkSmartPointer<vtkPointData> values = filter->GetOutput()->GetPointData();
   values->RemoveArray(filter->GetValidPointMaskArrayName());
   return values;
+}
+
+// The pixels of the output that show a point of the image.
+struct ShownPixels
+{
+  std::vector<vtkIdType> Ids;     // in the output
+  std::vector<vtkIdType> Nearest; // the pixel of the image nearest to the point
+  vtkNew<vtkPoints> Positions;    // of the point in the image
+  long long Outside = 0;          // number of pixels on the flat map that show no point of the image
+};
+
+void findShownPixels(vtkImageData* input, const WarpedPoints& sources, ShownPixels& shown)
+{
+  shown.Positions->SetDataTypeToDouble();
+  for (Eigen::Index i = 0; i < sources.Positions.rows(); ++i)
+  {
+    double index[3];
+    if (sources.Inside[i] && pixelAt(input, sources.Positions(i, 0), sources.Positions(i, 1), index))
+    {
+      double position[3];
+      input->TransformContinuousIndexToPhysicalPoint(index, position);
+      shown.Positions->InsertNextPoint(position);
+      shown.Ids.push_back(i);
+      int pixel[3];
+      std::transform(index, index + 3, pixel, [](double k) { return static_cast<int>(std::lround(k)); });
+      shown.Nearest.push_back(input->ComputePointId(pixel));
+    }
+    else
+    {
+      shown.Outside += sources.Inside[i] == 1;
+    }
+  }
+  if (shown.Ids.empty())
+  {
+    throw InvalidInput(
+      "no pixel of the flat map comes from the image: move the image to where the mesh's "
+      "SurfacePoints are");
+  }
+}
+
+// Adds an array of the output like @p values, 0 where a pixel shows no point. The values are those of
+// @p pixels, an array of the image, at the nearest pixel; or, without it, the interpolated ones.
+void addPixels(const ShownPixels& shown,
+  vtkDataArray* values,
+  vtkDataArray* pixels,
+  vtkImageData* output)
+{
+  auto array = vtk::TakeSmartPointer(values->NewInstance());
+  array->SetName(values->GetName());
+  array->SetNumberOfComponents(values->GetNumberOfComponents());
+  array->SetNumberOfTuples(output->GetNumberOfPoints());
+  array->Fill(0.0);
+  for (std::size_t i = 0; i < shown.Ids.size(); ++i)
+  {
+    pixels ? array->SetTuple(shown.Ids[i], shown.Nearest[i], pixels)
+           : array->SetTuple(shown.Ids[i], static_cast<vtkIdType>(i), values);
+  }
+  output->GetPointData()->AddArray(array);
 }
 
 } // namespace
@@ -142,73 +202,27 @@ long long warpImage(vtkImageData* input,
 {
   requirePicture(input);
   layOut(input, flat, rules, output);
-  const CarriedPoints sources = sourcesOf(pixelCentres(output), rules);
+  ShownPixels shown;
+  findShownPixels(input, sourcesOf(pixelCentres(output), rules), shown);
 
-  long long outside = 0;
-  std::vector<vtkIdType> shown;
-  std::vector<vtkIdType> nearest; // pixel of the input
-  vtkNew<vtkPoints> places;
-  places->SetDataTypeToDouble();
-  vtkNew<vtkUnsignedCharArray> inMap;
-  inMap->SetName(InMapName);
-  inMap->SetNumberOfTuples(output->GetNumberOfPoints());
-  inMap->FillValue(0);
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-  {
-    double index[3];
-    if (sources.Inside[i] && pixelAt(input, sources.Positions(i, 0), sources.Positions(i, 1), index))
-    {
-      double place[3];
-      input->TransformContinuousIndexToPhysicalPoint(index, place);
-      places->InsertNextPoint(place);
-      shown.push_back(i);
-      int pixel[3];
-      std::transform(index, index + 3, pixel, [](double k) { return static_cast<int>(std::lround(k)); });
-      nearest.push_back(input->ComputePointId(pixel));
-      inMap->SetValue(i, 1);
-    }
-    else
-    {
-      outside += sources.Inside[i] == 1;
-    }
-  }
-  if (shown.empty())
-  {
-    throw InvalidInput(
-      "no pixel of the flat map comes from the image: move the image to where the mesh's "
-      "SurfacePoints are");
-  }
-
-  const vtkSmartPointer<vtkPointData> values = interpolated(input, places);
+  const vtkSmartPointer<vtkPointData> values = interpolated(input, shown.Positions);
   for (int a = 0; a < values->GetNumberOfArrays(); ++a)
   {
-    vtkDataArray* from = values->GetArray(a);
-    vtkDataArray* pixels = input->GetPointData()->GetArray(values->GetArrayName(a));
-    if (from)
+    if (vtkDataArray* array = values->GetArray(a))
     {
-      auto array = vtk::TakeSmartPointer(from->NewInstance());
-      array->SetName(from->GetName());
-      array->SetNumberOfComponents(from->GetNumberOfComponents());
-      array->SetNumberOfTuples(output->GetNumberOfPoints());
-      array->Fill(0.0);
-      for (std::size_t i = 0; i < shown.size(); ++i)
-      {
-        if (rules.Nearest && pixels)
-        {
-          array->SetTuple(shown[i], nearest[i], pixels);
-        }
-        else
-        {
-          array->SetTuple(shown[i], static_cast<vtkIdType>(i), from);
-        }
-      }
-      output->GetPointData()->AddArray(array);
+      vtkDataArray* pixels = input->GetPointData()->GetArray(values->GetArrayName(a));
+      addPixels(shown, array, rules.Nearest ? pixels : nullptr, output);
     }
   }
-  output->GetPointData()->AddArray(inMap);
+  std::vector<char> inMap(output->GetNumberOfPoints(), 0);
+  for (const vtkIdType i : shown.Ids)
+  {
+    inMap[i] = 1;
+  }
+  output->GetPointData()->AddArray(newArray<vtkUnsignedCharArray>(InMapName, inMap));
   vtkDataArray* scalars = input->GetPointData()->GetScalars();
   output->GetPointData()->SetActiveScalars(scalars ? scalars->GetName() : nullptr);
-  return outside;
+  return shown.Outside;
 }
 
 long long addTextureCoordinates(vtkImageData* image, const Points3& before, vtkPolyData* flat)
@@ -226,9 +240,9 @@ long long addTextureCoordinates(vtkImageData* image, const Points3& before, vtkP
   long long outside = 0;
   for (Eigen::Index v = 0; v < before.rows(); ++v)
   {
-    const double place[3] = { before(v, 0), before(v, 1), image->GetBounds()[4] };
+    const double position[3] = { before(v, 0), before(v, 1), image->GetBounds()[4] };
     double index[3];
-    image->TransformPhysicalPointToContinuousIndex(place, index);
+    image->TransformPhysicalPointToContinuousIndex(position, index);
     for (int axis = 0; axis < 2; ++axis) // texture coordinates run from edge to edge of the image
     {
       coordinates->SetComponent(v, axis, (index[axis] - extent[2 * axis] + 0.5) / size[axis]);

@@ -2,12 +2,14 @@
 #include "Internal/WarpPolyData.h"
 
 #include "Core/Base/Errors.h"
+#include "Internal/ArrayConversion.h"
 #include "Internal/AttributeTransfer.h"
 #include "Internal/PolyDataConversion.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
+#include <vtkDoubleArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -48,28 +50,27 @@ std::vector<Cell> cellsOf(vtkCellArray* array)
   return cells;
 }
 
-class Carrier
+class PolyDataWarp
 {
 public:
-  Carrier(vtkPolyData* input, const WarpRules& rules)
+  PolyDataWarp(vtkPolyData* input, const WarpRules& rules)
     : Input(input)
     , Rules(rules)
   {
     if (input->GetNumberOfPoints() > std::numeric_limits<int>::max())
     {
-      throw InvalidInput("the data have more points than can be carried (2^31): carry parts of them");
+      throw InvalidInput("the data have more points than can be warped (2^31): warp parts of them");
     }
-    this->Before.resize(input->GetNumberOfPoints(), 3);
+    this->Before = pointsOf(input);
     for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
     {
-      input->GetPoint(i, this->Before.row(i).data());
       this->Origins.push_back({ i, i, 0.0 });
     }
   }
 
   void subdivideLines();
   void move();
-  CarryCounts write(vtkPolyData* output);
+  WarpCounts write(vtkPolyData* output);
 
 private:
   Eigen::Vector3d point(vtkIdType i) const { return this->Before.row(i); }
@@ -80,17 +81,17 @@ private:
 
   vtkPolyData* Input;
   const WarpRules& Rules;
-  Points3 Before;
+  Points3 Before; // positions of the input's points and of the inserted ones
   std::vector<Origin> Origins;
-  std::vector<Cell> Lines;
-  CarriedInSpace Carried;
-  std::vector<vtkIdType> KeptAs; // per point; -1: not kept
+  std::vector<Cell> Lines; // with the inserted points
+  WarpedInSpace Warped;
+  std::vector<vtkIdType> KeptAs; // id of each point in the output; -1: not kept
   vtkIdType Kept = 0;
-  vtkIdType Visited = 0;              // cells of the input so far
-  std::vector<vtkIdType> CellOrigins; // of the output's cells
+  vtkIdType Visited = 0;              // number of cells of the input that were visited
+  std::vector<vtkIdType> CellOrigins; // the input cell of each cell of the output
 };
 
-void Carrier::subdivideLines()
+void PolyDataWarp::subdivideLines()
 {
   for (const Cell& line : cellsOf(this->Input->GetLines()))
   {
@@ -119,22 +120,22 @@ void Carrier::subdivideLines()
   }
 }
 
-void Carrier::move()
+void PolyDataWarp::move()
 {
-  this->Carried = carryInSpace(this->Before, this->Rules);
-  requireSomeInside(this->Carried, this->Before);
+  this->Warped = warpInSpace(this->Before, this->Rules);
+  requireSomeInside(this->Warped, this->Before);
   this->KeptAs.assign(this->Origins.size(), -1);
   for (std::size_t i = 0; i < this->Origins.size(); ++i)
   {
-    if (this->Carried.Inside[i] || !this->Rules.RemoveOutside)
+    if (this->Warped.Inside[i] || !this->Rules.RemoveOutside)
     {
       this->KeptAs[i] = this->Kept++;
     }
   }
 }
 
-// Vertices, polygons and strips all of whose points are kept.
-vtkSmartPointer<vtkCellArray> Carrier::whole(vtkCellArray* cells)
+// The vertices, polygons or strips of which all points are kept.
+vtkSmartPointer<vtkCellArray> PolyDataWarp::whole(vtkCellArray* cells)
 {
   auto result = vtkSmartPointer<vtkCellArray>::New();
   for (Cell& cell : cellsOf(cells))
@@ -151,7 +152,8 @@ vtkSmartPointer<vtkCellArray> Carrier::whole(vtkCellArray* cells)
   return result;
 }
 
-vtkSmartPointer<vtkCellArray> Carrier::runsOfLines()
+// The parts of the lines between points that are not kept.
+vtkSmartPointer<vtkCellArray> PolyDataWarp::runsOfLines()
 {
   auto result = vtkSmartPointer<vtkCellArray>::New();
   for (const Cell& line : this->Lines)
@@ -183,7 +185,7 @@ vtkSmartPointer<vtkCellArray> Carrier::runsOfLines()
   return result;
 }
 
-VertexOrigins Carrier::keptOrigins() const
+VertexOrigins PolyDataWarp::keptOrigins() const
 {
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t i = 0; i < this->Origins.size(); ++i)
@@ -201,33 +203,32 @@ VertexOrigins Carrier::keptOrigins() const
   }
   VertexOrigins origins(
     static_cast<int>(this->Kept), static_cast<int>(this->Input->GetNumberOfPoints()));
-  origins.setFromTriplets(entries.begin(), entries.end()); // a line back to its own point sums up to 1
+  origins.setFromTriplets(
+    entries.begin(), entries.end()); // the weights of a line back to its own point are added to 1
   return origins;
 }
 
-CarryCounts Carrier::write(vtkPolyData* output)
+WarpCounts PolyDataWarp::write(vtkPolyData* output)
 {
-  CarryCounts counts;
+  WarpCounts counts;
   Points3 surface(this->Kept, 3);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(this->Kept);
-  vtkNew<vtkUnsignedCharArray> inMap;
-  inMap->SetName(InMapName);
-  inMap->SetNumberOfTuples(this->Kept);
+  Points3 positions(this->Kept, 3);
+  std::vector<char> inMap(this->Kept);
   for (std::size_t i = 0; i < this->Origins.size(); ++i)
   {
     const bool inserted = this->Origins[i].A != this->Origins[i].B || this->Origins[i].Share > 0.0;
-    counts.Outside += !inserted && !this->Carried.Inside[i];
+    counts.Outside += !inserted && !this->Warped.Inside[i];
     if (this->kept(static_cast<vtkIdType>(i)))
     {
       const vtkIdType to = this->KeptAs[i];
       counts.Inserted += inserted;
-      points->SetPoint(to, this->Carried.Positions.row(static_cast<Eigen::Index>(i)).data());
+      positions.row(to) = this->Warped.Positions.row(static_cast<Eigen::Index>(i));
       surface.row(to) = this->Before.row(static_cast<Eigen::Index>(i));
-      inMap->SetValue(to, this->Carried.Inside[i]);
+      inMap[to] = this->Warped.Inside[i];
     }
   }
+  vtkNew<vtkPoints> points;
+  points->SetData(newTuples<vtkDoubleArray>("Points", positions));
   output->SetPoints(points);
   output->SetVerts(this->whole(this->Input->GetVerts()));
   output->SetLines(this->runsOfLines());
@@ -236,18 +237,18 @@ CarryCounts Carrier::write(vtkPolyData* output)
   transferPointData(this->Input->GetPointData(), this->keptOrigins(), output->GetPointData());
   transferCellData(this->Input->GetCellData(), this->CellOrigins, output->GetCellData());
   addSurfacePoints(output, surface);
-  output->GetPointData()->AddArray(inMap);
+  output->GetPointData()->AddArray(newArray<vtkUnsignedCharArray>(InMapName, inMap));
   return counts;
 }
 
 } // namespace
 
-CarryCounts warpPolyData(vtkPolyData* input, const WarpRules& rules, vtkPolyData* output)
+WarpCounts warpPolyData(vtkPolyData* input, const WarpRules& rules, vtkPolyData* output)
 {
-  Carrier carrier(input, rules);
-  carrier.subdivideLines();
-  carrier.move();
-  return carrier.write(output);
+  PolyDataWarp warp(input, rules);
+  warp.subdivideLines();
+  warp.move();
+  return warp.write(output);
 }
 
 } // namespace flattening

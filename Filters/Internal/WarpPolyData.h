@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Points, lines and polygons that Planar Warp carries.
+/// Planar Warp of points, lines and polygons.
 #pragma once
 
 #include "Internal/WarpRules.h"
@@ -9,8 +9,8 @@ class vtkPolyData;
 namespace flattening
 {
 
-/// Fills @p output with what is carried of @p input, its arrays, SurfacePoints and InMap.
-/// @throws InvalidInput as requireSomeInside and segmentParts.
-CarryCounts warpPolyData(vtkPolyData* input, const WarpRules& rules, vtkPolyData* output);
+/// Fills @p output with the warped points and cells of @p input, its arrays, SurfacePoints and InMap.
+/// @throws InvalidInput as requireSomeInside and segmentParts do.
+WarpCounts warpPolyData(vtkPolyData* input, const WarpRules& rules, vtkPolyData* output);
 
 } // namespace flattening

@@ -12,19 +12,20 @@ namespace flattening
 namespace
 {
 
-// Guards against a length in other units than the data's.
+// The greatest number of parts of a segment: a guard against a length in other units than the data,
+// which would fill the memory.
 constexpr double MostParts = 1e6;
 
 } // namespace
 
-CarriedInSpace carryInSpace(const Points3& points, const WarpRules& rules)
+WarpedInSpace warpInSpace(const Points3& points, const WarpRules& rules)
 {
-  const CarriedPoints carried = rules.Warp.carry(points.leftCols(2), rules.Progress);
-  CarriedInSpace result;
+  const WarpedPoints warped = rules.Warp.warp(points.leftCols(2), rules.Progress);
+  WarpedInSpace result;
   result.Positions.resize(points.rows(), 3);
-  result.Positions.leftCols(2) = carried.Positions;
+  result.Positions.leftCols(2) = warped.Positions;
   result.Positions.col(2) = points.col(2).array() - rules.Warp.planeHeight();
-  result.Inside = carried.Inside;
+  result.Inside = warped.Inside;
   return result;
 }
 
@@ -47,13 +48,13 @@ int segmentParts(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const WarpR
   return std::max(1, static_cast<int>(parts));
 }
 
-void requireSomeInside(const CarriedInSpace& carried, const Points3& points)
+void requireSomeInside(const WarpedInSpace& warped, const Points3& points)
 {
-  if (std::find(carried.Inside.begin(), carried.Inside.end(), 1) == carried.Inside.end())
+  if (std::find(warped.Inside.begin(), warped.Inside.end(), 1) == warped.Inside.end())
   {
     std::ostringstream message;
     message
-      << "nothing of the data lies on the mesh as it was before it was deformed: the data are at x "
+      << "no point of the data lies on the mesh as it was before it was deformed: the data are at x "
       << points.col(0).minCoeff() << " to " << points.col(0).maxCoeff() << ", y "
       << points.col(1).minCoeff() << " to " << points.col(1).maxCoeff()
       << "; move them to where the mesh's SurfacePoints are";

@@ -15,10 +15,11 @@ namespace flattening
 namespace
 {
 
-// Of the larger extent.
+// The greatest extent in z of a planar mesh, as a share of the larger extent: above the rounding of
+// single precision, about 1e-7; a surface in space exceeds it by far.
 constexpr double Planarity = 1e-6;
 
-// Points between two reports of progress.
+// The number of points between two reports of progress, some milliseconds of work.
 constexpr Eigen::Index Batch = 1 << 14;
 
 double heightOf(const TriangleMesh& mesh)
@@ -42,6 +43,7 @@ double heightOf(const TriangleMesh& mesh)
   return low.z() + 0.5 * size.z();
 }
 
+// Whether all faces are oriented clockwise.
 bool facesDownAll(const TriangleMesh& mesh)
 {
   const std::vector<signed char> orientations =
@@ -64,18 +66,19 @@ double diagonal(const Points2& positions)
   return (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
 }
 
-// @p locate gives the place of a point, @p position where a place is in the other shape.
+// @param locate gives the place of a point on the mesh.
+// @param position gives the position of a place in the other shape of the mesh.
 template <typename Locate, typename Position>
-CarriedPoints carried(const Points2& points,
+WarpedPoints warped(const Points2& points,
   double tolerance,
   const ProgressCallback& progress,
   Locate&& locate,
   Position&& position)
 {
-  CarriedPoints result{ points, std::vector<char>(points.rows(), 0) };
+  WarpedPoints result{ points, std::vector<char>(points.rows(), 0) };
   for (Eigen::Index begin = 0; begin < points.rows(); begin += Batch)
   {
-    report(progress, static_cast<double>(begin) / static_cast<double>(points.rows()), "carrying points");
+    report(progress, static_cast<double>(begin) / static_cast<double>(points.rows()), "Warping points");
     tbb::parallel_for(begin,
       std::min(begin + Batch, points.rows()),
       [&](Eigen::Index i)
@@ -91,7 +94,7 @@ CarriedPoints carried(const Points2& points,
         }
       });
   }
-  report(progress, 1.0, "carrying points");
+  report(progress, 1.0, "Warping points");
   return result;
 }
 
@@ -108,10 +111,10 @@ PlanarWarp::PlanarWarp(const TriangleMesh& mesh,
 {
 }
 
-CarriedPoints PlanarWarp::carry(const Points2& points, const ProgressCallback& progress) const
+WarpedPoints PlanarWarp::warp(const Points2& points, const ProgressCallback& progress) const
 {
   this->Location.prepareSurface(subrange(progress, 0.0, 0.3));
-  return carried(
+  return warped(
     points,
     Rounding * this->Diagonals[0],
     subrange(progress, 0.3, 1.0),
@@ -121,9 +124,9 @@ CarriedPoints PlanarWarp::carry(const Points2& points, const ProgressCallback& p
     [this](const MapPlace& place) { return this->Location.mapPoint(place); });
 }
 
-CarriedPoints PlanarWarp::carryBack(const Points2& points, const ProgressCallback& progress) const
+WarpedPoints PlanarWarp::warpBack(const Points2& points, const ProgressCallback& progress) const
 {
-  return carried(
+  return warped(
     points,
     Rounding * this->Diagonals[1],
     progress,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Carries points with a planar mesh that was deformed.
+/// The piecewise linear map between a planar mesh and its flat map.
 #pragma once
 
 #include "Base/Progress.h"
@@ -11,43 +11,44 @@
 namespace flattening
 {
 
-struct CarriedPoints
+struct WarpedPoints
 {
-  Points2 Positions;        ///< in the other shape of the mesh; where the point was, if it is not inside
-  std::vector<char> Inside; ///< per point: 1 if it lies on the shape that it comes from
+  Points2 Positions; ///< n x 2, in the other shape of the mesh; unmoved if the point is not inside
+  std::vector<char> Inside; ///< one flag per point: 1 if it lies on the shape of the mesh it is given in
 };
 
-/// The piecewise linear map between a planar mesh and its flat map: a point keeps its barycentric
-/// coordinates in its face.
+/// Maps points between a planar mesh and its flat map: a point keeps its barycentric coordinates in its
+/// face.
 class PlanarWarp
 {
 public:
-  /// A point that lies off the mesh by no more than this share of its diagonal counts as inside: data
-  /// and mesh may have been rounded to single precision.
+  /// A point farther off the mesh than this share of the diagonal of its bounding box is outside. Data
+  /// and mesh may have been rounded to single precision, about 1e-7; a smaller value loses points there.
   static constexpr double Rounding = 1e-6;
 
-  /// @param mesh the undeformed mesh, in a plane of constant z. @param positions its vertices' (n x 2)
-  /// in the flat map.
-  /// @throws InvalidInput as FlatMapLocation, if z is not constant (to 1e-6 of the larger extent), or if
-  /// the faces of @p mesh do not all face the same way (exactly; faces without area aside), so that it
-  /// folds over itself.
+  /// @param mesh the undeformed mesh, in a plane of constant z (input units).
+  /// @param positions the positions of its vertices in the flat map (n x 2).
+  /// @throws InvalidInput as FlatMapLocation does; if z is not constant to 1e-6 of the larger extent; or
+  /// if the faces with an area are not all oriented alike, so that the mesh folds over itself.
   PlanarWarp(const TriangleMesh& mesh, const Points2& positions, const ProgressCallback& progress = {});
 
-  /// From the undeformed mesh to the flat map. A point that is not finite is not inside.
-  CarriedPoints carry(const Points2& points, const ProgressCallback& progress = {}) const;
+  /// Maps points (n x 2) from the undeformed mesh to the flat map. A point that is not finite is
+  /// outside.
+  WarpedPoints warp(const Points2& points, const ProgressCallback& progress = {}) const;
 
-  /// From the flat map to the undeformed mesh.
-  CarriedPoints carryBack(const Points2& points, const ProgressCallback& progress = {}) const;
+  /// Maps points (n x 2) from the flat map to the undeformed mesh.
+  WarpedPoints warpBack(const Points2& points, const ProgressCallback& progress = {}) const;
 
   double planeHeight() const { return this->PlaneHeight; } ///< z of the undeformed mesh
-  bool facesDown() const { return this->FacesDown; }       ///< the undeformed mesh, towards negative z
-  double meanSide() const { return this->MeanSide; }       ///< of the undeformed mesh's faces
+  /// Whether the undeformed mesh faces towards negative z.
+  bool facesDown() const { return this->FacesDown; }
+  double meanSide() const { return this->MeanSide; } ///< mean side of the undeformed mesh's triangles
 
 private:
   double PlaneHeight;
   bool FacesDown;
   double MeanSide;
-  double Diagonals[2]; // of the undeformed mesh and of the flat map
+  double Diagonals[2]; // of the bounding boxes of the undeformed mesh and the flat map
   FlatMapLocation Location;
 };
 

@@ -70,9 +70,9 @@ TEST(PlanarWarp, AnAffineShapeIsReproducedEverywhere)
   shear << 2.0, 0.5, -0.25, 3.0;
   const Points2 to = positionsOf(mesh) * shear;
   const Points2 points = randomPoints(20000);
-  const CarriedPoints carried = PlanarWarp(mesh, to).carry(points);
-  EXPECT_EQ(std::count(carried.Inside.begin(), carried.Inside.end(), 1), 20000);
-  EXPECT_LT((carried.Positions - points * shear).cwiseAbs().maxCoeff(), 1e-14);
+  const WarpedPoints warped = PlanarWarp(mesh, to).warp(points);
+  EXPECT_EQ(std::count(warped.Inside.begin(), warped.Inside.end(), 1), 20000);
+  EXPECT_LT((warped.Positions - points * shear).cwiseAbs().maxCoeff(), 1e-14);
 }
 
 TEST(PlanarWarp, ThereAndBackIsWhereItWas)
@@ -80,8 +80,8 @@ TEST(PlanarWarp, ThereAndBackIsWhereItWas)
   const TriangleMesh mesh = square(40);
   const Points2 to = bent(positionsOf(mesh));
   const Points2 points = randomPoints(100000);
-  const CarriedPoints there = PlanarWarp(mesh, to).carry(points);
-  const CarriedPoints back = PlanarWarp(mesh, to).carryBack(there.Positions);
+  const WarpedPoints there = PlanarWarp(mesh, to).warp(points);
+  const WarpedPoints back = PlanarWarp(mesh, to).warpBack(there.Positions);
   EXPECT_EQ(std::count(back.Inside.begin(), back.Inside.end(), 1), 100000);
   EXPECT_LT((back.Positions - points).cwiseAbs().maxCoeff(), 1e-12);
   // and in between it was where the smooth map puts it, to the mesh's second order: f'' h^2 / 8
@@ -95,10 +95,10 @@ TEST(PlanarWarp, TellsWhatLiesOutside)
   Points2 points(6, 2);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   points << 0.5, 0.5, 1.0, 1.0, 1.0 + 1e-8, 0.3, 1.001, 0.3, -3.0, 0.0, nan, 0.0;
-  const CarriedPoints carried = PlanarWarp(mesh, 2.0 * positionsOf(mesh)).carry(points);
-  EXPECT_EQ(carried.Inside, (std::vector<char>{ 1, 1, 1, 0, 0, 0 }));
-  EXPECT_EQ(carried.Positions.row(1), Eigen::RowVector2d(2.0, 2.0));
-  EXPECT_EQ(carried.Positions.row(4), points.row(4));
+  const WarpedPoints warped = PlanarWarp(mesh, 2.0 * positionsOf(mesh)).warp(points);
+  EXPECT_EQ(warped.Inside, (std::vector<char>{ 1, 1, 1, 0, 0, 0 }));
+  EXPECT_EQ(warped.Positions.row(1), Eigen::RowVector2d(2.0, 2.0));
+  EXPECT_EQ(warped.Positions.row(4), points.row(4));
 }
 
 TEST(PlanarWarp, RefusesWhatIsNoPlanarMesh)
