@@ -10,23 +10,30 @@ namespace flattening
 {
 
 /// The unevaluated sum of two doubles, the second at most half a unit in the last place of the first:
-/// 106 bits, relative error of an operation about 1e-31 (Dekker 1971; Hida, Li, Bailey 2001). Finite
-/// numbers only.
+/// 106 bits, and a relative error of an operation of about 1e-31 (Dekker 1971, "A floating-point
+/// technique for extending the available precision"; Hida, Li, Bailey 2001, "Algorithms for quad-double
+/// precision arithmetic"). Numbers must be finite.
+///
+/// The type is the project's own because long double has too few digits, quadruple precision is emulated
+/// in software, the Boost of the supported systems has no type of two doubles, and the few operations
+/// needed are not worth a dependency on the library QD.
 class DoubleDouble
 {
 public:
   DoubleDouble() = default;
-  DoubleDouble(double value) // NOLINT(google-explicit-constructor): exact
+  DoubleDouble(double value) // NOLINT(google-explicit-constructor): the conversion is exact
     : High(value)
   {
   }
 
+  /// The exact sum.
   static DoubleDouble sum(double a, double b)
   {
     const double high = a + b;
     const double part = high - a;
     return { high, (a - (high - part)) + (b - part) };
   }
+  /// The exact product.
   static DoubleDouble product(double a, double b)
   {
     const double high = a * b;
@@ -82,7 +89,7 @@ private:
     , Low(low)
   {
   }
-  // Of |low| < |high|.
+  // The same sum with the greatest possible first part. Precondition: |low| <= |high|.
   static DoubleDouble normalized(double high, double low)
   {
     const double total = high + low;

@@ -14,14 +14,15 @@ struct FlatteningError : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-/// Numbers that cannot be used: NaN, infinite coordinates, zero area, weights <= 0, indices out of
-/// range.
+/// The input has numbers that cannot be used: NaN, infinite coordinates, zero area, weights <= 0,
+/// indices out of range.
 struct InvalidInput : FlatteningError
 {
   using FlatteningError::FlatteningError;
 };
 
-/// The surface is not of the topology asked for: non-manifold, several components, genus, boundaries.
+/// The surface does not have the topology that is needed: it is non-manifold, or its number of
+/// components, handles or boundary loops is wrong.
 struct TopologyError : FlatteningError
 {
   using FlatteningError::FlatteningError;
@@ -33,7 +34,7 @@ struct ConvergenceError : FlatteningError
   using FlatteningError::FlatteningError;
 };
 
-/// The progress callback asked for a stop. Not a failure: nothing is reported to the user.
+/// The progress callback asked for a stop. This is no failure, and nothing is reported to the user.
 struct Cancelled : FlatteningError
 {
   Cancelled()

@@ -13,9 +13,10 @@ namespace flattening
 namespace
 {
 
+// A convention: users take a tenth of a second for at once, and ten reports a second cost nothing.
 constexpr std::chrono::milliseconds ReportInterval(100);
 
-// A call that nobody waits for any more.
+// The call, if any, that an abort has left behind.
 class AbandonedCall
 {
 public:
@@ -24,7 +25,7 @@ public:
   void take(std::thread thread, std::future<void> end)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->join(); // of another filter, aborted at the same time
+    this->join(); // a filter that was aborted at the same time may have left one behind, too
     this->Thread = std::move(thread);
     this->End = std::move(end);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Lets a user abort while a library's call runs that cannot be interrupted.
+/// Calls of library functions that cannot be interrupted, during which the user may abort all the same.
 #pragma once
 
 #include "Base/Progress.h"
@@ -11,10 +11,10 @@ namespace flattening
 
 /// Runs @p work in a thread of its own and reports @p fraction and @p stage from the calling thread
 /// every tenth of a second until it is done; without @p progress, runs it in the calling thread. When
-/// the callback says stop, Cancelled is thrown at once and @p work runs to its end unseen: it must own
-/// everything that it uses. At most one such call runs on: the next one waits for it, and so does the
-/// end of the process.
-/// @throws what @p work throws; Cancelled.
+/// the callback returns false, Cancelled is thrown at once, and the abandoned @p work runs to its end in
+/// the background: it must own everything that it uses. At most one abandoned call exists: the next call
+/// waits until it has ended, and so does the end of the process.
+/// @throws Cancelled; every exception of @p work.
 void callInterruptibly(std::function<void()> work,
   const ProgressCallback& progress,
   double fraction,

@@ -8,10 +8,11 @@ namespace flattening
 namespace
 {
 
-// A factorization takes as long as about twenty solutions with the factor.
-constexpr int MostIterations = 30;
-// More than these, judged by the last system, are not begun.
+// A factorization takes about as long as twenty solutions with the factor, so that more iterations are
+// not begun if the last system predicts them. Iterations that were begun may be some more, because most
+// of them are done then. Both constants change times only.
 constexpr int ManyIterations = 20;
+constexpr int MostIterations = 30;
 
 constexpr const char* FactorStage = "Factorization";
 constexpr const char* SolutionStage = "Solution";

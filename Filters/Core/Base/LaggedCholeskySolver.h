@@ -11,31 +11,31 @@ namespace flattening
 {
 
 /// Conjugate gradients with the Cholesky factor of an earlier matrix of the sequence as preconditioner:
-/// a solution with a known factor costs a twentieth of a new factor. A new one is made when the
-/// iterations become too many.
+/// a solution with a known factor costs a twentieth of a new factor. A new factor is computed when too
+/// many iterations are needed.
 class LaggedCholeskySolver
 {
 public:
   /// Solves A x = b up to a residual of @p tolerance times b, in the Euclidean norm. @p lower is the
-  /// lower half of A. False if a new factor was needed and A is not positive definite.
-  /// @throws Cancelled  not to be used again afterwards
+  /// lower triangle of A. Returns false if a new factor was needed and A is not positive definite.
+  /// @throws Cancelled; only destruction is allowed then
   bool solve(const SparseMatrix& lower,
     const Eigen::VectorXd& rightSide,
     double tolerance,
     Eigen::VectorXd& solution,
     const ProgressCallback& progress = {});
 
-  /// How many iterations would reduce a residual so much, judged by the last system; 0 right after a
-  /// factorization.
+  /// The predicted number of iterations that multiply a residual by @p reduction (0 to 1), judged by the
+  /// last system; 0 right after a factorization.
   double iterationsFor(double reduction) const;
-  /// The next system's matrix will be factored.
+  /// Makes the next call of solve() factor its matrix.
   void forgetFactor() { this->Size = -1; }
   bool hasFactor() const { return this->Size >= 0; }
 
-  /// Begins to look for an order of elimination for matrices of the pattern of @p lower, in another
-  /// thread while systems are solved with the factor at hand: the next factor is made in it.
+  /// Begins to look for an order of elimination for matrices of the pattern of @p lower in another
+  /// thread, while systems are solved with the present factor. The next factor uses that order.
   void renewOrder(const SparseMatrix& lower);
-  /// The last that was found, for the last factor or by renewOrder().
+  /// The last order of elimination that was found, for the last factor or by renewOrder().
   const EliminationOrder& order();
 
   int factorizations() const { return this->Factorizations; }
@@ -53,8 +53,8 @@ private:
 
   std::future<EliminationOrder> NewOrder;
   SparseCholesky Factor{ SparseCholesky::Ordering::Quick };
-  Eigen::Index Size = -1;    // of the factor; -1 without one
-  double LogReduction = 0.0; // of the residual by one iteration for the last system
+  Eigen::Index Size = -1;    // number of rows of the factor; -1 without one
+  double LogReduction = 0.0; // logarithm of the ratio by which an iteration reduced the last residual
   int Factorizations = 0;
   int Iterations = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// How long work reports where it is and learns that it should stop.
+/// Progress: how a long computation reports how far it is and learns that it should stop.
 #pragma once
 
 #include "Base/Errors.h"
@@ -13,7 +13,7 @@ namespace flattening
 /// the stage. Returns false to cancel.
 using ProgressCallback = std::function<bool(double fraction, const char* stage)>;
 
-/// Reports progress; throws Cancelled when the callback says so. An empty callback is fine.
+/// Reports progress. An empty callback is allowed. @throws Cancelled if the callback returns false.
 inline void report(const ProgressCallback& progress, double fraction, const char* stage)
 {
   if (progress && !progress(fraction, stage))
@@ -22,7 +22,7 @@ inline void report(const ProgressCallback& progress, double fraction, const char
   }
 }
 
-/// The part [begin, end] of a longer job's progress.
+/// The callback for a step whose progress from 0 to 1 is the part [begin, end] of a longer job's.
 inline ProgressCallback subrange(const ProgressCallback& progress, double begin, double end)
 {
   if (!progress)
@@ -33,8 +33,8 @@ inline ProgressCallback subrange(const ProgressCallback& progress, double begin,
   { return progress(begin + (end - begin) * fraction, stage); };
 }
 
-/// A step that is a single point of a longer job's progress: whatever it reports becomes @p fraction and
-/// @p stage.
+/// The callback for a step that is a single point of a longer job's progress: whatever the step reports
+/// becomes @p fraction and @p stage.
 inline ProgressCallback atFraction(const ProgressCallback& progress, double fraction, const char* stage)
 {
   if (!progress)

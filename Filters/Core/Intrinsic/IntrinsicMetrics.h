@@ -14,9 +14,12 @@
 namespace flattening::intrinsic
 {
 
+// An edge is flipped if the cosines of the angles opposite to it have a sum below minus this. It lies
+// well above the rounding errors of cosines: with 0, cocircular vertices could flip an edge back and
+// forth.
 constexpr double FlipTolerance = 1e-12;
 
-// The metric of the surface itself. The boundary stays as it is.
+// The metric of the surface itself. No boundary edge is flipped.
 struct FlatMetric
 {
   const IntrinsicTriangulation& Triangulation;
@@ -39,8 +42,8 @@ struct FlatMetric
   long double closed(int) const { return 0.0L; }
 };
 
-// The metric at some factors. The new lengths are those at factors 0: Ptolemy's relations are the same
-// at all of them.
+// The metric at conformal factors u. The lengths after flips are computed at factors 0, because
+// Ptolemy's relation holds for the lengths at all factors alike.
 struct ConformalMetric
 {
   const IntrinsicTriangulation& Triangulation;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parts of an IntrinsicTriangulation: copies of some faces, and what is left without a star.
+// Parts of an IntrinsicTriangulation: copies of some faces, and the rest without a star.
 #include "Intrinsic/IntrinsicTriangulation.h"
 
 #include <algorithm>

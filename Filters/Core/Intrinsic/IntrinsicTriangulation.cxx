@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Intrinsic/IntrinsicTriangulation.h"
 
+#include "Mesh/SliverThresholds.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
@@ -15,12 +17,10 @@ namespace flattening
 namespace
 {
 
-constexpr int HalfedgesPerTask = 4096;
-// Relative to the mean edge length. The angles of a shorter edge's needles would lose more digits of the
-// logarithms than the flow's tolerance allows.
-constexpr double LeastExcess = 1e-10;
-constexpr double LeastLength = 1e-7;
+// Lengths whose logarithms one parallel task computes. Results do not depend on it.
+constexpr int LogarithmsPerTask = 4096;
 
+// The opposite half-edge of each half-edge; -1 on the boundary.
 std::vector<int> findTwins(const FaceMatrix& faces)
 {
   std::vector<std::pair<std::uint64_t, int>> keyed(3 * faces.rows());
@@ -63,15 +63,15 @@ IntrinsicTriangulation::IntrinsicTriangulation(const TriangleMesh& mesh)
     lengths[h] = (mesh.Vertices.row(a) - mesh.Vertices.row(b)).stableNorm();
     total += lengths[h];
   }
-  const double slack = LeastExcess * total / count;
-  const double shortest = LeastLength * total / count;
+  const double slack = slivers::IntrinsicExcess * total / count;
+  const double shortest = slivers::IntrinsicEdge * total / count;
   for (int h = 0; h < count; ++h)
   {
     const double excess = lengths[next(h)] + lengths[previous(h)] - lengths[h];
     this->AddedLength = std::max({ this->AddedLength, slack - excess, shortest - lengths[h] });
   }
   this->LogLengths.resize(count);
-  tbb::parallel_for(tbb::blocked_range<int>(0, count, HalfedgesPerTask),
+  tbb::parallel_for(tbb::blocked_range<int>(0, count, LogarithmsPerTask),
     [&](const tbb::blocked_range<int>& halfedges)
     {
       for (int h = halfedges.begin(); h < halfedges.end(); ++h)
@@ -134,7 +134,7 @@ void IntrinsicTriangulation::removeFace(int f)
   this->FreeFaces.push_back(f);
 }
 
-// Moves the last faces to the places of those that are no more.
+// Moves the last faces into the rows of the removed ones.
 void IntrinsicTriangulation::closeGaps()
 {
   std::sort(this->FreeFaces.begin(), this->FreeFaces.end());
@@ -165,7 +165,7 @@ void IntrinsicTriangulation::closeGaps()
   this->Outgoing.clear();
 }
 
-// Sides are half-edges, or -1 - b for boundary edge b.
+// Makes two sides neighbours. A side is a half-edge, or -1 - b for boundary edge b.
 void IntrinsicTriangulation::glue(int side, int otherSide)
 {
   const auto set = [this](int from, int to)
@@ -209,7 +209,8 @@ void IntrinsicTriangulation::flip(int h, long double logLength)
   this->Outgoing.clear();
 }
 
-// The face a b c on edge b, from a to b, is turned over the mirror: c comes to lie between a and b.
+// Flips boundary edge b, from p to q, and its image: the face p q r there is removed, and r comes to lie
+// on the mirror between p and q.
 void IntrinsicTriangulation::openBoundaryEdge(int b, long double logCrossing)
 {
   const int h = this->Boundary[b].Inner;
@@ -238,7 +239,8 @@ void IntrinsicTriangulation::openBoundaryEdge(int b, long double logCrossing)
   this->removeFace(face(h));
 }
 
-// The inverse: the origin of edge b leaves the mirror, and a face fills its place. Returns that face.
+// The inverse of openBoundaryEdge(): the origin of edge b leaves the mirror, and a new face, which is
+// returned, has it as its third corner.
 int IntrinsicTriangulation::closeBoundaryVertex(int b, long double logAcross)
 {
   const int before = this->Boundary[b].Previous;

@@ -17,8 +17,8 @@ bool isOnMirror(long double logCrossing)
   return std::isinf(logCrossing);
 }
 
-// Half the crossing lengths in units of the edge. The angles of narrow cells depend on their last
-// digits.
+// Half the crossing lengths in units of the edge. The angles of narrow cells depend on the last digits
+// of their difference.
 struct Halves
 {
   long double Origin;
@@ -50,7 +50,8 @@ long double logSum(std::initializer_list<long double> logs)
   return largest + std::log(sum);
 }
 
-// Of the trapezoid's diagonal: d^2 = e^2 + h h'.
+// The logarithm of the trapezoid's diagonal d, by Ptolemy's theorem: d^2 = e^2 + h h', with the crossing
+// lengths h and h'.
 long double logDiagonal(const SymmetricTrapezoid& cell)
 {
   return 0.5L * logSum({ 2.0L * cell.LogEdge, cell.LogAtOrigin + cell.LogAtTip });

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What lies between a surface and its mirror image, glued to it along the boundary.
+/// The cells between a surface and its mirror image, which is glued to it along the boundary.
 #pragma once
 
 namespace flattening
 {
 
-/// The surface and its mirror image make a closed surface, symmetric about the mirror line: the
-/// boundary. Of its Delaunay triangulation the faces that the mirror line crosses are isosceles
+/// The surface and its mirror image make a closed surface, which is symmetric about the mirror line, the
+/// boundary. The faces of its Delaunay triangulation that the mirror line crosses are isosceles
 /// triangles and trapezoids, inscribed in circles whose centres lie on that line. One edge of the
 /// surface, from its origin to its tip, and its image are the legs of such a trapezoid; the crossing
 /// edges from each end to its image are the bases. Half of it, the part on this side of the mirror, is a
@@ -14,20 +14,22 @@ namespace flattening
 /// without area.
 struct SymmetricTrapezoid
 {
-  long double LogEdge;     ///< logarithm of the edge's length
-  long double LogAtOrigin; ///< of the crossing length at its origin; minus infinity on the mirror
-  long double LogAtTip;    ///< of the crossing length at its tip; minus infinity on the mirror
+  long double LogEdge; ///< logarithm of the edge's length
+  long double
+    LogAtOrigin;        ///< logarithm of the crossing length at the origin; minus infinity on the mirror
+  long double LogAtTip; ///< logarithm of the crossing length at the tip; minus infinity on the mirror
 
   SymmetricTrapezoid reversed() const { return { this->LogEdge, this->LogAtTip, this->LogAtOrigin }; }
 };
 
+/// Angles and width of a mirror cell.
 struct TrapezoidShape
 {
-  double AngleAtOrigin; ///< radians, of the half on this side of the mirror
-  double AngleAtTip;
-  double Cotangent; ///< of the angle under which the edge is seen from the circle; 0 if degenerate
-  double Extent;    ///< length along the mirror, in units of the edge
-  bool Degenerate;  ///< no such trapezoid: the crossing lengths differ by more than two edges
+  double AngleAtOrigin; ///< radians, within the cell
+  double AngleAtTip;    ///< radians, within the cell
+  double Cotangent;     ///< cotangent of the angle of the edge, seen from the circle; 0 if degenerate
+  double Extent;        ///< length along the mirror, in units of the edge
+  bool Degenerate;      ///< no such trapezoid exists: the crossing lengths differ by more than two edges
 };
 TrapezoidShape trapezoidShape(const SymmetricTrapezoid& cell);
 
@@ -45,8 +47,9 @@ long double crossingAtApex(const SymmetricTrapezoid& cell,
   long double logOriginApex,
   long double logTipApex);
 
-/// Its inverse: the logarithm of the distance between the origin of @p before and the tip of @p after,
-/// two cells next to each other, when the vertex between them leaves the mirror.
+/// The inverse of crossingAtApex(): the logarithm of the distance between the origin of @p before and
+/// the tip of
+/// @p after, two cells next to each other, when the vertex between them leaves the mirror.
 long double edgeAcross(const SymmetricTrapezoid& before, const SymmetricTrapezoid& after);
 
 } // namespace flattening

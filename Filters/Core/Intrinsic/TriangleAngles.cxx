@@ -12,11 +12,13 @@ namespace flattening
 namespace
 {
 
-// Below this share of the smaller side, what two sides exceed the third by has lost too many digits in
-// double precision: the error of an angle near pi is that of the excess, divided by its square root.
+// A triangle is computed in extended precision if two sides exceed the third by less than this share of
+// the smaller one. The error of an angle near pi is that of the excess, about 1e-16, divided by its
+// square root: at 1e-4 some 1e-14, far below the tolerances of all callers. A smaller bound loses
+// digits, a larger one time.
 constexpr double NarrowExcess = 1e-4;
 
-// Returns whether the digits sufficed.
+// Returns whether the digits of Real sufficed.
 template <typename Real>
 bool anglesInPrecision(const long double (&log)[3], TriangleAngles& result)
 {
@@ -70,10 +72,11 @@ bool anglesInPrecision(const long double (&log)[3], TriangleAngles& result)
   return wide;
 }
 
-// Sides and excesses above this share of the longest side lose no digits to speak of.
+// If all sides and excesses are above this share of the longest side, no more than a digit or two are
+// lost to cancellation. A smaller bound loses more, a larger one time.
 constexpr double WellShaped = 0.1;
 
-// The same without precautions, three times as fast. Returns whether they were unnecessary.
+// Computes the same without precautions, three times as fast. Returns whether they were unnecessary.
 bool anglesOfWellShaped(const long double (&log)[3], TriangleAngles& result)
 {
   const long double unit = std::max({ log[0], log[1], log[2] });

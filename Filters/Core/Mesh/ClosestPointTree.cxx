@@ -21,8 +21,8 @@ namespace
 using Triangles = std::vector<Kernel::Triangle_3>;
 using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
 
-// Barycentric coordinates of a point of the triangle's plane, clamped against rounding. On a triangle
-// without area everything goes to the nearest corner.
+// Barycentric coordinates of a point of the triangle's plane. Those that rounding makes negative become
+// 0. In a triangle without area the nearest corner has all the weight.
 std::array<double, 3> barycentric(const Eigen::Matrix3d& corners, const Eigen::Vector3d& point)
 {
   const Eigen::Vector3d u = corners.row(1) - corners.row(0);
@@ -93,12 +93,7 @@ SurfacePoint ClosestPointTree::closest(const Eigen::Vector3d& point) const
   SurfacePoint result;
   result.Face = static_cast<int>(primitive - this->Boxes->Faces.cbegin());
   result.Position = { position.x(), position.y(), position.z() };
-  Eigen::Matrix3d corners;
-  for (int k = 0; k < 3; ++k)
-  {
-    corners.row(k) = this->Mesh.Vertices.row(this->Mesh.Faces(result.Face, k));
-  }
-  result.Weights = barycentric(corners, result.Position);
+  result.Weights = barycentric(faceCorners(this->Mesh, result.Face), result.Position);
   return result;
 }
 

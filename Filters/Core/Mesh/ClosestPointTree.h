@@ -13,31 +13,32 @@
 namespace flattening
 {
 
-/// Where a point lands on a mesh.
+/// A point of a mesh.
 struct SurfacePoint
 {
-  int Face;
+  int Face; ///< row of the mesh's faces
   Eigen::Vector3d Position;
   std::array<double, 3> Weights; ///< barycentric, >= 0, sum 1, in the order of the face's vertices
 };
 
-/// Answers closest-point queries with a tree of boxes (CGAL AABB tree); the mesh must outlive it.
+/// Finds the closest points of a mesh with a tree of boxes (CGAL AABB tree). The mesh must outlive it.
 class ClosestPointTree
 {
 public:
-  /// With @p progress the tree is built at once, which an abort does not wait for; else by the first
-  /// query.
+  /// With @p progress the tree is complete afterwards, and an abort does not wait for it; otherwise the
+  /// first query builds a part of it. @throws Cancelled.
   explicit ClosestPointTree(const TriangleMesh& mesh, const ProgressCallback& progress = {});
   ~ClosestPointTree();
   ClosestPointTree(const ClosestPointTree&) = delete;
   ClosestPointTree& operator=(const ClosestPointTree&) = delete;
 
+  /// The point of the mesh closest to @p point.
   SurfacePoint closest(const Eigen::Vector3d& point) const;
 
 private:
   struct Tree;
   const TriangleMesh& Mesh;
-  std::shared_ptr<Tree> Boxes; ///< shared with the call that builds it, which an abort leaves behind
+  std::shared_ptr<Tree> Boxes; ///< shared with the thread that builds it and may outlive this object
 };
 
 } // namespace flattening

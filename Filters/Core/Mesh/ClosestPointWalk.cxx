@@ -3,23 +3,13 @@
 
 #include <Eigen/Geometry>
 
-#include <numeric>
-
 namespace flattening
 {
 namespace
 {
 
-Eigen::Matrix3d cornersOf(const TriangleMesh& mesh, int face)
-{
-  Eigen::Matrix3d corners;
-  for (int k = 0; k < 3; ++k)
-  {
-    corners.row(k) = mesh.Vertices.row(mesh.Faces(face, k));
-  }
-  return corners;
-}
-
+// The share of the way at which a linear function that is `towards` at the start and -`beyond` at the
+// end is 0.
 double shareAlong(double towards, double beyond)
 {
   return towards + beyond > 0.0 ? towards / (towards + beyond) : 0.0;
@@ -88,7 +78,7 @@ Points3 vertexNormals(const TriangleMesh& mesh)
   Points3 normals = Points3::Zero(mesh.vertexCount(), 3);
   for (int f = 0; f < mesh.faceCount(); ++f)
   {
-    const Eigen::Matrix3d corners = cornersOf(mesh, f);
+    const Eigen::Matrix3d corners = faceCorners(mesh, f);
     const Eigen::Vector3d u = corners.row(1) - corners.row(0);
     const Eigen::Vector3d v = corners.row(2) - corners.row(0);
     const Eigen::RowVector3d areaVector = u.cross(v).transpose();
@@ -110,31 +100,14 @@ Points3 vertexNormals(const TriangleMesh& mesh)
 
 ClosestPointWalk::ClosestPointWalk(const TriangleMesh& mesh)
   : Mesh(mesh)
-  , FirstCorner(mesh.vertexCount() + 1, 0)
-  , FaceOfCorner(3 * static_cast<std::size_t>(mesh.faceCount()))
+  , Around(mesh.Faces, mesh.vertexCount())
   , Normals(vertexNormals(mesh))
 {
-  for (int f = 0; f < mesh.faceCount(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      ++this->FirstCorner[mesh.Faces(f, k) + 1];
-    }
-  }
-  std::partial_sum(this->FirstCorner.begin(), this->FirstCorner.end(), this->FirstCorner.begin());
-  std::vector<int> next(this->FirstCorner.begin(), this->FirstCorner.end() - 1);
-  for (int f = 0; f < mesh.faceCount(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      this->FaceOfCorner[next[mesh.Faces(f, k)]++] = f;
-    }
-  }
 }
 
 SurfacePoint ClosestPointWalk::closest(const Eigen::Vector3d& point, int startFace) const
 {
-  SurfacePoint best = closestOnTriangle(cornersOf(this->Mesh, startFace), point);
+  SurfacePoint best = closestOnTriangle(faceCorners(this->Mesh, startFace), point);
   best.Face = startFace;
   double bestDistance = (best.Position - point).squaredNorm();
   for (int centre = -1; centre != best.Face;)
@@ -143,24 +116,23 @@ SurfacePoint ClosestPointWalk::closest(const Eigen::Vector3d& point, int startFa
     const std::array<double, 3> weights = best.Weights;
     if (weights[0] > 0.0 && weights[1] > 0.0 && weights[2] > 0.0)
     {
-      return best; // inside a face, where the distance can only grow
+      return best; // inside the face, from where the distance grows in every direction
     }
-    // Only faces that the point on this one is on, too, can be nearer: all around a corner, or the one
-    // across a side.
+    // Only faces that share the point with this one can be nearer: the faces around a corner, or the
+    // face across a side.
     const int k = weights[0] > 0.0 ? 0 : weights[1] > 0.0 ? 1 : 2;
     const int other = weights[(k + 1) % 3] > 0.0   ? (k + 1) % 3
                       : weights[(k + 2) % 3] > 0.0 ? (k + 2) % 3
                                                    : k;
     const int vertex = this->Mesh.Faces(centre, k);
     const int second = this->Mesh.Faces(centre, other);
-    for (int i = this->FirstCorner[vertex]; i < this->FirstCorner[vertex + 1]; ++i)
+    for (const int face : this->Around[vertex])
     {
-      const int face = this->FaceOfCorner[i];
       if (face == centre || (second != vertex && !(this->Mesh.Faces.row(face).array() == second).any()))
       {
         continue;
       }
-      const SurfacePoint at = closestOnTriangle(cornersOf(this->Mesh, face), point);
+      const SurfacePoint at = closestOnTriangle(faceCorners(this->Mesh, face), point);
       const double distance = (at.Position - point).squaredNorm();
       if (distance < bestDistance)
       {

@@ -39,7 +39,8 @@ VertexOrigins keptVertices(const std::vector<int>& original, int originalCount)
 namespace
 {
 
-// The product of the two, row by row: rows have few entries, kept vertices exactly one.
+// The product of the two matrices. Rows have few entries, and only one where a vertex was kept.
+// Eigen's product runs in one thread.
 VertexOrigins composed(const VertexOrigins& next, const VertexOrigins& before)
 {
   using Entries = boost::container::small_vector<std::pair<int, double>, 16>;

@@ -16,25 +16,28 @@ namespace flattening
 /// kept vertex has one weight 1; the midpoint of an edge has two weights 1/2.
 using VertexOrigins = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
 
+/// A mesh and its origins.
 struct DerivedMesh
 {
   TriangleMesh Mesh;
   VertexOrigins Vertices;
   /// The original face that each face is a part of or, on a remeshed surface, lies nearest to; -1 for
-  /// a face that covers a hole.
+  /// a face that fills a hole.
   std::vector<int> Faces;
 };
 
-/// The mesh as derived from itself.
+/// The mesh with its own vertices and faces as origins.
 DerivedMesh derivedFromItself(TriangleMesh mesh);
 
-/// Rows with a single weight 1: vertex v was original vertex @p original[v].
+/// Origins with a single weight 1 per row: vertex v is the original vertex @p original[v].
 VertexOrigins keptVertices(const std::vector<int>& original, int originalCount);
 
-/// Replaces @p derived by @p next, which was derived from derived.Mesh, traced back to the original.
+/// Replaces @p derived by @p next, which was derived from derived.Mesh, with origins in the first
+/// original.
 void follow(DerivedMesh& derived, DerivedMesh&& next);
 
-/// The part of @p mesh made of the faces listed in @p faces, in their order; vertices keep theirs.
+/// The part of @p mesh that consists of the given faces, in their order. Vertices keep their order in
+/// the mesh.
 DerivedMesh extractFaces(const TriangleMesh& mesh, const std::vector<int>& faces);
 
 } // namespace flattening

@@ -9,14 +9,16 @@
 namespace flattening
 {
 
-/// Orientation of every face (m): 1 counter-clockwise, 0 degenerate, -1 clockwise (flipped). Exact for
-/// the given doubles, whatever their size (CGAL's filtered predicate). Positions must be finite.
+/// The orientation of every face (m): 1 counter-clockwise, 0 degenerate, -1 clockwise (flipped). It is
+/// exact for the given doubles, whatever their size (CGAL's filtered predicate). Positions must be
+/// finite.
 std::vector<signed char> faceOrientations(const Points2& positions, const FaceMatrix& faces);
 
-/// The same of row @p face of @p faces alone.
+/// The orientation of the face in row @p face of @p faces.
 signed char faceOrientation(const Points2& positions, const FaceMatrix& faces, int face);
 
-/// Number of faces with orientation 0 or -1: a face of no area is not mapped bijectively either.
+/// Number of faces with orientation 0 or -1, because a face without area is not mapped bijectively
+/// either.
 int countFlippedFaces(const Points2& positions, const FaceMatrix& faces);
 
 } // namespace flattening

@@ -12,18 +12,20 @@
 namespace flattening
 {
 
+/// A spring of rest length 0 between two points.
 struct Spring
 {
   int From;
   int To;
-  double Weight; ///< > 0
+  double Weight; ///< stiffness > 0
 };
 
-/// Moves all points but the @p fixed ones (per point; the others must hang on these by springs) to where
-/// the springs are in equilibrium. Around a convex boundary no triangle is turned over (Tutte 1963,
-/// Floater 1997).
-/// @param order  of elimination, of points that need not be all; where it does not serve another one is
-///               found, which takes time
+/// Moves all points except the @p fixed ones (one flag per point) to where the springs are in
+/// equilibrium. Springs must connect every point with a fixed one. Within a convex boundary no triangle
+/// of a planar triangulation is flipped (Tutte 1963, Floater 1997).
+/// @param order  order of elimination of some or all points; where it does not serve, another one is
+/// found,
+///               which takes time
 /// @throws ConvergenceError if the linear system cannot be factored; Cancelled.
 void relaxSprings(const std::vector<Spring>& springs,
   const std::vector<char>& fixed,

@@ -15,7 +15,7 @@ double loopLength(const Points3& vertices, const std::vector<int>& loop);
 /// The mean length of the faces' sides, input units; an edge between two faces counts twice.
 double meanEdgeLength(const TriangleMesh& mesh);
 
-/// The smallest angle of all faces, degrees in [0, 60]: 0 where a face has no area, 180 if there is no
+/// The smallest angle of all faces, degrees in [0, 60]; 0 if a face has no area, 180 if there is no
 /// face.
 double smallestAngle(const TriangleMesh& mesh);
 

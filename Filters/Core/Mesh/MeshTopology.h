@@ -9,16 +9,17 @@
 namespace flattening
 {
 
+/// Numbers that describe how a surface is connected, and its boundary.
 struct MeshTopology
 {
   int Vertices = 0; ///< vertices used by at least one face
   int Edges = 0;
   int Faces = 0;
   int Components = 0;
-  int Genus = 0; ///< summed over the components
-  /// Vertices of each boundary loop, in the direction of the boundary half-edges' faces (surface on the
-  /// left), longest loop (by edge count) first; ties by smallest vertex index, which each loop starts
-  /// with.
+  int Genus = 0; ///< number of handles of all components together
+  /// The vertices of each boundary loop, in the direction that has the surface on its left. A loop
+  /// starts with its smallest vertex. Loops with more edges come first, and of equals the one with the
+  /// smaller first vertex.
   std::vector<std::vector<int>> BoundaryLoops;
 
   int eulerCharacteristic() const { return this->Vertices - this->Edges + this->Faces; }
@@ -32,7 +33,7 @@ MeshTopology analyseTopology(const FaceMatrix& faces, int vertexCount);
 
 /// Checks that the mesh can be flattened: finite coordinates, positive area, no unused vertex, manifold,
 /// one component, genus 0, exactly one boundary loop. Returns that loop.
-/// @throws InvalidInput, TopologyError with cause and remedy.
+/// @throws InvalidInput, TopologyError with the cause and the remedy.
 std::vector<int> requireDisk(const TriangleMesh& mesh);
 
 } // namespace flattening

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Parts of a set of points in the plane.
+/// Compact parts of a set of points in the plane.
 #pragma once
 
 #include "Mesh/TriangleMesh.h"
@@ -9,9 +9,10 @@
 namespace flattening
 {
 
-/// Halves the points by a line across the longer way through them until no part has more than
-/// @p largest; @p angle (radians) is that of the first axis of the lines. Returns the points of every
-/// part, in ascending order. The same points give the same parts.
+/// Halves the points, and the halves, by lines across the longer side of the box around them until no
+/// part has more than @p largest points. The lines are parallel to two axes at right angles, of which
+/// the first has the angle @p angle (radians). Returns the indices of the points of every part in
+/// ascending order.
 std::vector<std::vector<int>> recursiveBisection(const Points2& points, int largest, double angle);
 
 } // namespace flattening

@@ -20,13 +20,14 @@ struct SurfaceComponents
   std::vector<int> faces(int component) const;
 };
 
-/// Faces that share a vertex belong together.
+/// Finds the connected components; faces that share a vertex belong to the same one.
 SurfaceComponents connectedComponents(const TriangleMesh& mesh);
 
 /// Area of every component, input units squared.
 Eigen::VectorXd componentAreas(const TriangleMesh& mesh, const SurfaceComponents& components);
 
-/// How many components have at least @p share (0 to 1) of the area of all: the others are fragments.
+/// How many components have at least the part @p share (0 to 1) of the whole area; smaller ones are
+/// fragments.
 int componentsAbove(const TriangleMesh& mesh, const SurfaceComponents& components, double share);
 
 /// Which component of a surface is meant.
@@ -40,7 +41,7 @@ struct ComponentChoice
   };
   Rule By = Rule::Largest;
   Eigen::Vector3d Point = Eigen::Vector3d::Zero(); ///< for ClosestToPoint, input units
-  int Index = 0; ///< for ByIndex: from 0, in order of decreasing area, equals in their own order
+  int Index = 0; ///< for ByIndex: from 0, in order of decreasing area; equal areas keep their order
 };
 
 /// The number of the chosen component.
@@ -49,7 +50,7 @@ int chooseComponent(const TriangleMesh& mesh,
   const SurfaceComponents& components,
   const ComponentChoice& choice);
 
-/// The component of the largest area; the first one of equals.
+/// The component of the largest area, and of equals the first.
 int largestComponent(const TriangleMesh& mesh, const SurfaceComponents& components);
 
 /// The component with the face nearest to @p point (input units).

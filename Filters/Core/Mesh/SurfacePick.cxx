@@ -10,6 +10,8 @@ namespace flattening
 namespace
 {
 
+// A convention: picked points lie on the surface up to the rounding of the display, and points meant for
+// another surface lie much farther off. The message below names the same 5 %.
 constexpr double GreatestShareOfDiagonal = 0.05;
 
 } // namespace

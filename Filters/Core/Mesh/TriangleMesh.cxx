@@ -6,6 +6,16 @@
 namespace flattening
 {
 
+Eigen::Matrix3d faceCorners(const TriangleMesh& mesh, int face)
+{
+  Eigen::Matrix3d corners;
+  for (int k = 0; k < 3; ++k)
+  {
+    corners.row(k) = mesh.Vertices.row(mesh.Faces(face, k));
+  }
+  return corners;
+}
+
 Eigen::VectorXd faceAreas(const Points3& vertices, const FaceMatrix& faces)
 {
   Eigen::VectorXd areas(faces.rows());

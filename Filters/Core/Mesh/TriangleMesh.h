@@ -23,14 +23,17 @@ struct TriangleMesh
   int faceCount() const { return static_cast<int>(this->Faces.rows()); }
 };
 
-/// Area of every face, input units squared (m).
+/// The corners of face @p face, one row each.
+Eigen::Matrix3d faceCorners(const TriangleMesh& mesh, int face);
+
+/// Area of every face (m), input units squared.
 Eigen::VectorXd faceAreas(const Points3& vertices, const FaceMatrix& faces);
 
 /// Signed area of every face of a flat mesh (m); negative where a face is flipped.
 Eigen::VectorXd signedFaceAreas(const Points2& positions, const FaceMatrix& faces);
 
-/// One third of the incident face areas of every vertex (n): the measure mu of the paper, section 4.1.
-/// @p faceMeasure (m) may be the areas or any other measure per face.
+/// A third of the sum of the areas of the faces around every vertex (n): the measure mu of the paper,
+/// section 4.1. @p faceMeasure (m) may be the areas or any other measure of the faces.
 Eigen::VectorXd vertexAreas(const FaceMatrix& faces,
   const Eigen::VectorXd& faceMeasure,
   int vertexCount);

@@ -9,7 +9,7 @@
 namespace flattening
 {
 
-/// For each of @p vertexCount vertices the rows of @p faces that name it, in ascending order.
+/// The rows of the faces around each vertex, in ascending order.
 class VertexFaces
 {
 public:
@@ -32,7 +32,7 @@ public:
   }
 
 private:
-  std::vector<int> Starts; // of each vertex's part of Rows, and the end
+  std::vector<int> Starts; // where the part of each vertex begins in Rows, and the end
   std::vector<int> Rows;
 };
 
