@@ -6,7 +6,6 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <Eigen/Geometry>
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <array>
@@ -21,7 +20,7 @@ namespace
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-constexpr double DegreesPerRadian = 57.295779513082320877;
+constexpr double DegreesPerRadian = 180.0 / EIGEN_PI;
 
 void requireMeasurable(const TriangleMesh& surface, const Points2& flat, const Eigen::VectorXd& weights)
 {
@@ -109,8 +108,8 @@ bool collinear(const Points3& vertices, const Eigen::RowVector3i& face)
   return CGAL::collinear(point(face[0]), point(face[1]), point(face[2]));
 }
 
-// The measures of face f beside its area ratio. @p scale takes lengths of its surface triangle to flat
-// lengths.
+// Sets the measures of face f other than its area ratio.
+// @param scale factor from lengths of the surface triangle to flat lengths.
 void measureShape(const TriangleMesh& surface,
   const Points2& flat,
   double scale,
@@ -163,6 +162,7 @@ FaceDistortion undistorted(int faceCount)
   return result;
 }
 
+// The areas that the faces should get, up to one common factor.
 Eigen::VectorXd targetAreas(const FaceMatrix& faces,
   const Eigen::VectorXd& surfaceAreas,
   const Eigen::VectorXd& weights)
@@ -178,19 +178,6 @@ Eigen::VectorXd targetAreas(const FaceMatrix& faces,
   return targets;
 }
 
-template <typename Body>
-void forEachFace(int faceCount, const Body& body)
-{
-  tbb::parallel_for(tbb::blocked_range<int>(0, faceCount),
-    [&body](const tbb::blocked_range<int>& range)
-    {
-      for (int f = range.begin(); f < range.end(); ++f)
-      {
-        body(f);
-      }
-    });
-}
-
 } // namespace
 
 FaceDistortion measureDistortion(const TriangleMesh& surface,
@@ -204,7 +191,7 @@ FaceDistortion measureDistortion(const TriangleMesh& surface,
   const Eigen::VectorXd signedFlatArea = signedFaceAreas(flat, surface.Faces);
   result.SurfaceArea = faceAreas(surface.Vertices, surface.Faces);
   result.TargetArea = targetAreas(surface.Faces, result.SurfaceArea, vertexWeights);
-  // A map may be mirrored as a whole; what lies against the whole counts negative.
+  // The whole map may be mirrored; faces that are oriented against the whole count negative.
   result.FlatArea = signedFlatArea.sum() < 0.0 ? Eigen::VectorXd(-signedFlatArea) : signedFlatArea;
 
   const double totalTarget = result.TotalTargetArea = result.TargetArea.sum();
@@ -218,7 +205,8 @@ FaceDistortion measureDistortion(const TriangleMesh& surface,
     throw InvalidInput("the flat surface has zero area: run the flattening again");
   }
 
-  forEachFace(faceCount,
+  tbb::parallel_for(0,
+    faceCount,
     [&](int f)
     {
       result.Flipped[f] = orientations[f] <= 0;

@@ -3,8 +3,8 @@
 ///
 /// Gamma >= gamma are the singular values of the affine map from the flat triangle to the surface
 /// triangle, after both surfaces are scaled to the same total area (the paper, section 5, calls them
-/// eigenvalues). Where the flattening was asked for other areas than the surface's, the surface triangle
-/// is first scaled to its target area, so that every measure is relative to what was asked for.
+/// eigenvalues). If the flattening was asked for other areas than those of the surface, the surface
+/// triangle is first scaled to its target area, so that every measure is relative to the request.
 #pragma once
 
 #include "Mesh/TriangleMesh.h"
@@ -19,11 +19,11 @@ namespace flattening
 /// exception is AreaRatio, which is 0 where only the flat triangle is degenerate.
 struct FaceDistortion
 {
-  Eigen::VectorXd SurfaceArea;    ///< input units squared
-  Eigen::VectorXd TargetArea;     ///< what SurfaceArea should become, up to one common factor
-  Eigen::VectorXd FlatArea;       ///< units of the flat positions squared; < 0 against the whole's sense
-  Eigen::VectorXd AreaRatio;      ///< |flat / total flat| / (target / total target); 1 is perfect
-  Eigen::VectorXd AreaDistortion; ///< Upsilon = log(Gamma gamma) = -log(AreaRatio); 0 is perfect
+  Eigen::VectorXd SurfaceArea;       ///< input units squared
+  Eigen::VectorXd TargetArea;        ///< requested area, up to one common factor
+  Eigen::VectorXd FlatArea;          ///< flat units squared; < 0 if oriented against the whole map
+  Eigen::VectorXd AreaRatio;         ///< |flat / total flat| / (target / total target); 1 is perfect
+  Eigen::VectorXd AreaDistortion;    ///< Upsilon = log(Gamma gamma) = -log(AreaRatio); 0 is perfect
   Eigen::VectorXd AngleDistortion;   ///< Lambda = log(Gamma / gamma) >= 0; 0 is perfect
   Eigen::VectorXd BeltramiMagnitude; ///< |mu| = (K - 1) / (K + 1), K = Gamma / gamma; 0 is perfect
   Eigen::VectorXd StretchL2;         ///< sqrt((Gamma^2 + gamma^2) / 2), Sander et al. 2001; 1 is perfect
@@ -33,16 +33,16 @@ struct FaceDistortion
   std::vector<char> SurfaceDegenerate; ///< 1 if the surface triangle has no area (exact)
   std::vector<char> FlatDegenerate;    ///< 1 if the flat triangle has no area, exact or after rounding
   double TotalTargetArea = 0.0;        ///< sum of TargetArea
-  double TotalFlatArea = 0.0;          ///< sum of FlatArea: what the boundary encloses
+  double TotalFlatArea = 0.0;          ///< sum of FlatArea, the area that the boundary encloses
 
   int faceCount() const { return static_cast<int>(this->AreaRatio.size()); }
   bool degenerate(int face) const { return this->SurfaceDegenerate[face] || this->FlatDegenerate[face]; }
 };
 
-/// Measures the flattening that takes @p surface to @p flat (n x 2).
-/// @p vertexWeights (n, dimensionless, > 0) are the factors by which the area around each vertex should
-/// grow, known up to a common factor; empty: all areas should be kept. The target of a face is its area
-/// times the mean weight of its corners.
+/// Measures the distortion of the map from @p surface to the positions @p flat (n x 2).
+/// @param vertexWeights factors by which the area around each vertex should grow, up to one common
+/// factor (n, dimensionless, > 0). The target area of a face is its area times the mean weight of its
+/// corners. Default: empty, all areas should be kept.
 /// @throws InvalidInput if a coordinate is not finite, a weight is not finite and positive, or if the
 /// surface or the flat mesh has zero total area.
 FaceDistortion measureDistortion(const TriangleMesh& surface,

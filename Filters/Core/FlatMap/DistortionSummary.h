@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Figures that sum up the distortion of many faces: of a region, or of the whole flattening.
+/// Statistics of the distortion of the faces of a region or of the whole flattening.
 #pragma once
 
 #include "FlatMap/DistortionMeasures.h"
@@ -10,7 +10,7 @@
 namespace flattening
 {
 
-/// Statistics of one measure over the faces that have it. All 0 if there are none.
+/// Statistics of one measure over the faces that are not degenerate. All are 0 if there are none.
 struct MeasureStatistics
 {
   double Mean = 0.0;             ///< every face counts the same
@@ -20,7 +20,7 @@ struct MeasureStatistics
   double Max = 0.0;
 };
 
-/// The measures of which statistics are made, in the order of DistortionSummary::Measures.
+/// The measures that have statistics, in the order of DistortionSummary::Measures.
 enum class Measure
 {
   AreaError,          ///< 100 |AreaRatio - 1|, percent
@@ -45,8 +45,8 @@ struct DistortionSummary
 {
   int Faces = 0;
   double SurfaceArea = 0.0; ///< input units squared
-  /// Units of the flat positions squared: what the faces' outer boundary encloses. Flipped faces, which
-  /// lie on top of others, count negative.
+  /// Area that the outer boundary of the faces encloses (flat units squared). Flipped faces, which lie
+  /// on top of others, count negative.
   double FlatArea = 0.0;
   /// Percent by which the share of these faces in the flat area differs from their share in the target
   /// area. Errors of single faces that cancel within the region do not show here.
@@ -54,8 +54,8 @@ struct DistortionSummary
   /// Percent of the faces, except those without surface area, that are not flipped and whose AreaRatio
   /// is within 0.02 of 1.
   double FacesWithin2Percent = 0.0;
-  int FlippedFaces = 0;               ///< clockwise or without area in the flat
-  int DegenerateFaces = 0;            ///< without area on the surface or in the flat
+  int FlippedFaces = 0;               ///< number of faces that are clockwise or have no area on the map
+  int DegenerateFaces = 0;            ///< number of faces without area on the surface or on the map
   double RootMeanSquareStretch = 0.0; ///< area-weighted, Sander et al. 2001; 1 is perfect
   std::array<MeasureStatistics, MeasureCount> Measures;
 
@@ -65,8 +65,8 @@ struct DistortionSummary
   }
 };
 
-/// Sums up the distortion of the given faces. Statistics leave out degenerate faces; only AreaError
-/// counts those that have area on the surface and none in the flat, with 100 percent.
+/// Sums up the distortion of the given faces. The statistics leave out degenerate faces; only AreaError
+/// counts faces with area on the surface and none on the map, with 100 percent.
 DistortionSummary summariseDistortion(const FaceDistortion& distortion, const std::vector<int>& faces);
 
 /// Sums up the distortion of all faces.

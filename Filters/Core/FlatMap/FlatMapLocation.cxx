@@ -12,8 +12,8 @@ namespace flattening
 namespace
 {
 
-// From the areas that the point cuts off, which a walk's projections lose in thin triangles; negative
-// where it is outside.
+// The barycentric weights of a point of the plane, from the areas that it cuts off: the projections of a
+// walk lose these in thin triangles. Negative where the point is outside.
 std::array<double, 3> planarWeights(const TriangleMesh& mesh, int face, const Eigen::RowVector3d& point)
 {
   std::array<Eigen::RowVector3d, 3> to;

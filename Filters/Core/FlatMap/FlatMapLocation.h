@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Where points of the plane lie on a flat map, and points in space on the surface that it is of.
+/// Point location on a flat map and on its surface in space.
 #pragma once
 
 #include "Base/Progress.h"
@@ -22,23 +22,25 @@ struct MapPlace
 {
   int Face;
   std::array<double, 3> Weights; ///< barycentric, >= 0, sum 1, in the order of the face's vertices
-  double Distance;               ///< of what was asked for from the place, input units
-  bool Inside;                   ///< whether that is within FlatMapLocation::Rounding
+  double Distance;               ///< distance of the query point from the place, input units
+  bool Inside;                   ///< whether the distance is at most FlatMapLocation::Rounding
 };
 
-/// Answers both with CGAL's AABB trees. On a bijective map going there and back loses nothing but
-/// rounding: a place is off by about 1e-16 of the diagonal, times the length over the height of a thin
-/// triangle, times how much the map shrinks there. Of several faces that share a place (at an edge or
-/// vertex, or where a map folds over) one is answered, always the same.
+/// Finds the place on the map or on the surface that is nearest to a point, by CGAL's AABB trees. On a
+/// bijective map the way there and back loses only rounding: a place is off by about 1e-16 of the
+/// diagonal, times the ratio of length to height of a thin triangle, times the factor by which the map
+/// shrinks there. If several faces share a place (at an edge or vertex, or where a map folds over), the
+/// answer is one of them, always the same.
 class FlatMapLocation
 {
 public:
-  /// What is no farther away than this, as a share of the diagonal of the bounding box, counts as
-  /// inside: a point computed on the map's boundary lies beyond it by rounding half of the time.
+  /// A point is outside if it is farther away than this share of the diagonal of the bounding box. A
+  /// point computed on the boundary of the map lies beyond it by rounding, about 1e-16, half of the
+  /// time; with a smaller value such points are lost.
   static constexpr double Rounding = 1e-12;
 
   /// @p surface and @p positions (n x 2) share vertices and faces. Copies both.
-  /// With @p progress an abort does not wait for the search tree.
+  /// With @p progress an abort need not wait until the search tree is built.
   /// @throws InvalidInput if a coordinate is not finite, the sizes differ, or no face has an area in the
   /// map; Cancelled.
   FlatMapLocation(const TriangleMesh& surface,
@@ -49,11 +51,11 @@ public:
   /// @throws InvalidInput if it is not finite.
   MapPlace onMap(const Eigen::RowVector2d& point) const;
 
-  /// The same where a face nearby is known, such as that of the point looked up before: ten times as
-  /// fast for points inside. Of several faces that share the place it may answer another.
+  /// The same if a face nearby is known, such as the answer for the point before: ten times as fast for
+  /// points inside. If several faces share the place, the answer may be another of them.
   MapPlace onMap(const Eigen::RowVector2d& point, int nearFace) const;
 
-  /// Does now, with progress, what the first onSurface() does else.
+  /// Builds the search tree of the surface, with progress. Otherwise the first onSurface() does.
   /// @throws InvalidInput if no face has an area on the surface.
   void prepareSurface(const ProgressCallback& progress) const;
 
@@ -66,7 +68,7 @@ public:
   Eigen::RowVector2d mapPoint(const MapPlace& place) const;
 
 private:
-  // The faces of a mesh that have an area, which alone can be looked up, and their numbers in the whole.
+  // The faces of a mesh that have an area, as only these can be searched, and their numbers in the mesh.
   struct Searched
   {
     Searched(TriangleMesh whole, const ProgressCallback& progress);
@@ -74,7 +76,7 @@ private:
 
     TriangleMesh Mesh;
     std::vector<int> Faces;
-    std::vector<int> NumberOf; // the other way round; -1: has no area
+    std::vector<int> NumberOf; // the inverse of Faces; -1 for a face without area
     double Diagonal;
     std::unique_ptr<ClosestPointTree> Projection;
   };
@@ -83,7 +85,7 @@ private:
   Points2 Positions;
   Searched Map;
   ClosestPointWalk MapWalk;
-  mutable std::once_flag SpaceSearched; // most look up on the map alone
+  mutable std::once_flag SpaceSearched; // most callers never search the surface
   mutable std::unique_ptr<Searched> Space;
 };
 

@@ -10,13 +10,15 @@ namespace flattening
 namespace
 {
 
+// The number of rows between two reports of progress: some milliseconds of work for all threads.
 constexpr int RowsPerReport = 64;
 
-// How many pixels after one that is @p distance away from the map must be beyond @p reach, too: from one
-// to the next the distance changes by a pixel at most.
+// The number of pixels after one at a given distance from the map that must be beyond @p reach, too:
+// from one pixel to the next the distance changes by at most a pixel.
 int pixelsBeyond(double distance, double reach, double pixel)
 {
-  constexpr double Rounding = 1e-6;
+  constexpr double Rounding =
+    1e-6; // of a pixel; one pixel too few costs a search, one too many an error
   return static_cast<int>(std::min(std::max((distance - reach) / pixel - Rounding, 0.0), 1e9));
 }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <sstream>
 #include <string>
@@ -20,15 +21,19 @@ namespace flattening
 namespace
 {
 
-// A place on the boundary stands for what is beyond it if the vertex lies off by more than this share of
-// the mean edge length along the surface.
+// A vertex is beyond the boundary if it is farther from its place on the boundary, along the surface,
+// than this share of the mean edge length. The value is between rounding and the size of a triangle;
+// smaller ones lose boundary vertices, greater ones squeeze vertices beyond the boundary onto it.
 constexpr double BeyondBoundary = 1e-6;
 
-// Vertices that are not lost for good are found from their neighbours; the places spread as far a round.
+// The greatest number of rounds, in each of which places spread from vertices to their neighbours. A
+// guard: the rounds end as soon as no vertex is found.
 constexpr int GreatestRounds = 100;
 
-// Vertices or faces between two reports of progress.
+// The number of vertices or faces between two reports of progress: some milliseconds of work.
 constexpr int Batch = 1 << 14;
+
+constexpr const char* Stage = "Transferring the map";
 
 void requireFits(const FlattenedSurface& flattened, const TriangleMesh& target, double tolerance)
 {
@@ -139,7 +144,7 @@ void MapTransfer::projectAll(const ProgressCallback& progress)
   std::vector<double> agreement(vertexCount, 0.0);
   for (int begin = 0; begin < vertexCount; begin += Batch)
   {
-    report(progress, 0.4 + 0.6 * begin / vertexCount, "carrying the map over");
+    report(progress, 0.4 + 0.6 * begin / vertexCount, Stage);
     tbb::parallel_for(begin,
       std::min(begin + Batch, vertexCount),
       [&](int v)
@@ -152,13 +157,9 @@ void MapTransfer::projectAll(const ProgressCallback& progress)
         }
       });
   }
-  report(progress, 1.0, "carrying the map over");
-  double sum = 0.0;
-  for (const double cosine : agreement)
-  {
-    sum += cosine;
-  }
-  if (sum < 0.0) // turned over as a whole
+  report(progress, 1.0, Stage);
+  const double sum = std::accumulate(agreement.begin(), agreement.end(), 0.0);
+  if (sum < 0.0) // the whole target is oriented the other way round
   {
     this->Normals = -this->Normals;
   }
@@ -169,7 +170,7 @@ void MapTransfer::projectAll(const ProgressCallback& progress)
 
 void MapTransfer::walkFromNeighbours(const ProgressCallback& progress)
 {
-  std::vector<char> open(this->Target.vertexCount(), 1); // worth a try
+  std::vector<char> open(this->Target.vertexCount(), 1); // their neighbours were not tried yet
   for (int round = 0; round < GreatestRounds; ++round)
   {
     std::vector<int> found;
@@ -177,7 +178,7 @@ void MapTransfer::walkFromNeighbours(const ProgressCallback& progress)
     {
       if (f % Batch == 0)
       {
-        report(progress, static_cast<double>(round) / GreatestRounds, "carrying the map over");
+        report(progress, static_cast<double>(round) / GreatestRounds, Stage);
       }
       for (int k = 0; k < 3; ++k)
       {
@@ -190,7 +191,7 @@ void MapTransfer::walkFromNeighbours(const ProgressCallback& progress)
             if (this->accepts(lost, at))
             {
               this->Map.Places[lost] = at;
-              this->Map.Survived[lost] = 2; // so that the round's order does not matter
+              this->Map.Survived[lost] = 2; // so that the order within the round does not matter
               found.push_back(lost);
             }
           }
@@ -240,7 +241,7 @@ TransferredMap transferFlatMap(const FlattenedSurface& flattened,
   requireFits(flattened, target, tolerance);
   TransferredMap map;
   map.Tolerance = tolerance;
-  report(progress, 0.0, "carrying the map over");
+  report(progress, 0.0, Stage);
   MapTransfer transfer(flattened, target, map);
   transfer.projectAll(subrange(progress, 0.2, 0.6));
   transfer.walkFromNeighbours(subrange(progress, 0.6, 0.9));
@@ -252,9 +253,9 @@ TransferredMap transferFlatMap(const FlattenedSurface& flattened,
                "the tolerance";
     throw InvalidInput(message.str());
   }
-  report(progress, 0.9, "carrying the map over");
+  report(progress, 0.9, Stage);
   transfer.place();
-  report(progress, 1.0, "carrying the map over");
+  report(progress, 1.0, Stage);
   return map;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Carries a flattening over to another triangulation of the same surface.
+/// Transfer of a flat map to another triangulation of the same surface.
 #pragma once
 
 #include "Base/Progress.h"
@@ -13,27 +13,28 @@ namespace flattening
 
 struct FlattenedSurface
 {
-  TriangleMesh Surface; ///< in space, oriented manifold
-  Points2 Positions;    ///< flat position of each of its vertices
+  TriangleMesh Surface; ///< in space, an oriented manifold
+  Points2 Positions;    ///< n x 2, flat positions of its vertices
 };
 
 struct TransferredMap
 {
-  Points2 Positions;                ///< per vertex of the target; 0 if lost
-  std::vector<char> Survived;       ///< per vertex of the target
-  std::vector<SurfacePoint> Places; ///< on the flattened surface; meaningless if lost
-  double Tolerance = 0.0;           ///< that was used
-  double LargestDistance = 0.0;     ///< of a survivor from its place, in space, input units
+  Points2 Positions;                ///< flat position of each vertex of the target; 0 if lost
+  std::vector<char> Survived;       ///< one flag per vertex of the target
+  std::vector<SurfacePoint> Places; ///< nearest points on the flattened surface; undefined if lost
+  double Tolerance = 0.0;           ///< the tolerance that was used, input units
+  double LargestDistance = 0.0;     ///< greatest distance of a survivor from its place, input units
 };
 
 /// Gives every vertex of @p target, e.g. the surface before it was repaired and remeshed, the flat
-/// position of the point nearest to it on the flattened surface, with barycentric weights. A vertex is
-/// lost if that is farther away than @p tolerance, if the normals there differ by more than 90 degrees
-/// (the other side of a fold), or if it lies beyond the flattened surface's boundary (over a hole, or a
-/// part that was cut off). Before that, the nearest point is looked for once more by walking over the
-/// flattened surface from the places of the vertex' neighbours. A target that is oriented the other way
-/// round as a whole is fine.
-/// @param tolerance input units, >= 0; 0: half of the flattened surface's mean edge length.
+/// position of the nearest point on the flattened surface, with barycentric weights. That point is
+/// rejected if it is farther away than @p tolerance, if the normals differ by more than 90 degrees (the
+/// other side of a fold), or if the vertex lies beyond the boundary of the flattened surface (over a
+/// hole or a part that was cut off). Then the nearest point is searched again by walking over the
+/// flattened surface from the places of the neighbours of the vertex; if that fails, too, the vertex is
+/// lost. The whole target may be oriented opposite to the flattened surface.
+/// @param tolerance greatest distance, input units, >= 0; 0: half of the mean edge length of the
+/// flattened surface.
 /// @throws InvalidInput if a coordinate is not finite, the sizes do not fit, or no vertex survives.
 TransferredMap transferFlatMap(const FlattenedSurface& flattened,
   const TriangleMesh& target,
