@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Distances over a surface along its edges: up to about 1.4 times too long, but fast, and good enough
-/// to choose places.
+/// Distances along the edges of a surface: up to about 1.4 times too long, but computed fast, and good
+/// enough to choose where to cut or open a surface.
 #pragma once
 
 #include "Mesh/EditableSurface.h"
@@ -13,15 +13,16 @@
 namespace flattening
 {
 
-/// Searches from several places over the same surface (Dijkstra, Boost).
+/// Distances along the edges of one surface from any sets of vertices (Dijkstra's algorithm of Boost).
 class DijkstraDistances
 {
 public:
-  /// @param blocked one flag per vertex: not 0 where no path may run; none: anywhere.
+  /// @param blocked  one flag per vertex, not 0 where no path may run; if empty, paths may run anywhere
   explicit DijkstraDistances(const SurfaceMesh& mesh, const std::vector<char>& blocked = {});
   ~DijkstraDistances();
 
-  /// Of every vertex from the nearest source (input units); infinite where there is no way.
+  /// The distance of every vertex from the nearest source (n, input units); infinite where no path
+  /// leads.
   Eigen::VectorXd from(const std::vector<SurfaceMesh::Vertex_index>& sources) const;
 
 private:
@@ -29,11 +30,12 @@ private:
   std::unique_ptr<Graph> Edges;
 };
 
-/// Of every vertex from the nearest flagged one (input units); infinite if none is flagged.
+/// The distance of every vertex from the nearest flagged one (n, input units); infinite if none is
+/// flagged.
 Eigen::VectorXd distancesFromFlagged(const SurfaceMesh& mesh, const std::vector<char>& flags);
 
-/// The index of the largest value; compared in single precision, so that values equal up to rounding tie
-/// and the first one wins.
+/// The index of the largest value. Values are compared in single precision, so that of values that
+/// differ by rounding only the first one is chosen.
 int indexOfLargest(const Eigen::VectorXd& values);
 
 } // namespace flattening

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The faces near a place on a surface.
+/// The faces near a point of a surface.
 #pragma once
 
 #include "Mesh/EditableSurface.h"
@@ -9,18 +9,18 @@
 namespace flattening
 {
 
-/// Square of the Euclidean distance of a face from a point.
+/// The square of the Euclidean distance of a face from a point.
 double squaredDistance(const SurfaceMesh& mesh,
   SurfaceMesh::Face_index face,
   const Kernel::Point_3& point);
 
-/// Of the parts of an original face the one nearest to @p point; null if nothing is left of it.
+/// The part of an original face that is nearest to @p point; null if the surface has no part of it.
 SurfaceMesh::Face_index partAt(const EditableSurface& surface,
   int originalFace,
   const Kernel::Point_3& point);
 
-/// The faces closer to @p centre than @p radius that are connected to @p start by such faces: not those
-/// of another fold nearby.
+/// The faces closer to @p centre than @p radius that are connected to @p start by such faces, which
+/// keeps the faces of another fold nearby out.
 std::vector<SurfaceMesh::Face_index> facesInBall(const SurfaceMesh& mesh,
   SurfaceMesh::Face_index start,
   const Kernel::Point_3& centre,

@@ -20,7 +20,7 @@ namespace
 
 constexpr const char* Stage = "Distances on the surface";
 
-// Corners of a face in ascending order of their values.
+// The corners of a face in ascending order of their values.
 std::array<int, 3> ascending(const FaceMatrix& faces, Eigen::Index f, const Eigen::VectorXd& values)
 {
   std::array<int, 3> corners{ faces(f, 0), faces(f, 1), faces(f, 2) };
@@ -28,7 +28,8 @@ std::array<int, 3> ascending(const FaceMatrix& faces, Eigen::Index f, const Eige
   return corners;
 }
 
-// The Laplacian of an intrinsic triangulation and what the heat method needs of its faces.
+// The Laplacian of an intrinsic triangulation, and the quantities of its faces that the heat method
+// needs.
 struct HeatFaces
 {
   explicit HeatFaces(const IntrinsicTriangulation& surface)
@@ -119,7 +120,8 @@ struct HeatFaces
   double MeanEdge = 0.0;
 };
 
-// Solves with a matrix that is positive definite unless rounding has the better of it.
+// Solves systems of the same size and pattern, whose matrices are positive definite up to rounding
+// errors.
 class HeatSolver
 {
 public:
@@ -146,13 +148,13 @@ private:
   SparseCholesky Factor{ SparseCholesky::Ordering::Quick };
 };
 
-// Of the heat method, up to a constant.
+// The distances of the heat method, up to a constant.
 Eigen::VectorXd distancesByHeat(const TriangleMesh& mesh,
   const std::vector<int>& sources,
   const ProgressCallback& progress)
 {
   report(progress, 0.0, Stage);
-  // At unit size, by a power of two: not one decision depends on the unit of length.
+  // Scaled to unit size by a power of two, so that no decision depends on the unit of length.
   int exponent = 0;
   std::frexp(
     (mesh.Vertices.colwise().maxCoeff() - mesh.Vertices.colwise().minCoeff()).norm(), &exponent);
@@ -165,7 +167,7 @@ Eigen::VectorXd distancesByHeat(const TriangleMesh& mesh,
   const HeatFaces faces(surface);
   report(progress, 0.3, Stage);
 
-  // Heat that spreads from the source for a short time.
+  // Heat that has spread from the sources for a short time, the square of the mean edge length.
   SparseMatrix heat = faces.Laplacian * (faces.MeanEdge * faces.MeanEdge);
   heat.diagonal() += faces.Mass;
   HeatSolver solver;
@@ -177,9 +179,9 @@ Eigen::VectorXd distancesByHeat(const TriangleMesh& mesh,
   const Eigen::VectorXd spread = solver.solve(std::move(heat), impulse, subrange(progress, 0.3, 0.7));
   report(progress, 0.7, Stage);
 
-  // The function whose gradient has length 1 against that of the heat.
+  // The function whose gradient has length 1 and points against that of the heat.
   SparseMatrix poisson = faces.Laplacian;
-  // Fixes the constant: the right-hand side sums to 0.
+  // This fixes the constant, and nothing else because the right-hand side sums to 0.
   poisson.coeffRef(sources.front(), sources.front()) += 1.0;
   const Eigen::VectorXd divergence = faces.divergenceOfDirection(spread);
   Eigen::VectorXd distance = solver.solve(std::move(poisson), divergence, subrange(progress, 0.8, 1.0));

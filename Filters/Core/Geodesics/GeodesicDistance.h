@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Distances along a surface from one vertex or several, and the curve that encloses a given area.
+/// Distances along a surface from one vertex or several, and level curves of functions such as
+/// distances.
 #pragma once
 
 #include "Base/Progress.h"
@@ -12,15 +13,20 @@
 namespace flattening
 {
 
-/// Smooth geodesic distance of every vertex of a connected manifold from @p source (n, input units): the
-/// heat method on the intrinsic Delaunay triangulation (Crane, Weischedel, Wardetzky 2013, "Geodesics in
-/// heat"; CGAL Heat_method_3), so that slivers do no harm.
+/// The smooth geodesic distance of every vertex of a connected manifold from vertex @p source (n, input
+/// units), by the heat method on the intrinsic Delaunay triangulation (Crane, Weischedel, Wardetzky
+/// 2013, "Geodesics in heat"), on which slivers do no harm.
+///
+/// The heat method is the project's own, because that of CGAL (Heat_method_3) cannot be aborted while it
+/// factors and takes faces without area as they are: here the intrinsic triangulation lengthens their
+/// edges, and both systems share one order of elimination.
+/// @throws ConvergenceError if a system cannot be factored; Cancelled.
 Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh,
   int source,
   const ProgressCallback& progress = {});
 
-/// The same from the nearest of several vertices, at least one; 0 at a distance that rounding makes
-/// negative.
+/// The distance of every vertex from the nearest of several vertices, at least one. Distances that
+/// rounding makes negative are 0.
 Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh,
   const std::vector<int>& sources,
   const ProgressCallback& progress = {});
@@ -28,7 +34,7 @@ Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh,
 /// Area of the part of the surface where the function, linear on every face, is below @p level.
 double areaBelow(const TriangleMesh& mesh, const Eigen::VectorXd& values, double level);
 
-/// The level below which lies the given area, 0 < area < total.
+/// The level below which the function encloses the given area (0 < area < area of the surface).
 double levelEnclosingArea(const TriangleMesh& mesh, const Eigen::VectorXd& values, double area);
 
 /// Length of the curve on which the function takes the value @p level.

@@ -25,7 +25,9 @@ using Face = SurfaceMesh::Face_index;
 using ShortestPath =
   CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, SurfaceMesh>>;
 
-// Half the strip's width at first, in edges, and what it grows by.
+// Half the width of the first strip and its growth from one strip to the next, in edges. The path does
+// not depend on them unless several are locally shortest: narrow strips are searched fast but often,
+// wide ones slowly.
 constexpr int FirstRings = 4;
 constexpr int MoreRings = 2;
 
@@ -100,7 +102,7 @@ public:
     }
   }
 
-  // Whether there is anything left to add.
+  // Adds rings of faces. Returns whether the surface has more of them.
   bool widen(int rings)
   {
     for (int ring = 0; ring < rings; ++ring)
@@ -123,7 +125,7 @@ public:
     return !this->Rim.empty();
   }
 
-  // As a mesh of its own; sets the original of each of its vertices.
+  // The strip as a mesh of its own. Sets the original of each of its vertices.
   SurfaceMesh mesh(std::vector<Vertex>& original) const
   {
     original = this->Inner;
@@ -164,8 +166,8 @@ private:
   }
 
   const SurfaceMesh& Mesh;
-  std::vector<Vertex> Inner; // all of their faces belong to the strip
-  std::vector<Vertex> Rim;
+  std::vector<Vertex> Inner; // vertices whose faces all belong to the strip
+  std::vector<Vertex> Rim;   // the other vertices
   std::vector<char> Taken;
 };
 
@@ -182,7 +184,8 @@ struct PathCollector
   void operator()(Face, const ShortestPath::Barycentric_coordinates&) {}
 };
 
-// Owns all that the search for it uses: an abort leaves the search behind.
+// The search for the geodesic in a strip. It owns everything that it uses, because an abort may leave it
+// behind.
 struct StripGeodesic
 {
   SurfaceMesh Strip;
@@ -199,13 +202,25 @@ struct StripGeodesic
   }
 };
 
-// The strip's border, but for what is the border of the whole surface.
-bool isAtBorder(const SurfaceMesh& strip, const PathPoint& point)
+// Whether the point lies on the border of the mesh.
+bool isAtBorder(const SurfaceMesh& mesh, const PathPoint& point)
 {
-  return point.isVertex() ? strip.is_border(point.Vertex) : strip.is_border(strip.edge(point.Edge));
+  return point.isVertex() ? mesh.is_border(point.Vertex) : mesh.is_border(mesh.edge(point.Edge));
 }
 
 } // namespace
+
+Eigen::Vector3d positionOf(const SurfaceMesh& mesh, const PathPoint& point)
+{
+  const auto at = [&mesh](SurfaceMesh::Vertex_index v)
+  {
+    const Kernel::Point_3& p = mesh.point(v);
+    return Eigen::Vector3d(p.x(), p.y(), p.z());
+  };
+  return point.isVertex() ? at(point.Vertex)
+                          : (1.0 - point.Fraction) * at(mesh.source(point.Edge)) +
+                              point.Fraction * at(mesh.target(point.Edge));
+}
 
 GeodesicPath geodesicPath(const SurfaceMesh& mesh,
   Vertex from,
@@ -229,7 +244,8 @@ GeodesicPath geodesicPath(const SurfaceMesh& mesh,
     GeodesicPath path = std::move(geodesic->Path);
     const bool isWhole = path.Points.size() > 1;
 
-    // A strip around a path that its border holds back lets the next one come closer to the geodesic.
+    // If the border of the strip holds the path back, a strip around that path lets the next path come
+    // closer to the geodesic.
     bool touches = false;
     middle = isWhole ? std::vector<Vertex>() : middle;
     for (PathPoint& point : path.Points)
