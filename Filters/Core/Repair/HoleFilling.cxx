@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -26,10 +28,11 @@ using Vertex = EditableSurface::Vertex;
 using Halfedge = EditableSurface::Halfedge;
 using Face = EditableSurface::Face;
 
-// Up to here the search of all triangulations, O(n^3), takes seconds at most if the faster ones fail.
+// The longest loop for which all triangulations are searched, O(n^3), if the faster searches fail: this
+// takes seconds at most. Longer loops then get a fan.
 constexpr std::size_t LongestCubicLoop = 500;
 
-// The border half-edge that ends in a boundary vertex.
+// The border half-edge that ends in the vertex.
 Halfedge borderAt(const SurfaceMesh& mesh, Vertex v)
 {
   for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
@@ -52,7 +55,7 @@ std::vector<Vertex> loopVertices(const SurfaceMesh& mesh, Halfedge border)
   return loop;
 }
 
-// A vertex in the middle, joined to the whole loop: always fits, whatever edges exist.
+// Joins a new vertex in the middle to the whole loop, which fits whatever edges exist already.
 void coverWithFan(EditableSurface& surface, Halfedge border, const std::vector<Vertex>& loop)
 {
   SurfaceMesh& mesh = surface.mesh();
@@ -70,7 +73,8 @@ void coverWithFan(EditableSurface& surface, Halfedge border, const std::vector<V
   surface.origin(centre) = origin;
 }
 
-// New vertices take their attributes from the unrefined patch, which has the loop's vertices only.
+// Sets the origins of new vertices: the corners of the unrefined patch, which has only the loop's
+// vertices, below them.
 void traceToLoop(EditableSurface& surface,
   const std::vector<Vertex>& loop,
   const TriangleMesh& patch,
@@ -98,40 +102,39 @@ void traceToLoop(EditableSurface& surface,
   }
 }
 
+// The faces as a mesh whose vertices are those of the loop, in its order.
 TriangleMesh unrefinedPatch(const SurfaceMesh& mesh,
   const std::vector<Vertex>& loop,
   const std::vector<Face>& faces)
 {
-  std::vector<std::pair<Vertex, int>> position;
+  std::map<Vertex, int> index;
   TriangleMesh patch;
   patch.Vertices.resize(static_cast<Eigen::Index>(loop.size()), 3);
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
     const Kernel::Point_3& p = mesh.point(loop[i]);
     patch.Vertices.row(i) << p.x(), p.y(), p.z();
-    position.emplace_back(loop[i], static_cast<int>(i));
+    index[loop[i]] = static_cast<int>(i);
   }
-  std::sort(position.begin(), position.end());
   patch.Faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
     int k = 0;
     for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(faces[f])))
     {
-      patch.Faces(f, k++) =
-        std::lower_bound(position.begin(), position.end(), std::make_pair(v, 0))->second;
+      patch.Faces(f, k++) = index.at(v);
     }
   }
   return patch;
 }
 
+// Ways to cover a hole, in the order in which they are tried.
 enum class Patch
 {
   Refined,
   Delaunay,
   LeastAngle,
-  Fan,
-  Kinds
+  Fan
 };
 
 void fillHole(EditableSurface& surface, Halfedge border, Patch kind)
@@ -165,7 +168,13 @@ void fillHole(EditableSurface& surface, Halfedge border, Patch kind)
 struct PatchedSurface
 {
   DerivedMesh Surface;
-  std::vector<int> HoleOfFace; ///< -1 for old faces
+  std::vector<std::vector<int>> Patches; ///< the faces that cover each hole
+
+  // For each hole the number of faces, old or new, that its patch intersects.
+  std::vector<int> intersections() const
+  {
+    return intersectionsPerGroup(this->Surface.Mesh, this->Patches);
+  }
 };
 
 PatchedSurface patched(const TriangleMesh& mesh,
@@ -175,52 +184,19 @@ PatchedSurface patched(const TriangleMesh& mesh,
 {
   EditableSurface surface(mesh);
   PatchedSurface result;
-  result.HoleOfFace.assign(mesh.faceCount(), -1);
   for (std::size_t hole = 0; hole < loops.size(); ++hole)
   {
     report(progress, static_cast<double>(hole) / loops.size(), "filling holes");
+    const auto faces = static_cast<int>(surface.mesh().number_of_faces());
     fillHole(surface, borderAt(surface.mesh(), Vertex(loops[hole].front())), kinds[hole]);
-    result.HoleOfFace.resize(surface.mesh().number_of_faces(), static_cast<int>(hole));
+    std::vector<int>& patch = result.Patches.emplace_back(surface.mesh().number_of_faces() - faces);
+    std::iota(patch.begin(), patch.end(), faces);
   }
   result.Surface = surface.derived();
   return result;
 }
 
-PlacedTriangle placed(const TriangleMesh& mesh, int face)
-{
-  PlacedTriangle triangle;
-  for (int k = 0; k < 3; ++k)
-  {
-    triangle.Vertices[k] = mesh.Faces(face, k);
-    triangle.Points[k] = mesh.Vertices.row(mesh.Faces(face, k));
-  }
-  return triangle;
-}
-
-// Per hole: how many faces, old or new, its patch intersects.
-std::vector<int> intersectionsPerHole(const PatchedSurface& filled, int holes)
-{
-  const TriangleMesh& mesh = filled.Surface.Mesh;
-  std::vector<PlacedTriangle> all;
-  std::vector<PlacedTriangle> ofPatches;
-  all.reserve(mesh.faceCount());
-  int oldFaces = 0;
-  for (int f = 0; f < mesh.faceCount(); ++f)
-  {
-    all.push_back(placed(mesh, f));
-    oldFaces += filled.HoleOfFace[f] < 0;
-  }
-  ofPatches.assign(all.begin() + oldFaces, all.end());
-  std::vector<int> count(holes, 0);
-  for (const auto& [i, other] : overlappingBoxes(ofPatches, all))
-  {
-    const int face = oldFaces + i;
-    count[filled.HoleOfFace[face]] += face != other && intersect(all[face], all[other]);
-  }
-  return count;
-}
-
-// The message of a loop that is too long says where it is.
+// The error message says where a loop that is too long lies.
 void requireShort(const TriangleMesh& mesh, const std::vector<int>& loop, double limit)
 {
   const double length = loopLength(mesh.Vertices, loop);
@@ -243,32 +219,34 @@ void requireShort(const TriangleMesh& mesh, const std::vector<int>& loop, double
 
 FilledSurface fillHoles(const TriangleMesh& mesh,
   const std::vector<std::vector<int>>& loops,
-  const HoleFillingOptions& options,
+  double longestLoop,
   const ProgressCallback& progress)
 {
   for (const std::vector<int>& loop : loops)
   {
-    requireShort(mesh, loop, options.LongestLoop);
+    requireShort(mesh, loop, longestLoop);
   }
   const int holes = static_cast<int>(loops.size());
   std::vector<Patch> kinds(holes, Patch::Refined);
   PatchedSurface filled = patched(mesh, loops, kinds, subrange(progress, 0.0, 0.4));
-  std::vector<int> fewest = intersectionsPerHole(filled, holes);
+  std::vector<int> fewest = filled.intersections();
 
   const auto pierces = [](int count) { return count > 0; };
-  for (int k = 1; k < static_cast<int>(Patch::Kinds); ++k)
+  double done = 0.4;
+  for (const Patch kind : { Patch::Delaunay, Patch::LeastAngle, Patch::Fan })
   {
     if (std::none_of(fewest.begin(), fewest.end(), pierces))
     {
       break;
     }
-    report(progress, 0.4 + 0.15 * (k - 1), "filling holes");
+    report(progress, done, "filling holes");
+    done += 0.15;
     std::vector<Patch> tried = kinds;
     for (int hole = 0; hole < holes; ++hole)
     {
-      tried[hole] = pierces(fewest[hole]) ? static_cast<Patch>(k) : kinds[hole];
+      tried[hole] = pierces(fewest[hole]) ? kind : kinds[hole];
     }
-    const std::vector<int> counts = intersectionsPerHole(patched(mesh, loops, tried, {}), holes);
+    const std::vector<int> counts = patched(mesh, loops, tried, {}).intersections();
     for (int hole = 0; hole < holes; ++hole)
     {
       if (counts[hole] < fewest[hole])
@@ -278,7 +256,7 @@ FilledSurface fillHoles(const TriangleMesh& mesh,
       }
     }
     filled = patched(mesh, loops, kinds, {});
-    fewest = intersectionsPerHole(filled, holes);
+    fewest = filled.intersections();
   }
 
   FilledSurface result;
@@ -292,13 +270,6 @@ FilledSurface fillHoles(const TriangleMesh& mesh,
     result.FilledArea += result.Surface.Faces[f] < 0 ? areas[f] : 0.0;
   }
   return result;
-}
-
-FilledSurface fillHoles(const TriangleMesh& mesh,
-  const std::vector<std::vector<int>>& loops,
-  const ProgressCallback& progress)
-{
-  return fillHoles(mesh, loops, HoleFillingOptions{}, progress);
 }
 
 } // namespace flattening

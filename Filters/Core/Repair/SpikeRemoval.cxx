@@ -2,10 +2,12 @@
 #include "Repair/SpikeRemoval.h"
 
 #include "Mesh/SelfIntersections.h"
+#include "Mesh/VertexFaces.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -14,24 +16,32 @@ namespace flattening
 namespace
 {
 
-constexpr std::size_t MostVertices = 20; // a fin of one voxel; larger sheets are part of the object
-constexpr double SteepRatio = 0.5;       // the ends of a fin, which would become spikes without it
+// Flatness below which a vertex is folded. A convention: a cone of 19 degrees looks like a spike; a
+// larger bound flattens features of the object, a smaller one leaves spikes.
+constexpr double FoldedRatio = 1.0 / 3.0;
+// Flatness below which a vertex beside a folded one moves with it: the ends of a fin, which would
+// otherwise become spikes.
+constexpr double SteepRatio = 0.5;
+// The largest set of vertices that is flattened: a fin of one voxel. Larger sheets are part of the
+// object.
+constexpr std::size_t MostVertices = 20;
+// Rounds in which every vertex of a set moves to the mean of its neighbours: a fin three edges high and
+// five long comes down to a fiftieth of an edge. With fewer rounds larger folds stay folded.
 constexpr int Sweeps = 100;
 
-// Sum of area vectors and of areas.
-struct Star
-{
-  Eigen::Vector3d Vector = Eigen::Vector3d::Zero();
-  double Area = 0.0;
+using VertexSet = std::vector<int>; // ascending
 
-  void add(const Eigen::Vector3d& face)
-  {
-    this->Vector += face;
-    this->Area += face.norm();
-  }
-  // A star without area is left to the repair of faces.
-  double ratio() const { return this->Area > 0.0 ? this->Vector.norm() / this->Area : 1.0; }
-};
+VertexSet sortedOnce(std::vector<int> values)
+{
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+bool contains(const VertexSet& set, int v)
+{
+  return std::binary_search(set.begin(), set.end(), v);
+}
 
 Eigen::Vector3d areaVector(const Points3& points, const FaceMatrix& faces, int f)
 {
@@ -41,171 +51,48 @@ Eigen::Vector3d areaVector(const Points3& points, const FaceMatrix& faces, int f
   return 0.5 * u.cross(v);
 }
 
-std::vector<int> sortedOnce(std::vector<int> values)
-{
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  return values;
-}
-
-std::vector<int> steepVertices(const TriangleMesh& mesh)
-{
-  std::vector<Star> stars(mesh.vertexCount());
-  for (int f = 0; f < mesh.faceCount(); ++f)
-  {
-    const Eigen::Vector3d face = areaVector(mesh.Vertices, mesh.Faces, f);
-    for (int k = 0; k < 3; ++k)
-    {
-      stars[mesh.Faces(f, k)].add(face);
-    }
-  }
-  std::vector<int> steep;
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-  {
-    if (stars[v].ratio() < SteepRatio)
-    {
-      steep.push_back(v);
-    }
-  }
-  return steep;
-}
-
-// The faces around some of the vertices, and their neighbours.
-class Stars
-{
-public:
-  Stars(const TriangleMesh& mesh, const std::vector<int>& vertices)
-    : Mesh(mesh)
-    , Place(mesh.vertexCount(), -1)
-    , Faces(vertices.size())
-  {
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-    {
-      this->Place[vertices[i]] = static_cast<int>(i);
-    }
-    for (int f = 0; f < mesh.faceCount(); ++f)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        const int place = this->Place[mesh.Faces(f, k)];
-        if (place >= 0)
-        {
-          this->Faces[place].push_back(f);
-        }
-      }
-    }
-  }
-
-  const std::vector<int>& faces(int v) const { return this->Faces[this->Place[v]]; }
-
-  std::vector<int> neighbours(int v) const { return sortedOnce(this->corners(v)); }
-
-  // Every neighbour is met in two faces.
-  bool isInner(int v) const { return this->corners(v).size() == 2 * this->neighbours(v).size(); }
-
-  double ratio(int v) const
-  {
-    Star star;
-    for (const int f : this->faces(v))
-    {
-      star.add(areaVector(this->Mesh.Vertices, this->Mesh.Faces, f));
-    }
-    return star.ratio();
-  }
-
-private:
-  std::vector<int> corners(int v) const
-  {
-    std::vector<int> result;
-    for (const int f : this->faces(v))
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        if (this->Mesh.Faces(f, k) != v)
-        {
-          result.push_back(this->Mesh.Faces(f, k));
-        }
-      }
-    }
-    return result;
-  }
-
-  const TriangleMesh& Mesh;
-  std::vector<int> Place; // -1 for other vertices
-  std::vector<std::vector<int>> Faces;
-};
-
-// Connected sets of the vertices (sorted), each sorted.
-std::vector<std::vector<int>> connectedSets(const std::vector<int>& vertices, const Stars& stars)
-{
-  std::vector<char> reached(vertices.size(), 0);
-  std::vector<std::vector<int>> sets;
-  for (std::size_t first = 0; first < vertices.size(); ++first)
-  {
-    if (reached[first])
-    {
-      continue;
-    }
-    reached[first] = 1;
-    std::vector<int> set{ vertices[first] };
-    for (std::size_t i = 0; i < set.size(); ++i)
-    {
-      for (const int v : stars.neighbours(set[i]))
-      {
-        const auto found = std::lower_bound(vertices.begin(), vertices.end(), v);
-        if (found != vertices.end() && *found == v && !reached[found - vertices.begin()])
-        {
-          reached[found - vertices.begin()] = 1;
-          set.push_back(v);
-        }
-      }
-    }
-    std::sort(set.begin(), set.end());
-    sets.push_back(std::move(set));
-  }
-  return sets;
-}
-
 class FoldFlattener
 {
 public:
   explicit FoldFlattener(TriangleMesh& mesh)
     : Mesh(mesh)
+    , FacesOf(mesh.Faces, mesh.vertexCount())
   {
   }
 
   FlattenedFolds run()
   {
     FlattenedFolds result;
-    const std::vector<int> steep = steepVertices(this->Mesh);
-    const Stars own(this->Mesh, steep);
-    const std::vector<std::vector<int>> sets = foldedSets(steep, own);
+    const std::vector<VertexSet> sets = this->foldedSets();
     if (sets.empty())
     {
       return result;
     }
-    const Stars stars(this->Mesh, withNeighbours(steep, own));
-    const Points3 before = this->Mesh.Vertices;
-    const std::vector<int> piercedBefore = this->intersections(sets, stars);
-    std::vector<char> flat;
-    flat.reserve(sets.size());
-    for (const std::vector<int>& set : sets)
+    std::vector<std::vector<int>> faces; // around each set
+    for (const VertexSet& set : sets)
     {
-      flat.push_back(set.size() <= MostVertices && this->flatten(set, withNeighbours(set, own), stars));
+      faces.push_back(this->facesAround(set));
     }
-    const std::vector<int> piercedAfter = this->intersections(sets, stars);
+    const Points3 before = this->Mesh.Vertices;
+    const std::vector<int> intersectionsBefore = intersectionsPerGroup(this->Mesh, faces);
+    std::vector<char> flat;
+    for (const VertexSet& set : sets)
+    {
+      flat.push_back(set.size() <= MostVertices && this->flatten(set));
+    }
+    const std::vector<int> intersectionsAfter = intersectionsPerGroup(this->Mesh, faces);
     for (std::size_t i = 0; i < sets.size(); ++i)
     {
-      if (flat[i] && piercedAfter[i] > piercedBefore[i])
+      if (flat[i] && intersectionsAfter[i] > intersectionsBefore[i])
       {
-        this->restore(sets[i], before);
+        this->Mesh.Vertices(sets[i], Eigen::all) = before(sets[i], Eigen::all);
         flat[i] = 0;
       }
       result.LeftFolded += !flat[i];
       result.Spikes += flat[i] && sets[i].size() == 1;
       result.Fins += flat[i] && sets[i].size() > 1;
     }
-    for (const int f : facesAround(steep, stars))
+    for (const int f : this->facesAround(this->Steep))
     {
       result.AreaChange += areaVector(this->Mesh.Vertices, this->Mesh.Faces, f).norm() -
                            areaVector(before, this->Mesh.Faces, f).norm();
@@ -214,117 +101,131 @@ public:
   }
 
 private:
-  // Connected sets of steep inner vertices that are folded somewhere.
-  static std::vector<std::vector<int>> foldedSets(std::vector<int> steep, const Stars& stars)
+  double flatness(int v) const
   {
-    steep.erase(
-      std::remove_if(steep.begin(), steep.end(), [&stars](int v) { return !stars.isInner(v); }),
-      steep.end());
-    std::vector<std::vector<int>> sets = connectedSets(steep, stars);
-    const auto isFolded = [&stars](int v) { return stars.ratio(v) < FoldedRatio; };
-    sets.erase(std::remove_if(sets.begin(),
-                 sets.end(),
-                 [&isFolded](const std::vector<int>& set)
-                 { return std::none_of(set.begin(), set.end(), isFolded); }),
-      sets.end());
-    return sets;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double area = 0.0;
+    for (const int f : this->FacesOf[v])
+    {
+      const Eigen::Vector3d face = areaVector(this->Mesh.Vertices, this->Mesh.Faces, f);
+      sum += face;
+      area += face.norm();
+    }
+    return area > 0.0 ? sum.norm() / area : 1.0; // faces without area are left to other repairs
   }
 
-  static std::vector<int> withNeighbours(const std::vector<int>& vertices, const Stars& stars)
+  // The other corners of the faces around a vertex.
+  std::vector<int> corners(int v) const
+  {
+    std::vector<int> result;
+    for (const int f : this->FacesOf[v])
+    {
+      const auto face = this->Mesh.Faces.row(f);
+      std::copy_if(face.begin(), face.end(), std::back_inserter(result), [v](int w) { return w != v; });
+    }
+    return result;
+  }
+
+  VertexSet neighbours(int v) const { return sortedOnce(this->corners(v)); }
+
+  // Every neighbour of an inner vertex is met in two faces.
+  bool isInner(int v) const { return this->corners(v).size() == 2 * this->neighbours(v).size(); }
+
+  VertexSet withNeighbours(const VertexSet& vertices) const
   {
     std::vector<int> result = vertices;
     for (const int v : vertices)
     {
-      const std::vector<int> neighbours = stars.neighbours(v);
+      const VertexSet neighbours = this->neighbours(v);
       result.insert(result.end(), neighbours.begin(), neighbours.end());
     }
     return sortedOnce(std::move(result));
   }
 
-  static std::vector<int> facesAround(const std::vector<int>& vertices, const Stars& stars)
+  std::vector<int> facesAround(const VertexSet& vertices) const
   {
     std::vector<int> faces;
     for (const int v : vertices)
     {
-      faces.insert(faces.end(), stars.faces(v).begin(), stars.faces(v).end());
+      faces.insert(faces.end(), this->FacesOf[v].begin(), this->FacesOf[v].end());
     }
     return sortedOnce(std::move(faces));
   }
 
-  // Per set: the number of pairs of a face around its vertices and one that it passes through.
-  std::vector<int> intersections(const std::vector<std::vector<int>>& sets, const Stars& stars) const
+  // Finds all steep vertices. Returns the connected sets of steep inner vertices with a folded one.
+  std::vector<VertexSet> foldedSets()
   {
-    std::vector<PlacedTriangle> all(this->Mesh.faceCount());
-    for (int f = 0; f < this->Mesh.faceCount(); ++f)
+    VertexSet inner;
+    for (int v = 0; v < this->Mesh.vertexCount(); ++v)
     {
-      for (int k = 0; k < 3; ++k)
+      if (this->flatness(v) < SteepRatio)
       {
-        all[f].Vertices[k] = this->Mesh.Faces(f, k);
-        all[f].Points[k] = this->Mesh.Vertices.row(this->Mesh.Faces(f, k));
+        this->Steep.push_back(v);
+        if (this->isInner(v))
+        {
+          inner.push_back(v);
+        }
       }
     }
-    std::vector<PlacedTriangle> moving;
-    std::vector<std::pair<int, int>> setAndFace;
-    for (std::size_t set = 0; set < sets.size(); ++set)
+    std::vector<VertexSet> sets;
+    std::vector<char> reached(this->Mesh.vertexCount(), 0);
+    for (const int first : inner)
     {
-      for (const int f : facesAround(sets[set], stars))
+      if (reached[first])
       {
-        moving.push_back(all[f]);
-        setAndFace.emplace_back(static_cast<int>(set), f);
+        continue;
+      }
+      reached[first] = 1;
+      VertexSet set{ first };
+      for (std::size_t i = 0; i < set.size(); ++i)
+      {
+        for (const int v : this->neighbours(set[i]))
+        {
+          if (!reached[v] && contains(inner, v))
+          {
+            reached[v] = 1;
+            set.push_back(v);
+          }
+        }
+      }
+      if (std::any_of(set.begin(), set.end(), [this](int v) { return this->flatness(v) < FoldedRatio; }))
+      {
+        sets.push_back(sortedOnce(std::move(set)));
       }
     }
-    std::vector<int> count(sets.size(), 0);
-    for (const auto& [i, other] : overlappingBoxes(moving, all))
-    {
-      const auto [set, face] = setAndFace[i];
-      count[set] += face != other && intersect(all[face], all[other]);
-    }
-    return count;
+    return sets;
   }
 
-  void restore(const std::vector<int>& set, const Points3& positions)
+  // Moves the vertices of the set. Undone, and false, if the set stays folded or a vertex beside it gets
+  // folded more.
+  bool flatten(const VertexSet& set)
   {
-    for (const int v : set)
-    {
-      this->Mesh.Vertices.row(v) = positions.row(v);
-    }
-  }
-
-  // Undone, and false, where it does not help all or harms any.
-  bool flatten(const std::vector<int>& set, const std::vector<int>& around, const Stars& stars)
-  {
-    std::vector<double> ratios;
+    const VertexSet around = this->withNeighbours(set);
+    std::vector<double> least; // flatness that is demanded
     for (const int v : around)
     {
-      ratios.push_back(stars.ratio(v));
+      least.push_back(contains(set, v) ? FoldedRatio : std::min(this->flatness(v), FoldedRatio));
     }
-    Points3 before(static_cast<Eigen::Index>(set.size()), 3);
-    for (std::size_t i = 0; i < set.size(); ++i)
+    const Points3 before = this->Mesh.Vertices(set, Eigen::all);
+    this->moveToMeans(set);
+    for (std::size_t i = 0; i < around.size(); ++i)
     {
-      before.row(static_cast<Eigen::Index>(i)) = this->Mesh.Vertices.row(set[i]);
+      if (!(this->flatness(around[i]) >= least[i]))
+      {
+        this->Mesh.Vertices(set, Eigen::all) = before;
+        return false;
+      }
     }
-    this->moveToMeans(set, stars);
-
-    bool better = true;
-    for (std::size_t i = 0; better && i < around.size(); ++i)
-    {
-      const bool inSet = std::binary_search(set.begin(), set.end(), around[i]);
-      better = stars.ratio(around[i]) >= (inSet ? FoldedRatio : std::min(ratios[i], FoldedRatio));
-    }
-    for (std::size_t i = 0; !better && i < set.size(); ++i)
-    {
-      this->Mesh.Vertices.row(set[i]) = before.row(static_cast<Eigen::Index>(i));
-    }
-    return better;
+    return true;
   }
 
-  void moveToMeans(const std::vector<int>& set, const Stars& stars)
+  void moveToMeans(const VertexSet& set)
   {
     for (int sweep = 0; sweep < (set.size() == 1 ? 1 : Sweeps); ++sweep)
     {
       for (const int v : set)
       {
-        const std::vector<int> neighbours = stars.neighbours(v);
+        const VertexSet neighbours = this->neighbours(v);
         Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
         for (const int neighbour : neighbours)
         {
@@ -336,6 +237,8 @@ private:
   }
 
   TriangleMesh& Mesh;
+  VertexFaces FacesOf;
+  VertexSet Steep;
 };
 
 } // namespace

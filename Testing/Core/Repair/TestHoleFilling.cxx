@@ -38,11 +38,9 @@ TEST(HoleFilling, RefusesALoopThatIsTooLong)
 {
   const TriangleMesh open = moved(cylinder(64, 10, 2.0), 5.0, 0.0, 0.0);
   const double length = 64 * 2.0 * std::sin(Pi / 64);
-  HoleFillingOptions options;
-  options.LongestLoop = 1.001 * length;
-  EXPECT_EQ(fillHoles(open, loopsOf(open), options).FilledHoles, 2);
-  options.LongestLoop = 0.999 * length;
-  const std::string message = messageOf<InvalidInput>([&] { fillHoles(open, loopsOf(open), options); });
+  EXPECT_EQ(fillHoles(open, loopsOf(open), 1.001 * length).FilledHoles, 2);
+  const std::string message =
+    messageOf<InvalidInput>([&] { fillHoles(open, loopsOf(open), 0.999 * length); });
   EXPECT_TRUE(contains(message, "(5, ")) << message;
   EXPECT_TRUE(contains(message, "6.28")) << message;
   EXPECT_TRUE(contains(message, "raise the limit")) << message;
