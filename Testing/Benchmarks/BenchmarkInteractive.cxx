@@ -71,8 +71,8 @@ void change(benchmark::State& state, const std::string& scan, double before, dou
     areaPreservingDiskMap(mesh, conformal, regionWeights(mesh, before)).Map;
   const Eigen::VectorXd weights = regionWeights(mesh, after);
   AreaPreservingOptions options;
-  options.Transport.StartWeights = former.PowerWeights;
-  options.StartPositions = former.Positions;
+  options.Start.PowerWeights = former.PowerWeights;
+  options.Start.Positions = former.Positions;
   for (auto _ : state)
   {
     const Timed warm = timed(mesh, conformal, weights, options);
@@ -81,7 +81,7 @@ void change(benchmark::State& state, const std::string& scan, double before, dou
     count(state, "cold", mesh, weights, timed(mesh, conformal, weights));
     state.counters["vertices"] = mesh.vertexCount();
     state.counters["region_vertices"] = static_cast<double>((weights.array() != 1.0).count());
-    state.counters["continued"] = warm.Map.IsContinued;
+    state.counters["continued"] = warm.Map.WarmStarted;
   }
 }
 

@@ -22,42 +22,42 @@ namespace flattening
 namespace
 {
 
-// How far from the boundary a boundary vertex of the input may lie: of a length 1, the disk's radius.
+// How far a boundary vertex of the input may lie from the boundary of a domain of area pi. A guard: far
+// above the rounding of coordinates, far below the edges of the boundary.
 constexpr double BoundaryTolerance = 1e-6;
+// A mesh has at least so many sites, or a site per vertex: groups are for large meshes, small ones take
+// no time. With fewer sites the interpolation between them gets coarse.
 constexpr int LeastSites = 1000;
-// A former map that flips more of its faces on the way is no better a start than the transport.
-constexpr double LargestFlippedShare = 0.01;
 
-// Members of the boundary loop, in its order, that stay at places which grow over less than a turn.
-struct FixedMembers
-{
-  std::vector<int> Members;
-  std::vector<double> Places;
-};
-
-// Where the surface is mapped to.
+// The domain, and the vertices that stay in its corners. Corners may be empty where CornerParameters are
+// not: the vertices are then found by their power cells.
 struct Target
 {
   std::shared_ptr<const ConvexDomain> Domain;
-  std::string Name;
+  BoundaryLoop Boundary;
+};
+
+// The names of a domain and its boundary in messages.
+struct DomainName
+{
+  std::string Domain;
   std::string Boundary;
-  FixedMembers Corners; // of which the members may be left to be found
 };
 
 void requirePositions(const Points2& positions,
   const std::vector<int>& loop,
   const ConvexDomain& domain,
-  const Target& target)
+  const DomainName& name)
 {
   const std::string remedy =
-    ": the input must be a map to the " + target.Name + ", run Conformal Disk first";
+    ": the input must be a map to the " + name.Domain + ", run Conformal Disk first";
   for (const int v : loop)
   {
     const Eigen::Vector2d position = positions.row(v);
-    if (!((domain.at(domain.placeOf(position)) - position).norm() <= BoundaryTolerance))
+    if (!((domain.at(domain.parameterOf(position)) - position).norm() <= BoundaryTolerance))
     {
       throw InvalidInput(
-        "boundary vertex " + std::to_string(v) + " does not lie on the " + target.Boundary + remedy);
+        "boundary vertex " + std::to_string(v) + " does not lie on the " + name.Boundary + remedy);
     }
   }
   const Eigen::Vector2d centroid = domain.centroid();
@@ -66,201 +66,265 @@ void requirePositions(const Points2& positions,
     const Eigen::Vector2d position = positions.row(v);
     if (!domain.contains(centroid + (1.0 - BoundaryTolerance) * (position - centroid)))
     {
-      throw InvalidInput("vertex " + std::to_string(v) + " lies outside of the " + target.Name + remedy);
+      throw InvalidInput("vertex " + std::to_string(v) + " lies outside of the " + name.Domain + remedy);
     }
   }
 }
 
-// Every ray from the centroid is stretched to the length that it has in the other domain, whose centroid
-// is 0 too.
-Points2 carriedAlongRays(const Points2& positions, const ConvexDomain& from, const ConvexDomain& to)
+// Fixes the boundary vertices that lie in the corners of a rectangle.
+BoundaryLoop fixedInCorners(const Points2& conformal,
+  const std::vector<int>& loop,
+  const ConvexPolygon& rectangle,
+  const Points2& corners)
 {
-  Points2 carried(positions.rows(), 2);
+  std::vector<std::pair<int, double>> fixed; // index into the loop, boundary parameter
+  for (Eigen::Index c = 0; c < corners.rows(); ++c)
+  {
+    const auto distance = [&](int v) { return (conformal.row(v) - corners.row(c)).norm(); };
+    const auto nearest = std::min_element(
+      loop.begin(), loop.end(), [&](int a, int b) { return distance(a) < distance(b); });
+    if (!(distance(*nearest) <= BoundaryTolerance))
+    {
+      throw InvalidInput("no boundary vertex lies in corner " + std::to_string(c) +
+                         " of the rectangle: run Conformal Disk with Domain set to Rectangle first");
+    }
+    fixed.emplace_back(
+      static_cast<int>(nearest - loop.begin()), rectangle.parameterOf(corners.row(c).transpose()));
+  }
+  // In the order of the loop, the parameters increasing over less than one turn.
+  std::sort(fixed.begin(), fixed.end());
+  BoundaryLoop boundary{ loop, {}, {} };
+  for (const auto& [member, parameter] : fixed)
+  {
+    boundary.Corners.push_back(member);
+    boundary.CornerParameters.push_back(
+      parameter < fixed.front().second ? parameter + rectangle.perimeter() : parameter);
+  }
+  if (!std::is_sorted(boundary.CornerParameters.begin(), boundary.CornerParameters.end()))
+  {
+    throw InvalidInput("the corners of the rectangle are not in the order of the boundary: the map is "
+                       "mirrored, run Conformal Disk first");
+  }
+  return boundary;
+}
+
+// Stretches every ray from the centroid, which is 0 in both domains, to its length in the other domain.
+Points2 stretchedAlongRays(const Points2& positions, const ConvexDomain& from, const ConvexDomain& to)
+{
+  Points2 stretched(positions.rows(), 2);
   for (Eigen::Index v = 0; v < positions.rows(); ++v)
   {
     const Eigen::Vector2d position = positions.row(v);
-    const double share = position.norm() / from.at(from.placeOf(position)).norm();
-    carried.row(v) = std::min(share, 1.0) * to.at(to.placeOf(position));
+    const double share = position.norm() / from.at(from.parameterOf(position)).norm();
+    stretched.row(v) = std::min(share, 1.0) * to.at(to.parameterOf(position));
   }
-  return carried;
+  return stretched;
 }
 
-// Not more than leaves LeastSites.
-int verticesPerSite(const AreaPreservingOptions& options, int vertexCount)
-{
-  return options.RefineFaces
-           ? std::clamp(vertexCount / LeastSites, 1, std::max(1, options.VerticesPerSite))
-           : 1;
-}
-
-void refine(AreaPreservingMap& map,
-  const TriangleMesh& mesh,
-  const TransportedMap& transported,
-  const Eigen::VectorXd& weights,
-  const FaceRefinementOptions& options,
-  const ProgressCallback& progress)
-{
-  const Eigen::VectorXd relative =
-    weights.size() > 0 ? Eigen::VectorXd(weights / weights.maxCoeff()) : weights;
-  FaceRefinementResult refined =
-    refineFaces(mesh, transported, faceTargets(mesh, relative), options, progress);
-  map.Positions = std::move(refined.Positions);
-  map.FlippedFaces = refined.FlippedFaces;
-  map.Bijective = refined.Bijective;
-  map.RefinementRounds = refined.Rounds;
-  map.RepairedFaces = refined.RepairedFaces;
-  map.StartShare = refined.StartShare;
-}
-
-// Those of the target, with the members whose cells have them where it names none.
-FixedMembers cornersOf(const Target& target,
+// Gives each corner of the domain the boundary vertex whose cell contains it.
+void chooseCorners(BoundaryLoop& boundary,
   const PowerDiagram& diagram,
-  const std::vector<int>& loop,
   const std::vector<int>& siteOfVertex)
 {
-  FixedMembers corners = target.Corners;
-  if (corners.Members.size() < corners.Places.size())
-  {
-    corners.Members = cornerMembers(diagram, loop, siteOfVertex, corners.Places);
-    const auto first = std::min_element(corners.Members.begin(), corners.Members.end());
-    const auto before = first - corners.Members.begin();
-    const double turn = target.Domain->perimeter();
-    std::transform(corners.Places.begin(),
-      corners.Places.begin() + before,
-      corners.Places.begin(),
-      [turn](double place) { return place + turn; });
-    std::rotate(corners.Places.begin(), corners.Places.begin() + before, corners.Places.end());
-    std::rotate(corners.Members.begin(), first, corners.Members.end());
-  }
-  return corners;
+  std::vector<int>& corners = boundary.Corners;
+  std::vector<double>& parameters = boundary.CornerParameters;
+  corners = cornerMembers(diagram, boundary.Vertices, siteOfVertex, parameters);
+  // The corner of the loop's first member comes first.
+  const auto first = std::min_element(corners.begin(), corners.end());
+  const auto before = first - corners.begin();
+  std::for_each(parameters.begin(),
+    parameters.begin() + before,
+    [turn = diagram.domain().perimeter()](double& parameter) { parameter += turn; });
+  std::rotate(parameters.begin(), parameters.begin() + before, parameters.end());
+  std::rotate(corners.begin(), first, corners.end());
 }
 
-// Of the transport that a refined map is given of; nothing if none is. What AngleWeight the map had is
-// not known.
-std::optional<PowerDiagram> formerDiagram(const PowerDiagram& diagram,
-  const Eigen::VectorXd& weights,
-  int vertexCount,
-  const AreaPreservingOptions& options)
+// One surface on its way to its area-preserving map; each step is a stage of make().
+class MapMaker
 {
-  if (!options.RefineFaces || options.Refinement.AngleWeight > 0.0 ||
-      options.StartPositions.rows() != vertexCount || weights.size() != diagram.siteCount() ||
-      !weights.allFinite())
+public:
+  // @p onDomain: the conformal map, or another map to the domain with few faces flipped
+  MapMaker(const TriangleMesh& mesh,
+    const Points2& conformal,
+    const Points2& onDomain,
+    Target target,
+    const Eigen::VectorXd& weights,
+    const AreaPreservingOptions& options)
+    : Mesh(mesh)
+    , Conformal(conformal)
+    , OnDomain(onDomain)
+    , Domain(std::move(target.Domain))
+    , Boundary(std::move(target.Boundary))
+    , Weights(weights)
+    , Options(options)
   {
-    return {};
   }
-  PowerDiagram former = diagram;
-  return former.update(weights.cast<DoubleDouble>()) ? std::optional(std::move(former)) : std::nullopt;
-}
 
-AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
-  const Points2& conformal,
-  const Points2& onDomain, // the same, or another map to the domain, with few faces flipped
-  const Target& target,
-  const std::vector<int>& loop,
-  const Eigen::VectorXd& weights,
-  const AreaPreservingOptions& options,
-  const ProgressCallback& progress)
-{
-  AreaPreservingMap map;
-  map.TargetAreas = targetAreas(mesh, weights);
-
-  const int n = mesh.vertexCount();
-  const int perSite = verticesPerSite(options, n);
-  TransportSites sites = distinctSites(conformal);
-  map.CoincidentVertices = n - sites.count();
-  if (perSite > 1)
+  AreaPreservingResult make(const ProgressCallback& progress)
   {
-    // By areas without weights: the sites stay where they are when weights change.
-    sites = groupedSites(conformal, targetAreas(mesh, {}), loop, perSite);
+    const double transportEnd = this->Options.RefineFaces ? 0.5 : 0.95;
+    this->chooseSites();
+    this->transport(subrange(progress, 0.0, transportEnd));
+    report(progress, transportEnd + 0.01, "Flat positions");
+    this->measureCells();
+    this->placeSites();
+    if (!this->startWarm())
+    {
+      this->startFromTransport();
+    }
+    this->countFlipped();
+    if (this->Options.RefineFaces)
+    {
+      this->refine(subrange(progress, transportEnd + 0.02, 1.0));
+    }
+    report(progress, 1.0, "Area-preserving map");
+    return { std::move(this->Map), std::move(*this->Diagram), std::move(this->Sites.SiteOfVertex) };
   }
-  map.Sites = sites.count();
-  const Eigen::VectorXd siteTargets = sites.sums(map.TargetAreas);
 
-  PowerDiagram diagram(sites.Positions, target.Domain);
-  const double transportEnd = options.RefineFaces ? 0.5 : 0.95;
-  TransportOptions transportOptions = options.Transport;
-  if (options.Transport.StartWeights.size() == n)
+private:
+  void chooseSites()
   {
-    transportOptions.StartWeights.resize(sites.count());
+    const int n = this->Mesh.vertexCount();
+    this->Map.TargetAreas = targetAreas(this->Mesh, this->Weights);
+    this->Sites = distinctSites(this->Conformal);
+    this->Map.CoincidentVertices = n - this->Sites.count();
+    const int perSite = this->verticesPerSite();
+    if (perSite > 1)
+    {
+      // Groups by areas without weights: the sites stay where they are when weights change.
+      this->Sites =
+        groupedSites(this->Conformal, targetAreas(this->Mesh, {}), this->Boundary.Vertices, perSite);
+    }
+    this->Map.Sites = this->Sites.count();
+    this->SiteTargets = this->Sites.sums(this->Map.TargetAreas);
+  }
+
+  // At most as many as leave LeastSites.
+  int verticesPerSite() const
+  {
+    return this->Options.RefineFaces
+             ? std::clamp(
+                 this->Mesh.vertexCount() / LeastSites, 1, std::max(1, this->Options.VerticesPerSite))
+             : 1;
+  }
+
+  void transport(const ProgressCallback& progress)
+  {
+    this->Diagram.emplace(this->Sites.Positions, this->Domain);
+    const TransportResult transport = transportNewton(*this->Diagram,
+      this->SiteTargets,
+      this->Options.Transport,
+      progress,
+      this->Options.Start.weightsOf(this->Sites));
+    this->SiteWeights = transport.Weights.cast<double>();
+    this->Map.NewtonIterations = transport.NewtonIterations;
+    this->Map.PowerDiagrams = this->Diagram->updates();
+    this->Map.MaxCellError = transport.MaxCellError;
+  }
+
+  void measureCells()
+  {
+    const int n = this->Mesh.vertexCount();
+    this->Map.CellAreas.resize(n);
+    this->Map.PowerWeights.resize(n);
     for (int v = 0; v < n; ++v)
     {
-      transportOptions.StartWeights[sites.SiteOfVertex[v]] = options.Transport.StartWeights[v];
+      const int site = this->Sites.SiteOfVertex[v];
+      this->Map.CellAreas[v] =
+        this->Diagram->areas()[site] * (this->Map.TargetAreas[v] / this->SiteTargets[site]);
+      this->Map.PowerWeights[v] = this->SiteWeights[site];
     }
   }
-  const std::optional<PowerDiagram> former =
-    formerDiagram(diagram, transportOptions.StartWeights, n, options);
-  const TransportResult transport =
-    transportNewton(diagram, siteTargets, transportOptions, subrange(progress, 0.0, transportEnd));
-  map.NewtonIterations = transport.NewtonIterations;
-  map.PowerDiagrams = diagram.updates();
-  map.MaxCellError = transport.MaxCellError;
 
-  report(progress, transportEnd + 0.01, "Flat positions");
-  map.Positions.resize(n, 2);
-  map.CellAreas.resize(n);
-  map.PowerWeights.resize(n);
-  for (int v = 0; v < n; ++v)
+  // Sites go to the centroids of their cells, boundary vertices to the boundary.
+  void placeSites()
   {
-    const int site = sites.SiteOfVertex[v];
-    map.Positions.row(v) = diagram.centroids().row(site);
-    map.CellAreas[v] = diagram.areas()[site] * (map.TargetAreas[v] / siteTargets[site]);
-    map.PowerWeights[v] = static_cast<double>(transport.Weights[site]);
-  }
-  const FixedMembers corners = cornersOf(target, diagram, loop, sites.SiteOfVertex);
-  const auto transported = [&](const PowerDiagram& cells) -> TransportedSites
-  {
-    std::vector<double> places =
-      corners.Members.empty()
-        ? boundaryParameters(cells, loop, sites.SiteOfVertex)
-        : boundaryParameters(cells, loop, sites.SiteOfVertex, corners.Members, corners.Places);
-    SiteImages images = siteImages(cells, siteTargets, sites, loop, places);
-    return { std::move(images), std::move(places) };
-  };
-  const TransportedSites present = transported(diagram);
-  if (former &&
-      isRefinedMap(
-        options.StartPositions, mesh.Faces, *target.Domain, loop, corners.Members, corners.Places))
-  {
-    map.Positions =
-      carriedMap(options.StartPositions, sites, transported(*former), present, loop, *target.Domain);
-    map.IsContinued =
-      countFlippedFaces(map.Positions, mesh.Faces) <= LargestFlippedShare * mesh.faceCount();
-  }
-  if (!map.IsContinued)
-  {
-    if (options.RefineFaces)
+    if (this->Boundary.Corners.size() < this->Boundary.CornerParameters.size())
     {
-      map.Positions = interpolateTransport(sites, present.Images, conformal, *target.Domain);
+      chooseCorners(this->Boundary, *this->Diagram, this->Sites.SiteOfVertex);
     }
-    for (std::size_t k = 0; k < loop.size(); ++k)
+    for (const int corner : this->Boundary.Corners)
     {
-      map.Positions.row(loop[k]) = target.Domain->at(present.Places[k]);
+      this->Map.CornerVertices.push_back(this->Boundary.Vertices[corner]);
+    }
+    this->Images = siteImages(*this->Diagram, this->SiteTargets, this->Sites, this->Boundary);
+  }
+
+  // The angle weight of an earlier map is not known, and so only maps without one are gone on from.
+  bool startWarm()
+  {
+    if (!this->Options.RefineFaces || this->Options.Refinement.AngleWeight > 0.0)
+    {
+      return false;
+    }
+    std::optional<Points2> warm = warmPositions(
+      this->Options.Start, this->Mesh.Faces, this->Sites, *this->Diagram, this->Images, this->Boundary);
+    this->Map.WarmStarted = warm.has_value();
+    if (warm)
+    {
+      this->Map.Positions = std::move(*warm);
+    }
+    return this->Map.WarmStarted;
+  }
+
+  void startFromTransport()
+  {
+    this->Map.Positions =
+      this->Options.RefineFaces
+        ? interpolateTransport(this->Sites, this->Images, this->Conformal, *this->Domain)
+        : Points2(this->Diagram->centroids()(this->Sites.SiteOfVertex, Eigen::all));
+    for (std::size_t k = 0; k < this->Boundary.Vertices.size(); ++k)
+    {
+      this->Map.Positions.row(this->Boundary.Vertices[k]) =
+        this->Domain->at(this->Images.BoundaryParameters[k]);
     }
   }
-  for (const int member : corners.Members)
+
+  void countFlipped()
   {
-    map.CornerVertices.push_back(loop[member]);
+    this->Map.FlippedFaces = countFlippedFaces(this->Map.Positions, this->Mesh.Faces);
+    this->Map.Bijective = this->Map.FlippedFaces == 0; // boundaryParameters() are in order
   }
-  map.FlippedFaces = countFlippedFaces(map.Positions, mesh.Faces);
-  map.Bijective = map.FlippedFaces == 0; // boundaryParameters() are in order
-  if (options.RefineFaces)
+
+  void refine(const ProgressCallback& progress)
   {
-    refine(map,
-      mesh,
-      { target.Domain,
-        loop,
-        corners.Members,
-        conformal,
-        Points2(map.Positions),
-        onDomain,
-        map.IsContinued },
-      weights,
-      options.Refinement,
-      subrange(progress, transportEnd + 0.02, 1.0));
+    const Eigen::VectorXd relative = this->Weights.size() > 0
+                                       ? Eigen::VectorXd(this->Weights / this->Weights.maxCoeff())
+                                       : this->Weights;
+    FaceRefinementResult refined = refineFaces(this->Mesh,
+      { this->Domain,
+        this->Boundary.Vertices,
+        this->Boundary.Corners,
+        this->Conformal,
+        this->Map.Positions,
+        this->OnDomain,
+        this->Map.WarmStarted ? RefinementStart::WarmStart : RefinementStart::Transport },
+      faceTargets(this->Mesh, relative),
+      this->Options.Refinement,
+      progress);
+    this->Map.Positions = std::move(refined.Positions);
+    this->Map.FlippedFaces = refined.FlippedFaces;
+    this->Map.Bijective = refined.Bijective;
+    this->Map.RefinementRounds = refined.Rounds;
+    this->Map.RepairedFaces = refined.RepairedFaces;
+    this->Map.StartShare = refined.StartShare;
   }
-  report(progress, 1.0, "Area-preserving map");
-  return { std::move(map), std::move(diagram), std::move(sites.SiteOfVertex) };
-}
+
+  const TriangleMesh& Mesh;
+  const Points2& Conformal;
+  const Points2& OnDomain;
+  std::shared_ptr<const ConvexDomain> Domain;
+  BoundaryLoop Boundary;
+  const Eigen::VectorXd& Weights;
+  const AreaPreservingOptions& Options;
+
+  TransportSites Sites;
+  Eigen::VectorXd SiteTargets;
+  std::optional<PowerDiagram> Diagram;
+  Eigen::VectorXd SiteWeights;
+  SiteImages Images;
+  AreaPreservingMap Map;
+};
 
 } // namespace
 
@@ -270,10 +334,10 @@ AreaPreservingResult areaPreservingDiskMap(const TriangleMesh& mesh,
   const AreaPreservingOptions& options,
   const ProgressCallback& progress)
 {
-  const std::vector<int> loop = requireDisk(mesh);
-  const Target target{ std::make_shared<UnitDisk>(), "disk", "circle around the origin", {} };
-  requirePositions(conformal, loop, *target.Domain, target);
-  return areaPreservingMap(mesh, conformal, conformal, target, loop, weights, options, progress);
+  const Target target{ std::make_shared<UnitDisk>(), { requireDisk(mesh), {}, {} } };
+  requirePositions(
+    conformal, target.Boundary.Vertices, *target.Domain, { "disk", "circle around the origin" });
+  return MapMaker(mesh, conformal, conformal, target, weights, options).make(progress);
 }
 
 AreaPreservingResult areaPreservingRectangleMap(const TriangleMesh& mesh,
@@ -292,38 +356,10 @@ AreaPreservingResult areaPreservingRectangleMap(const TriangleMesh& mesh,
   const double y = 0.5 * EIGEN_PI / width;
   Points2 corners(4, 2);
   corners << -x, -y, x, -y, x, y, -x, y;
-  Target target{ std::make_shared<ConvexPolygon>(corners), "rectangle", "sides of the rectangle", {} };
-  std::vector<std::pair<int, double>> fixed;
-  for (int c = 0; c < 4; ++c)
-  {
-    const auto nearest = std::min_element(loop.begin(),
-      loop.end(),
-      [&](int a, int b) {
-        return (conformal.row(a) - corners.row(c)).norm() < (conformal.row(b) - corners.row(c)).norm();
-      });
-    if (!((conformal.row(*nearest) - corners.row(c)).norm() <= BoundaryTolerance))
-    {
-      throw InvalidInput("no boundary vertex lies in corner " + std::to_string(c) +
-                         " of the rectangle: run Conformal Disk with Domain set to Rectangle first");
-    }
-    fixed.emplace_back(
-      static_cast<int>(nearest - loop.begin()), target.Domain->placeOf(corners.row(c).transpose()));
-  }
-  // In the order of the loop, the places growing over less than a turn.
-  std::sort(fixed.begin(), fixed.end());
-  for (const auto& [member, place] : fixed)
-  {
-    const double turn = target.Domain->perimeter();
-    target.Corners.Members.push_back(member);
-    target.Corners.Places.push_back(place < fixed.front().second ? place + turn : place);
-  }
-  if (!std::is_sorted(target.Corners.Places.begin(), target.Corners.Places.end()))
-  {
-    throw InvalidInput("the corners of the rectangle are not in the order of the boundary: the map is "
-                       "turned over, run Conformal Disk first");
-  }
-  requirePositions(conformal, loop, *target.Domain, target);
-  return areaPreservingMap(mesh, conformal, conformal, target, loop, weights, options, progress);
+  const auto rectangle = std::make_shared<ConvexPolygon>(corners);
+  const Target target{ rectangle, fixedInCorners(conformal, loop, *rectangle, corners) };
+  requirePositions(conformal, loop, *rectangle, { "rectangle", "sides of the rectangle" });
+  return MapMaker(mesh, conformal, conformal, target, weights, options).make(progress);
 }
 
 AreaPreservingResult areaPreservingPolygonMap(const TriangleMesh& mesh,
@@ -334,23 +370,18 @@ AreaPreservingResult areaPreservingPolygonMap(const TriangleMesh& mesh,
   const AreaPreservingOptions& options,
   const ProgressCallback& progress)
 {
-  const std::vector<int> loop = requireDisk(mesh);
+  BoundaryLoop boundary{ requireDisk(mesh), {}, {} };
   const auto domain = std::make_shared<ConvexPolygon>(polygon.Corners);
-  Target target{ domain, "disk or rectangle", "boundary of the domain", {} };
-  requirePositions(conformal, loop, source, target);
+  requirePositions(
+    conformal, boundary.Vertices, source, { "disk or rectangle", "boundary of the domain" });
   if (polygon.FixCorners)
   {
-    target.Corners.Places = domain->cornerPlaces();
+    boundary.CornerParameters = domain->cornerParameters();
   }
   const double scale = domain->innerRadius() / conformal.rowwise().norm().maxCoeff();
-  return areaPreservingMap(mesh,
-    scale * conformal,
-    carriedAlongRays(conformal, source, *domain),
-    target,
-    loop,
-    weights,
-    options,
-    progress);
+  const Points2 scaled = scale * conformal;
+  const Points2 onDomain = stretchedAlongRays(conformal, source, *domain);
+  return MapMaker(mesh, scaled, onDomain, { domain, boundary }, weights, options).make(progress);
 }
 
 } // namespace flattening

@@ -10,6 +10,7 @@ namespace flattening
 namespace
 {
 
+// Vertices of one task of a thread. Results do not depend on it.
 constexpr int VerticesPerTask = 4096;
 
 } // namespace
@@ -54,13 +55,13 @@ void DegreesOfFreedom::number(const std::vector<char>& stays)
   }
 }
 
-int DegreesOfFreedom::unknownOfMember(int member) const
+int DegreesOfFreedom::dofOfMember(int member) const
 {
   const int v = this->Loop[member];
   return this->countOf(v) > 0 ? this->first(v) : -1;
 }
 
-Eigen::Matrix2d DegreesOfFreedom::directions(const FlatState& state, int vertex) const
+Eigen::Matrix2d DegreesOfFreedom::directions(const DomainMap& map, int vertex) const
 {
   if (this->countOf(vertex) == 2)
   {
@@ -69,33 +70,31 @@ Eigen::Matrix2d DegreesOfFreedom::directions(const FlatState& state, int vertex)
   Eigen::Matrix2d result = Eigen::Matrix2d::Zero();
   if (this->countOf(vertex) == 1)
   {
-    result.col(0) = this->Domain->tangentAt(state.Places[this->Member[vertex]]);
+    result.col(0) = this->Domain->tangentAt(map.BoundaryParameters[this->Member[vertex]]);
   }
   return result;
 }
 
-FlatState DegreesOfFreedom::moved(const FlatState& state,
-  const Eigen::VectorXd& step,
-  double length) const
+DomainMap DegreesOfFreedom::moved(const DomainMap& map, const Eigen::VectorXd& step, double length) const
 {
-  FlatState result = state;
-  const int n = static_cast<int>(state.Positions.rows());
+  DomainMap result = map;
+  const int n = static_cast<int>(map.Positions.rows());
   tbb::parallel_for(tbb::blocked_range<int>(0, n, VerticesPerTask),
     [&](const tbb::blocked_range<int>& range)
     {
       for (int v = range.begin(); v < range.end(); ++v)
       {
-        const int unknown = this->first(v);
+        const int dof = this->first(v);
         if (this->countOf(v) == 2)
         {
-          result.Positions(v, 0) += length * step[unknown];
-          result.Positions(v, 1) += length * step[unknown + 1];
+          result.Positions(v, 0) += length * step[dof];
+          result.Positions(v, 1) += length * step[dof + 1];
         }
         else if (this->countOf(v) == 1)
         {
-          double& place = result.Places[this->Member[v]];
-          place += length * step[unknown];
-          result.Positions.row(v) = this->Domain->at(place);
+          double& parameter = result.BoundaryParameters[this->Member[v]];
+          parameter += length * step[dof];
+          result.Positions.row(v) = this->Domain->at(parameter);
         }
       }
     });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Which coordinates of a flat map may change.
+/// The degrees of freedom of a flat map.
 #pragma once
 
 #include "Mesh/TriangleMesh.h"
@@ -11,46 +11,48 @@
 namespace flattening
 {
 
-/// A flat map whose boundary vertices lie on the boundary of a convex domain.
-struct FlatState
+/// A flat map to a convex domain, with the boundary vertices on its boundary.
+struct DomainMap
 {
-  Points2 Positions;
-  Eigen::VectorXd Places; ///< of the boundary vertices, in the order of the loop (ConvexDomain.h)
+  Points2 Positions;                  ///< n x 2
+  Eigen::VectorXd BoundaryParameters; ///< of the boundary vertices, in the order of the loop
 };
 
-/// The unknowns are both coordinates of an interior vertex, the place on the boundary of a boundary
-/// vertex, and nothing of a vertex that stays.
+/// An interior vertex has two degrees of freedom (dofs), its coordinates; a boundary vertex has one, its
+/// boundary parameter (ConvexDomain.h); a vertex that stays has none. Dofs are numbered by vertex.
 class DegreesOfFreedom
 {
 public:
-  /// @p loop counter-clockwise; its members @p corners stay.
+  /// For a whole map: @p loop holds the boundary vertices, counter-clockwise; those at the indices
+  /// @p corners stay.
   DegreesOfFreedom(int vertexCount,
     std::shared_ptr<const ConvexDomain> domain,
     std::vector<int> loop,
     const std::vector<int>& corners);
-  /// Of a part of a map: @p members are those of its vertices that lie on the boundary, in order, and
-  /// @p stays says of each of its vertices (1) that it does not move.
+  /// For a part of a map: @p members are its vertices on the boundary, in order; a vertex with 1 in
+  /// @p stays (n) does not move.
   DegreesOfFreedom(std::shared_ptr<const ConvexDomain> domain,
     std::vector<int> members,
     const std::vector<char>& stays);
 
   int vertexCount() const { return static_cast<int>(this->Member.size()); }
-  int count() const { return this->First.back(); }
+  int count() const { return this->First.back(); } ///< of all vertices
+  /// The first dof of a vertex; that of vertexCount() is count().
   int first(int vertex) const { return this->First[vertex]; }
   int countOf(int vertex) const { return this->First[vertex + 1] - this->First[vertex]; }
 
   const ConvexDomain& domain() const { return *this->Domain; }
   const std::shared_ptr<const ConvexDomain>& sharedDomain() const { return this->Domain; }
   const std::vector<int>& loop() const { return this->Loop; }
-  /// The unknown of a member of the loop; -1 if it stays.
-  int unknownOfMember(int member) const;
-  int memberOf(int vertex) const { return this->Member[vertex]; } ///< -1 inside
+  /// The dof of the vertex at index @p member of the loop; -1 if it stays.
+  int dofOfMember(int member) const;
+  int memberOf(int vertex) const { return this->Member[vertex]; } ///< index in the loop, -1 inside
 
-  /// By the unknowns of a vertex, which move it: column k for unknown k, 0 where there is none.
-  Eigen::Matrix2d directions(const FlatState& state, int vertex) const;
+  /// The derivative of a vertex's position by its dofs: one column per dof, 0 where there is none.
+  Eigen::Matrix2d directions(const DomainMap& map, int vertex) const;
 
-  /// @p state after @p length times @p step (count()).
-  FlatState moved(const FlatState& state, const Eigen::VectorXd& step, double length) const;
+  /// @p map moved by @p length times @p step (count()).
+  DomainMap moved(const DomainMap& map, const Eigen::VectorXd& step, double length) const;
 
 private:
   void number(const std::vector<char>& stays);
@@ -58,7 +60,7 @@ private:
   std::shared_ptr<const ConvexDomain> Domain;
   std::vector<int> Loop;
   std::vector<int> Member; // per vertex: its index in the loop, or -1
-  std::vector<int> First;
+  std::vector<int> First;  // per vertex: its first dof; the last entry is the number of dofs
 };
 
 } // namespace flattening

@@ -12,7 +12,7 @@ namespace flattening
 namespace
 {
 
-// Of the target area.
+// The least Dirichlet energy, in target areas. A guard: the logarithm of 0 does not exist.
 constexpr double LeastDirichlet = 1e-12;
 
 } // namespace
@@ -35,18 +35,18 @@ FaceAreaEnergy::Value FaceAreaEnergy::value(double area,
   const double chiByR = chi * byLog;
   const double chiByRR = 0.5 * this->Epsilon * this->Epsilon * byLog * byLog * byLog;
   const double s = shapeWeight;
-  // Smoothed as r is, for a face that shrinks to a point must not gain.
+  // Smoothed like r, so that a face does not gain by shrinking to a point.
   const double q = std::max(dirichlet / target, LeastDirichlet);
   const SmoothPositivePart chiOfQ = smoothPositivePart(q, this->Epsilon);
 
   const double shape = s > 0.0 ? s * (std::log(chiOfQ.Value) - logChi) : 0.0;
-  result.Energy = target * ((r - 1.0) * (r - 1.0) + this->FlipWeight * (chi - 1.0 - logChi) + shape);
-  result.ByArea = 2.0 * (r - 1.0) + this->FlipWeight * (chiByR - byLog) - s * byLog;
+  result.Energy = target * ((r - 1.0) * (r - 1.0) + FlipWeight * (chi - 1.0 - logChi) + shape);
+  result.ByArea = 2.0 * (r - 1.0) + FlipWeight * (chiByR - byLog) - s * byLog;
   result.ByDirichlet = s / chiOfQ.Root;
-  // Minus the logarithm is concave where the face is flipped: its curvature counts where positive.
+  // Minus the logarithm is concave where the face is flipped; only positive curvature counts.
   const double logCurvature = r * byLog * byLog * byLog;
   const double flipCurvature = std::max(0.0, chiByRR + logCurvature);
-  result.Curvature = (2.0 + this->FlipWeight * flipCurvature + s * std::max(0.0, logCurvature)) / target;
+  result.Curvature = (2.0 + FlipWeight * flipCurvature + s * std::max(0.0, logCurvature)) / target;
   return result;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a flat face costs whose area is not its target, finite for flipped faces too.
+/// The energy of a flat face by its area and shape; it may be finite for flipped faces.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,34 +7,31 @@
 namespace flattening
 {
 
-/// For r the ratio of the flat area to the target T, chi = (r + sqrt(epsilon^2 + r^2)) / 2 (r itself for
-/// epsilon = 0), and q the flat triangle's Dirichlet energy on the surface triangle, which is its area
-/// where the two are similar and larger everywhere else:
-///   T ((r - 1)^2 + beta (chi - 1 - log chi) + s log(chi(q / T) / chi)).
-/// The first term asks for the area. The second keeps the face from flipping: without limit for
-/// epsilon = 0. The third, with the shape weight s, asks for the surface triangle's angles; by its
-/// logarithm it lets go of faces that must be stretched far.
+/// The energy of a face with target area T is
+///   T ((r - 1)^2 + beta (chi(r) - 1 - log chi(r)) + s log(chi(q / T) / chi(r))).
+/// Here r is the flat area over T, chi(r) = (r + sqrt(epsilon^2 + r^2)) / 2 a smooth positive part (r
+/// for epsilon = 0 and r > 0; Garanzha et al. 2021), and q the Dirichlet energy of the flat triangle on
+/// the surface triangle: the flat area if the two are similar, and more otherwise. The first term asks
+/// for the area. The second keeps the face from flipping, without limit for epsilon = 0. The third, with
+/// the shape weight s, asks for the surface triangle's angles; because of its logarithm it lets go of
+/// faces that must be stretched far (docs/mathematics.md, "From cells to faces").
 class FaceAreaEnergy
 {
 public:
-  struct Options
-  {
-    double Epsilon = 0.0;     ///< >= 0, of the target area
-    double FlipWeight = 0.03; ///< beta, > 0
-  };
-
   struct Value
   {
-    double Energy = 0.0; ///< infinite if epsilon = 0 and the face is flipped
-    double ByArea = 0.0;
-    double ByDirichlet = 0.0;
-    double Curvature = 0.0; ///< second derivative by the area, its positive part
+    double Energy = 0.0;      ///< infinite if epsilon = 0 and the face is flipped
+    double ByArea = 0.0;      ///< derivative by the area
+    double ByDirichlet = 0.0; ///< derivative by the Dirichlet energy
+    double Curvature = 0.0;   ///< second derivative by the area, positive part
   };
 
-  FaceAreaEnergy() = default;
-  explicit FaceAreaEnergy(const Options& options)
-    : Epsilon(options.Epsilon)
-    , FlipWeight(options.FlipWeight)
+  /// beta. A choice by trial: areas of regions suffer from more, with less faces come near to flipping.
+  static constexpr double FlipWeight = 0.03;
+
+  /// @p epsilon >= 0, in target areas: how smooth the barrier against flipping is.
+  explicit FaceAreaEnergy(double epsilon)
+    : Epsilon(epsilon)
   {
   }
 
@@ -42,8 +39,7 @@ public:
   Value value(double area, double target, double dirichlet, double shapeWeight) const;
 
 private:
-  double Epsilon = 0.0;
-  double FlipWeight = 0.0;
+  double Epsilon;
 };
 
 } // namespace flattening

@@ -15,26 +15,36 @@ namespace flattening
 namespace
 {
 
+// Quasi-Newton steps per Newton step. A compromise of time: each costs a small part of a factorization,
+// and later ones gain little.
 constexpr int QuasiNewtonSteps = 8;
+// A guard: shorter steps than 2^-11 change the energy by rounding only.
 constexpr int LargestHalvings = 12;
+// The usual share of the linear decrease that a step must reach (Nocedal and Wright 2006, section 3.1).
 constexpr double ArmijoShare = 1e-4;
-// Of the energy: steps that gain less end the round.
+// A step that lowers the energy by a smaller share ends the round, which would gain little more.
 constexpr double LeastGain = 1e-5;
-// Of the way to the first flip.
+// How much of the way to the first flip a step may go. A convention; with 1 a face would have area 0.
 constexpr double FlipShare = 0.9;
-// Levenberg's damping, dimensionless as the Hessian is, and how it follows the Newton step's length.
+// Levenberg's damping, dimensionless like the Hessian, and how it follows the Newton step's length. Too
+// little makes steps that slivers bend far, too much makes all steps short; it adapts within some
+// rounds.
 constexpr double FirstDamping = 1e-5;
 constexpr double LeastDamping = 1e-7;
 constexpr double LessDamping = 0.3;
 constexpr double MoreDamping = 4.0;
-// Where the matrix is indefinite.
+// The factor of the damping after a failed factorization, and how often to try. A guard: after five
+// times the damping is larger than the Hessian.
 constexpr double RescueDamping = 100.0;
 constexpr int FactorTrials = 5;
-// Of the product of two lengths: below, an update has no positive curvature.
+// A guard: an update whose cosine of step and change of gradient is lower has no positive curvature, and
+// the metric would get indefinite.
 constexpr double LeastCurvature = 1e-12;
+// Faces of one task of a thread. Results do not depend on it.
 constexpr int PerTask = 4096;
 
-// The mesh's own order, found on one dof per vertex and expanded, in a quarter of the time.
+// An order of elimination of the degrees of freedom. It is found for one unknown per vertex, in a
+// quarter of the time, and expanded.
 EliminationOrder expandedOrder(const FaceMatrix& faces,
   const DegreesOfFreedom& dofs,
   SparseCholesky::Ordering ordering,
@@ -93,11 +103,6 @@ double smallestPositiveRoot(double a, double b, double c)
   return smallest;
 }
 
-double crossProduct(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 } // namespace
 
 RefinementDescent::RefinementDescent(RefinementEnergy& energy,
@@ -124,7 +129,7 @@ void RefinementDescent::resetDamping()
   this->Damping = FirstDamping;
 }
 
-// With more damping where slivers leave the last digits of the matrix indefinite.
+// Adds more damping where slivers leave the matrix indefinite in its last digits.
 void RefinementDescent::factorise(const DomainMap& map, const ProgressCallback& progress)
 {
   SparseMatrix matrix = this->Energy.hessian(map);
@@ -169,7 +174,8 @@ Eigen::VectorXd RefinementDescent::direction(const Eigen::VectorXd& gradient) co
   return -step;
 }
 
-// Where the first face has no area any more, if boundary vertices went straight on.
+// The length of the step at which the first face has no area. Boundary vertices are taken to move
+// straight.
 double RefinementDescent::lengthToFlip(const DomainMap& map, const Eigen::VectorXd& step) const
 {
   const int m = static_cast<int>(this->Faces.rows());
@@ -200,19 +206,56 @@ double RefinementDescent::lengthToFlip(const DomainMap& map, const Eigen::Vector
           sides[k] = map.Positions.row(b) - map.Positions.row(a);
           changes[k] = motion(b) - base;
         }
-        const double length = smallestPositiveRoot(crossProduct(changes[0], changes[1]),
-          crossProduct(sides[0], changes[1]) + crossProduct(changes[0], sides[1]),
-          crossProduct(sides[0], sides[1]));
+        const double length = smallestPositiveRoot(cross(changes[0], changes[1]),
+          cross(sides[0], changes[1]) + cross(changes[0], sides[1]),
+          cross(sides[0], sides[1]));
         parts[task] = std::min(parts[task], length);
       }
     });
   return *std::min_element(parts.begin(), parts.end());
 }
 
+// Halves the step until the energy falls enough.
+RefinementDescent::LineSearch RefinementDescent::searchLine(const DomainMap& map,
+  double energy,
+  const Eigen::VectorXd& step,
+  double slope) const
+{
+  LineSearch search{ {}, 0.0, 1.0, false };
+  if (this->KeepsOrientation)
+  {
+    search.Length = std::min(search.Length, FlipShare * this->lengthToFlip(map, step));
+  }
+  for (int halving = 0; halving < LargestHalvings && !search.Succeeded; ++halving)
+  {
+    search.Length *= halving == 0 ? 1.0 : 0.5;
+    search.Map = this->Dofs.moved(map, step, search.Length);
+    search.Energy = this->Energy.value(search.Map);
+    search.Succeeded = search.Energy <= energy + ArmijoShare * search.Length * slope;
+  }
+  return search;
+}
+
+// Less damping after a full Newton step, more after a short one.
+void RefinementDescent::adaptDamping(double length)
+{
+  const double factor = length > 0.99 ? LessDamping : length < 0.2 ? MoreDamping : 1.0;
+  this->Damping = std::max(factor * this->Damping, LeastDamping);
+}
+
+void RefinementDescent::learn(const Eigen::VectorXd& step, const Eigen::VectorXd& change)
+{
+  const double product = step.dot(change);
+  if (product > LeastCurvature * step.norm() * change.norm())
+  {
+    this->Updates.push_back({ step, change, product });
+  }
+}
+
 double RefinementDescent::round(DomainMap& map, const ProgressCallback& progress)
 {
-  Eigen::VectorXd gradient;
   report(progress, 0.0, "Face refinement: whole mesh");
+  Eigen::VectorXd gradient;
   const double before = this->Energy.gradient(map, gradient);
   this->factorise(map, progress);
   double energy = before;
@@ -225,41 +268,21 @@ double RefinementDescent::round(DomainMap& map, const ProgressCallback& progress
     {
       break;
     }
-    double length = 1.0;
-    if (this->KeepsOrientation)
-    {
-      length = std::min(length, FlipShare * this->lengthToFlip(map, step));
-    }
-    DomainMap next;
-    double nextEnergy = 0.0;
-    bool accepted = false;
-    for (int halving = 0; halving < LargestHalvings && !accepted; ++halving)
-    {
-      length *= halving == 0 ? 1.0 : 0.5;
-      next = this->Dofs.moved(map, step, length);
-      nextEnergy = this->Energy.value(next);
-      accepted = nextEnergy <= energy + ArmijoShare * length * slope;
-    }
+    LineSearch search = this->searchLine(map, energy, step, slope);
     if (k == 0)
     {
-      const double factor = length > 0.99 ? LessDamping : length < 0.2 ? MoreDamping : 1.0;
-      this->Damping = std::max(factor * this->Damping, LeastDamping);
+      this->adaptDamping(search.Length);
     }
-    if (!accepted)
+    if (!search.Succeeded)
     {
       break;
     }
     Eigen::VectorXd nextGradient;
-    this->Energy.gradient(next, nextGradient);
-    Update update{ length * step, nextGradient - gradient, 0.0 };
-    update.Product = update.Step.dot(update.Change);
-    if (update.Product > LeastCurvature * update.Step.norm() * update.Change.norm())
-    {
-      this->Updates.push_back(std::move(update));
-    }
-    const double gain = energy - nextEnergy;
-    map = std::move(next);
-    energy = nextEnergy;
+    this->Energy.gradient(search.Map, nextGradient);
+    this->learn(search.Length * step, nextGradient - gradient);
+    const double gain = energy - search.Energy;
+    map = std::move(search.Map);
+    energy = search.Energy;
     gradient = std::move(nextGradient);
     if (gain < LeastGain * energy)
     {

@@ -6,19 +6,23 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace flattening
 {
 namespace
 {
 
+// Faces or vertices of one task of a thread. It fixes the order of summation, and with it the last bits.
 constexpr int PerTask = 2048;
-// Of the bound of the areas' second derivative: half of it converges twice as fast and is enough.
+// The share of the bound of the areas' second derivative in the Hessian: half of it converges twice as
+// fast as all of it and is enough, since damping catches the rest.
 constexpr double BoundShare = 0.5;
-// What the order of the boundary counts against areas, by the square of a gap.
+// The weight of the order of boundary vertices against areas, per square of a gap: small, so that areas
+// decide how far vertices slide; with 0 they may pass each other.
 constexpr double GapWeight = 1e-3;
 
-// Sums task by task, in the same order whatever the number of threads.
+// The sum task by task, in the same order for any number of threads.
 template <typename Function>
 double orderedSum(int count, const Function& function)
 {
@@ -35,12 +39,7 @@ double orderedSum(int count, const Function& function)
       }
       parts[task] = sum;
     });
-  double sum = 0.0;
-  for (const double part : parts)
-  {
-    sum += part;
-  }
-  return sum;
+  return std::accumulate(parts.begin(), parts.end(), 0.0);
 }
 
 Eigen::Vector2d quarterTurn(const Eigen::Vector2d& v)
@@ -56,36 +55,34 @@ struct RefinementEnergy::FlatFace
   double Area;
   double Dirichlet;
 
-  // Of the area, by the place of a corner.
+  // The derivative of the area by the position of a corner.
   Eigen::Vector2d areaSlope(int corner) const { return 0.5 * quarterTurn(this->Sides[corner]); }
 };
 
 RefinementEnergy::RefinementEnergy(const RefinementTerms& terms,
   const VertexFaces& facesOf,
-  const DegreesOfFreedom& unknowns)
+  const DegreesOfFreedom& dofs)
   : Terms(terms)
   , FacesOf(facesOf)
-  , Unknowns(unknowns)
-  , Energy(FaceAreaEnergy::Options())
+  , Dofs(dofs)
+  , Energy(0.0)
   , Values(terms.Faces.rows())
 {
 }
 
 void RefinementEnergy::setEpsilon(double epsilon)
 {
-  FaceAreaEnergy::Options options;
-  options.Epsilon = epsilon;
-  this->Energy = FaceAreaEnergy(options);
+  this->Energy = FaceAreaEnergy(epsilon);
 }
 
-void RefinementEnergy::setEnclosed(const FlatState& state)
+void RefinementEnergy::setEnclosed(const DomainMap& map)
 {
-  const std::vector<int>& loop = this->Unknowns.loop();
+  const std::vector<int>& loop = this->Dofs.loop();
   double twice = 0.0;
   for (std::size_t k = 0; k < loop.size(); ++k)
   {
-    const Eigen::RowVector2d a = state.Positions.row(loop[k]);
-    const Eigen::RowVector2d b = state.Positions.row(loop[(k + 1) % loop.size()]);
+    const Eigen::RowVector2d a = map.Positions.row(loop[k]);
+    const Eigen::RowVector2d b = map.Positions.row(loop[(k + 1) % loop.size()]);
     twice += a.x() * b.y() - a.y() * b.x();
   }
   this->Scale = 0.5 * twice / this->Targets.sum();
@@ -109,53 +106,53 @@ RefinementEnergy::FlatFace RefinementEnergy::flatFace(const Points2& positions, 
   return flat;
 }
 
+int RefinementEnergy::cornerOf(int vertex, int face) const
+{
+  return this->Terms.Faces(face, 0) == vertex ? 0 : this->Terms.Faces(face, 1) == vertex ? 1 : 2;
+}
+
 FaceAreaEnergy::Value RefinementEnergy::faceValue(const FlatFace& flat, int face) const
 {
   return this->Energy.value(
     flat.Area, this->Scale * this->Targets[face], flat.Dirichlet, this->Terms.ShapeWeights[face]);
 }
 
-double RefinementEnergy::gapValue(const FlatState& state,
-  const BoundaryGap& gap,
-  double& slope,
-  double& curvature) const
+RefinementEnergy::GapTerm RefinementEnergy::gapTerm(const DomainMap& map, const BoundaryGap& gap) const
 {
-  const double turn = gap.Second < gap.First ? this->Unknowns.domain().perimeter() : 0.0;
-  const double length = state.Places[gap.Second] - state.Places[gap.First] + turn;
+  const double turn = gap.Second < gap.First ? this->Dofs.domain().perimeter() : 0.0;
+  const double length = map.BoundaryParameters[gap.Second] - map.BoundaryParameters[gap.First] + turn;
   const double weight = GapWeight * gap.Share * gap.Share;
   const double rho = length / gap.Share;
   if (!(rho > 0.0))
   {
-    return std::numeric_limits<double>::infinity();
+    return { std::numeric_limits<double>::infinity(), 0.0, 0.0 };
   }
-  slope = weight * (1.0 - 1.0 / rho) / gap.Share;
-  curvature = weight / (rho * rho * gap.Share * gap.Share);
-  return weight * (rho - 1.0 - std::log(rho));
+  return { weight * (rho - 1.0 - std::log(rho)),
+    weight * (1.0 - 1.0 / rho) / gap.Share,
+    weight / (rho * rho * gap.Share * gap.Share) };
 }
 
-double RefinementEnergy::value(const FlatState& state) const
+double RefinementEnergy::value(const DomainMap& map) const
 {
   double sum = orderedSum(static_cast<int>(this->Terms.Faces.rows()),
-    [&](int f) { return this->faceValue(this->flatFace(state.Positions, f), f).Energy; });
+    [&](int f) { return this->faceValue(this->flatFace(map.Positions, f), f).Energy; });
   for (const BoundaryGap& gap : this->Terms.Gaps)
   {
-    double slope;
-    double curvature;
-    sum += this->gapValue(state, gap, slope, curvature);
+    sum += this->gapTerm(map, gap).Energy;
   }
   return sum;
 }
 
-double RefinementEnergy::gradient(const FlatState& state, Eigen::VectorXd& gradient)
+double RefinementEnergy::gradient(const DomainMap& map, Eigen::VectorXd& gradient)
 {
   double sum = orderedSum(static_cast<int>(this->Terms.Faces.rows()),
     [&](int f)
     {
-      this->Values[f] = this->faceValue(this->flatFace(state.Positions, f), f);
+      this->Values[f] = this->faceValue(this->flatFace(map.Positions, f), f);
       return this->Values[f].Energy;
     });
-  gradient.setZero(this->Unknowns.count());
-  tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(state.Positions.rows()), PerTask),
+  gradient.setZero(this->Dofs.count());
+  tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(map.Positions.rows()), PerTask),
     [&](const tbb::blocked_range<int>& range)
     {
       for (int v = range.begin(); v < range.end(); ++v)
@@ -163,8 +160,8 @@ double RefinementEnergy::gradient(const FlatState& state, Eigen::VectorXd& gradi
         Eigen::Vector2d slope = Eigen::Vector2d::Zero();
         for (const int f : this->FacesOf[v])
         {
-          const FlatFace flat = this->flatFace(state.Positions, f);
-          const int k = this->Terms.Faces(f, 0) == v ? 0 : this->Terms.Faces(f, 1) == v ? 1 : 2;
+          const FlatFace flat = this->flatFace(map.Positions, f);
+          const int k = this->cornerOf(v, f);
           const int next = (k + 1) % 3;
           const int last = (k + 2) % 3;
           const Eigen::Vector2d byDirichlet =
@@ -173,94 +170,96 @@ double RefinementEnergy::gradient(const FlatState& state, Eigen::VectorXd& gradi
           slope +=
             this->Values[f].ByArea * flat.areaSlope(k) + this->Values[f].ByDirichlet * byDirichlet;
         }
-        const Eigen::Vector2d own = this->Unknowns.directions(state, v).transpose() * slope;
-        gradient.segment(this->Unknowns.first(v), this->Unknowns.countOf(v)) =
-          own.head(this->Unknowns.countOf(v));
+        const Eigen::Vector2d own = this->Dofs.directions(map, v).transpose() * slope;
+        gradient.segment(this->Dofs.first(v), this->Dofs.countOf(v)) = own.head(this->Dofs.countOf(v));
       }
     });
   for (const BoundaryGap& gap : this->Terms.Gaps)
   {
-    double slope = 0.0;
-    double curvature;
-    sum += this->gapValue(state, gap, slope, curvature);
-    const int own = this->Unknowns.unknownOfMember(gap.First);
-    const int next = this->Unknowns.unknownOfMember(gap.Second);
+    const GapTerm term = this->gapTerm(map, gap);
+    sum += term.Energy;
+    const int own = this->Dofs.dofOfMember(gap.First);
+    const int next = this->Dofs.dofOfMember(gap.Second);
     if (own >= 0)
     {
-      gradient[own] -= slope;
+      gradient[own] -= term.Slope;
     }
     if (next >= 0)
     {
-      gradient[next] += slope;
+      gradient[next] += term.Slope;
     }
   }
   return sum;
 }
 
-Eigen::VectorXd RefinementEnergy::areaRatios(const FlatState& state) const
+Eigen::VectorXd RefinementEnergy::areaRatios(const DomainMap& map) const
 {
-  return signedFaceAreas(state.Positions, this->Terms.Faces).array() /
+  return signedFaceAreas(map.Positions, this->Terms.Faces).array() /
          (this->Scale * this->Targets.array());
+}
+
+// A vertex and its neighbours of higher number, ascending.
+std::vector<int> RefinementEnergy::higherNeighbours(int vertex) const
+{
+  std::vector<int> neighbours;
+  for (const int f : this->FacesOf[vertex])
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (this->Terms.Faces(f, k) >= vertex)
+      {
+        neighbours.push_back(this->Terms.Faces(f, k));
+      }
+    }
+  }
+  std::sort(neighbours.begin(), neighbours.end());
+  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+  return neighbours;
+}
+
+// Where the blocks of a vertex and of each neighbour begin in the columns of the vertex.
+void RefinementEnergy::findBlockRows(int vertex, const std::vector<int>& neighbours)
+{
+  const auto rowOf = [&](int neighbour)
+  {
+    int row = 0;
+    for (auto before = neighbours.begin(); *before != neighbour; ++before)
+    {
+      row += this->Dofs.countOf(*before);
+    }
+    return row;
+  };
+  for (const int f : this->FacesOf[vertex])
+  {
+    const int k = this->cornerOf(vertex, f);
+    for (int j = 0; j < 3; ++j)
+    {
+      if (this->Terms.Faces(f, j) >= vertex)
+      {
+        this->Rows[9 * f + 3 * k + j] = rowOf(this->Terms.Faces(f, j));
+      }
+    }
+  }
 }
 
 // The columns of a vertex hold its own block and those of its neighbours of higher number.
 void RefinementEnergy::findPattern()
 {
-  const int n = static_cast<int>(this->Unknowns.count());
-  const Eigen::Index vertices = this->FacesOf.vertexCount();
+  const int n = this->Dofs.count();
   std::vector<int> starts(n + 1, 0);
   std::vector<int> rows;
   this->Rows.assign(9 * this->Terms.Faces.rows(), -1);
-  std::vector<int> neighbours;
-  for (int v = 0; v < vertices; ++v)
+  for (int v = 0; v < this->FacesOf.vertexCount(); ++v)
   {
-    neighbours.clear();
-    for (const int f : this->FacesOf[v])
+    const std::vector<int> neighbours = this->higherNeighbours(v);
+    this->findBlockRows(v, neighbours);
+    for (int column = this->Dofs.first(v); column < this->Dofs.first(v + 1); ++column)
     {
-      for (int k = 0; k < 3; ++k)
-      {
-        neighbours.push_back(this->Terms.Faces(f, k));
-      }
-    }
-    std::sort(neighbours.begin(), neighbours.end());
-    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-    neighbours.erase(neighbours.begin(), std::lower_bound(neighbours.begin(), neighbours.end(), v));
-
-    const auto before = [&](int u)
-    {
-      int count = 0;
-      for (const int w : neighbours)
-      {
-        if (w == u)
-        {
-          break;
-        }
-        count += this->Unknowns.countOf(w);
-      }
-      return count;
-    };
-    for (const int f : this->FacesOf[v])
-    {
-      const int k = this->Terms.Faces(f, 0) == v ? 0 : this->Terms.Faces(f, 1) == v ? 1 : 2;
-      for (int j = 0; j < 3; ++j)
-      {
-        if (this->Terms.Faces(f, j) >= v)
-        {
-          this->Rows[9 * f + 3 * k + j] = before(this->Terms.Faces(f, j));
-        }
-      }
-    }
-    for (int own = 0; own < this->Unknowns.countOf(v); ++own)
-    {
-      const int column = this->Unknowns.first(v) + own;
       for (const int u : neighbours)
       {
-        for (int k = 0; k < this->Unknowns.countOf(u); ++k)
+        for (int row = std::max(column, this->Dofs.first(u)); row < this->Dofs.first(u + 1); ++row)
         {
-          if (this->Unknowns.first(u) + k >= column)
-          {
-            rows.push_back(this->Unknowns.first(u) + k);
-          }
+          rows.push_back(row);
         }
       }
       starts[column + 1] = static_cast<int>(rows.size());
@@ -272,7 +271,7 @@ void RefinementEnergy::findPattern()
   std::copy(rows.begin(), rows.end(), this->Hessian.innerIndexPtr());
 }
 
-// Of one face, by the places of two of its corners.
+// The second derivative of a face's energy by the positions of two of its corners.
 Eigen::Matrix2d RefinementEnergy::block(const FlatFace& flat, int face, int a, int b) const
 {
   const FaceAreaEnergy::Value& value = this->Values[face];
@@ -284,21 +283,21 @@ Eigen::Matrix2d RefinementEnergy::block(const FlatFace& flat, int face, int a, i
          spread * laplacian * Eigen::Matrix2d::Identity();
 }
 
-void RefinementEnergy::addVertexBlocks(const FlatState& state, int vertex)
+void RefinementEnergy::addVertexBlocks(const DomainMap& map, int vertex)
 {
-  const int own = this->Unknowns.countOf(vertex);
-  const Eigen::Matrix2d directions = this->Unknowns.directions(state, vertex);
+  const int own = this->Dofs.countOf(vertex);
+  const Eigen::Matrix2d directions = this->Dofs.directions(map, vertex);
   const int* starts = this->Hessian.outerIndexPtr();
   double* values = this->Hessian.valuePtr();
-  const int first = this->Unknowns.first(vertex);
+  const int first = this->Dofs.first(vertex);
   if (own > 0)
   {
     std::fill(values + starts[first], values + starts[first + own], 0.0);
   }
   for (const int f : this->FacesOf[vertex])
   {
-    const FlatFace flat = this->flatFace(state.Positions, f);
-    const int k = this->Terms.Faces(f, 0) == vertex ? 0 : this->Terms.Faces(f, 1) == vertex ? 1 : 2;
+    const FlatFace flat = this->flatFace(map.Positions, f);
+    const int k = this->cornerOf(vertex, f);
     for (int j = 0; j < 3; ++j)
     {
       const int row = this->Rows[9 * f + 3 * k + j];
@@ -308,11 +307,11 @@ void RefinementEnergy::addVertexBlocks(const FlatState& state, int vertex)
         continue;
       }
       const Eigen::Matrix2d entries =
-        this->Unknowns.directions(state, other).transpose() * this->block(flat, f, j, k) * directions;
+        this->Dofs.directions(map, other).transpose() * this->block(flat, f, j, k) * directions;
       for (int c = 0; c < own; ++c)
       {
         double* column = values + starts[first + c] - c; // row 0 of the column's vertex is cut off
-        for (int r = other == vertex ? c : 0; r < this->Unknowns.countOf(other); ++r)
+        for (int r = other == vertex ? c : 0; r < this->Dofs.countOf(other); ++r)
         {
           column[row + r] += entries(r, c);
         }
@@ -321,27 +320,25 @@ void RefinementEnergy::addVertexBlocks(const FlatState& state, int vertex)
   }
 }
 
-const SparseMatrix& RefinementEnergy::hessian(const FlatState& state)
+const SparseMatrix& RefinementEnergy::hessian(const DomainMap& map)
 {
   if (this->Rows.empty())
   {
     this->findPattern();
   }
-  tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(state.Positions.rows()), PerTask),
+  tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(map.Positions.rows()), PerTask),
     [&](const tbb::blocked_range<int>& range)
     {
       for (int v = range.begin(); v < range.end(); ++v)
       {
-        this->addVertexBlocks(state, v);
+        this->addVertexBlocks(map, v);
       }
     });
   for (const BoundaryGap& gap : this->Terms.Gaps)
   {
-    double slope = 0.0;
-    double curvature = 0.0;
-    this->gapValue(state, gap, slope, curvature);
-    const int a = this->Unknowns.unknownOfMember(gap.First);
-    const int b = this->Unknowns.unknownOfMember(gap.Second);
+    const double curvature = this->gapTerm(map, gap).Curvature;
+    const int a = this->Dofs.dofOfMember(gap.First);
+    const int b = this->Dofs.dofOfMember(gap.Second);
     for (const int own : { a, b })
     {
       if (own >= 0)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What face refinement minimises: the sum over all faces and boundary edges of a flat map.
+/// The energy that face refinement minimises: a sum over the faces and boundary edges of a flat map.
 #pragma once
 
 #include "Areas/DegreesOfFreedom.h"
@@ -13,58 +13,66 @@
 namespace flattening
 {
 
-/// The energies of all faces (FaceAreaEnergy), and for every gap between neighbours on the boundary,
-/// rho of its share by length on the surface, rho - 1 - log rho with a small weight, which keeps
-/// boundary vertices in their order as they slide. Sums do not depend on the number of threads.
+/// The sum of the energies of all faces (FaceAreaEnergy), and of rho - 1 - log rho, with a small weight,
+/// over all gaps between neighbours on the boundary, where rho is the length of the gap over its share
+/// by length on the surface. The latter keeps boundary vertices in order as they slide. Sums do not
+/// depend on the number of threads.
 class RefinementEnergy
 {
 public:
-  /// @p facesOf of the terms' faces. The arguments must live as long as this does.
+  /// @p facesOf holds the faces of @p terms. The arguments must live as long as this does.
   RefinementEnergy(const RefinementTerms& terms,
     const VertexFaces& facesOf,
-    const DegreesOfFreedom& unknowns);
+    const DegreesOfFreedom& dofs);
 
-  /// @p targets (m, > 0) sum up to what the boundary is taken to enclose; see setEnclosed().
+  /// Sets the target areas (m, > 0), up to a common factor; see setEnclosed().
   void setTargets(const Eigen::VectorXd& targets) { this->Targets = targets; }
-  /// 0: faces that flip cost infinitely much.
+  /// Sets epsilon of FaceAreaEnergy, >= 0; with 0 the energy of flipped faces is infinite.
   void setEpsilon(double epsilon);
-  /// The targets are scaled to the area that the boundary of @p state encloses.
-  void setEnclosed(const FlatState& state);
+  /// Scales the targets to the area that the boundary of @p map encloses.
+  void setEnclosed(const DomainMap& map);
   double targetOf(int face) const { return this->Scale * this->Targets[face]; }
 
-  double value(const FlatState& state) const;
-  /// Returns the value.
-  double gradient(const FlatState& state, Eigen::VectorXd& gradient);
+  double value(const DomainMap& map) const;
+  /// Computes the @p gradient by the degrees of freedom and returns the value.
+  double gradient(const DomainMap& map, Eigen::VectorXd& gradient);
 
-  /// Positive semidefinite and nearly the second derivative: where the exact one of an area could be
-  /// indefinite, a bound of it, for |ByArea| times the area of a displacement is at most that times its
-  /// Dirichlet energy. Of the map of the last gradient(); lower triangle, the same pattern every time.
-  const SparseMatrix& hessian(const FlatState& state);
+  /// A positive semidefinite approximation of the second derivative, for the map of the last gradient();
+  /// lower triangle, always with the same pattern. The second derivative of an area is indefinite; it is
+  /// replaced by a bound: the area of a displacement is at most its Dirichlet energy.
+  const SparseMatrix& hessian(const DomainMap& map);
 
   /// Signed areas of all faces over their targets.
-  Eigen::VectorXd areaRatios(const FlatState& state) const;
+  Eigen::VectorXd areaRatios(const DomainMap& map) const;
 
 private:
   struct FlatFace;
+  struct GapTerm // of a gap, with its derivatives by the length
+  {
+    double Energy;
+    double Slope;
+    double Curvature;
+  };
   FlatFace flatFace(const Points2& positions, int face) const;
   FaceAreaEnergy::Value faceValue(const FlatFace& flat, int face) const;
-  double gapValue(const FlatState& state,
-    const BoundaryGap& gap,
-    double& slope,
-    double& curvature) const;
+  GapTerm gapTerm(const DomainMap& map, const BoundaryGap& gap) const;
+  int cornerOf(int vertex, int face) const;
   Eigen::Matrix2d block(const FlatFace& flat, int face, int a, int b) const;
+  std::vector<int> higherNeighbours(int vertex) const;
+  void findBlockRows(int vertex, const std::vector<int>& neighbours);
   void findPattern();
-  void addVertexBlocks(const FlatState& state, int vertex);
+  void addVertexBlocks(const DomainMap& map, int vertex);
 
   const RefinementTerms& Terms;
   const VertexFaces& FacesOf;
-  const DegreesOfFreedom& Unknowns;
+  const DegreesOfFreedom& Dofs;
   FaceAreaEnergy Energy;
   Eigen::VectorXd Targets;
   double Scale = 1.0;
   std::vector<FaceAreaEnergy::Value> Values; // of the last gradient
   SparseMatrix Hessian;
-  std::vector<int> Rows; // per face and ordered pair of its corners: the block's first row in its column
+  // Per face and ordered pair of its corners: where the pair's block begins in its columns, or -1.
+  std::vector<int> Rows;
 };
 
 } // namespace flattening

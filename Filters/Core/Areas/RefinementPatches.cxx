@@ -52,7 +52,7 @@ public:
   }
 
   // Whether the patch was worked on.
-  bool refine(const FlatState& before, FlatState& after)
+  bool refine(const DomainMap& before, DomainMap& after)
   {
     if (this->Free == 0 || this->offShare(before) <= EnoughPatchShare)
     {
@@ -61,25 +61,25 @@ public:
     this->addBorder();
     const std::vector<int> members = this->boundaryMembers();
     std::vector<int> localMembers;
-    FlatState state{ Points2(this->Vertices.size(), 2), Eigen::VectorXd(members.size()) };
+    DomainMap map{ Points2(this->Vertices.size(), 2), Eigen::VectorXd(members.size()) };
     for (std::size_t k = 0; k < members.size(); ++k)
     {
-      localMembers.push_back(this->local(this->Whole.Unknowns.loop()[members[k]]));
-      state.Places[k] = before.Places[members[k]];
+      localMembers.push_back(this->local(this->Whole.Dofs.loop()[members[k]]));
+      map.BoundaryParameters[k] = before.BoundaryParameters[members[k]];
     }
     for (std::size_t i = 0; i < this->Vertices.size(); ++i)
     {
-      state.Positions.row(i) = before.Positions.row(this->Vertices[i]);
+      map.Positions.row(i) = before.Positions.row(this->Vertices[i]);
     }
     std::vector<char> stays(this->Vertices.size(), 0);
     for (std::size_t i = 0; i < this->Vertices.size(); ++i)
     {
-      stays[i] = i >= this->Free || this->Whole.Unknowns.countOf(this->Vertices[i]) == 0;
+      stays[i] = i >= this->Free || this->Whole.Dofs.countOf(this->Vertices[i]) == 0;
     }
-    const DegreesOfFreedom unknowns(this->Whole.Unknowns.sharedDomain(), localMembers, stays);
+    const DegreesOfFreedom dofs(this->Whole.Dofs.sharedDomain(), localMembers, stays);
     const RefinementTerms terms = this->terms(members);
     const VertexFaces facesOf(terms.Faces, static_cast<int>(this->Vertices.size()));
-    RefinementEnergy energy(terms, facesOf, unknowns);
+    RefinementEnergy energy(terms, facesOf, dofs);
     Eigen::VectorXd targets(this->Rows.size());
     for (std::size_t i = 0; i < this->Rows.size(); ++i)
     {
@@ -87,12 +87,12 @@ public:
     }
     energy.setTargets(targets);
     energy.setEpsilon(this->ThePass.Epsilon);
-    RefinementDescent descent(energy, unknowns, terms.Faces, SparseCholesky::Kernel::Entries);
+    RefinementDescent descent(energy, dofs, terms.Faces, SparseCholesky::Kernel::Entries);
     descent.keepOrientation(this->ThePass.KeepsOrientation);
     for (int round = 0; round < LargestRounds; ++round)
     {
-      const double gain = descent.round(state);
-      const Eigen::Index off = ((energy.areaRatios(state).array() - 1.0).abs() > AreaTolerance).count();
+      const double gain = descent.round(map);
+      const Eigen::Index off = ((energy.areaRatios(map).array() - 1.0).abs() > AreaTolerance).count();
       if (off == 0 || gain < LeastGain)
       {
         break;
@@ -100,13 +100,13 @@ public:
     }
     for (std::size_t i = 0; i < this->Free; ++i)
     {
-      after.Positions.row(this->Vertices[i]) = state.Positions.row(i);
+      after.Positions.row(this->Vertices[i]) = map.Positions.row(i);
     }
     for (std::size_t k = 0; k < members.size(); ++k)
     {
       if (localMembers[k] < static_cast<int>(this->Free))
       {
-        after.Places[members[k]] = state.Places[k];
+        after.BoundaryParameters[members[k]] = map.BoundaryParameters[k];
       }
     }
     return true;
@@ -129,14 +129,14 @@ private:
     return true;
   }
 
-  double offShare(const FlatState& state) const
+  double offShare(const DomainMap& map) const
   {
     int off = 0;
     for (const int f : this->Rows)
     {
-      const Eigen::RowVector2d a = state.Positions.row(this->Whole.Terms.Faces(f, 0));
-      const Eigen::RowVector2d b = state.Positions.row(this->Whole.Terms.Faces(f, 1)) - a;
-      const Eigen::RowVector2d c = state.Positions.row(this->Whole.Terms.Faces(f, 2)) - a;
+      const Eigen::RowVector2d a = map.Positions.row(this->Whole.Terms.Faces(f, 0));
+      const Eigen::RowVector2d b = map.Positions.row(this->Whole.Terms.Faces(f, 1)) - a;
+      const Eigen::RowVector2d c = map.Positions.row(this->Whole.Terms.Faces(f, 2)) - a;
       const double area = 0.5 * (b.x() * c.y() - b.y() * c.x());
       off += std::abs(area / this->ThePass.Targets[f] - 1.0) > AreaTolerance ? 1 : 0;
     }
@@ -178,9 +178,9 @@ private:
     std::vector<int> members;
     for (const int v : this->Vertices)
     {
-      if (this->Whole.Unknowns.memberOf(v) >= 0)
+      if (this->Whole.Dofs.memberOf(v) >= 0)
       {
-        members.push_back(this->Whole.Unknowns.memberOf(v));
+        members.push_back(this->Whole.Dofs.memberOf(v));
       }
     }
     std::sort(members.begin(), members.end());
@@ -232,18 +232,18 @@ private:
 
 RefinementPatches::RefinementPatches(const RefinementTerms& terms,
   const VertexFaces& facesOf,
-  const DegreesOfFreedom& unknowns)
+  const DegreesOfFreedom& dofs)
   : Terms(terms)
   , FacesOf(facesOf)
-  , Unknowns(unknowns)
+  , Dofs(dofs)
 {
 }
 
-int RefinementPatches::run(const Pass& pass, FlatState& state, const ProgressCallback& progress)
+int RefinementPatches::run(const Pass& pass, DomainMap& map, const ProgressCallback& progress)
 {
   const std::vector<std::vector<int>> parts =
-    recursiveBisection(state.Positions, LargestPatch, Turn * this->Passes++);
-  std::vector<int> partOf(state.Positions.rows());
+    recursiveBisection(map.Positions, LargestPatch, Turn * this->Passes++);
+  std::vector<int> partOf(map.Positions.rows());
   for (std::size_t p = 0; p < parts.size(); ++p)
   {
     for (const int v : parts[p])
@@ -264,7 +264,7 @@ int RefinementPatches::run(const Pass& pass, FlatState& state, const ProgressCal
         {
           report(progress, static_cast<double>(done) / parts.size(), "Face refinement");
         }
-        worked += Patch(*this, pass, parts[p], partOf).refine(state, state) ? 1 : 0;
+        worked += Patch(*this, pass, parts[p], partOf).refine(map, map) ? 1 : 0;
         ++done;
       }
     });

@@ -28,7 +28,7 @@ public:
   /// The arguments must live as long as this does.
   RefinementPatches(const RefinementTerms& terms,
     const VertexFaces& facesOf,
-    const DegreesOfFreedom& unknowns);
+    const DegreesOfFreedom& dofs);
 
   struct Pass
   {
@@ -39,14 +39,14 @@ public:
   };
 
   /// In patches where too many faces are not right. Returns how many patches that were.
-  int run(const Pass& pass, FlatState& state, const ProgressCallback& progress);
+  int run(const Pass& pass, DomainMap& map, const ProgressCallback& progress);
 
 private:
   class Patch;
 
   const RefinementTerms& Terms;
   const VertexFaces& FacesOf;
-  const DegreesOfFreedom& Unknowns;
+  const DegreesOfFreedom& Dofs;
   int Passes = 0;
 };
 

@@ -12,22 +12,28 @@ namespace flattening
 namespace
 {
 
-// Shapes count so many times as much in the first rounds: what they gain there, over a long way, is not
-// lost again. In the horns of large surfaces, repeating that is the way out of what is tangled.
+// In the first rounds shapes count FirstShapeFactor times as much: the shape that faces gain over the
+// long way is not lost again. Repeating these rounds untangles faces in the protrusions of large
+// surfaces. Both are choices by trial; with 1 more faces stay flipped after the first stage.
 constexpr int FirstShapeRounds = 2;
 constexpr double FirstShapeFactor = 10.0;
-// A stage ends when so few faces are off by more than the patches' tolerance, or when rounds in a row
-// bring neither their number nor how far they are off in sum down by this share.
+// A stage ends when at most the share EnoughShare of the faces is off by more than AreaTolerance, or
+// after MostIdleRounds rounds in a row that lower neither their number nor the sum of their errors by
+// LeastProgress. A compromise: lower values bring the last faces nearer in many rounds.
 constexpr double EnoughShare = 0.003;
 constexpr double LeastProgress = 0.02;
 constexpr int MostIdleRounds = 2;
-// The same from a refined map.
-constexpr double LeastContinuedProgress = 0.2;
-constexpr int MostIdleContinuedRounds = 1;
-// Faces with less of their target, flipped ones among them, count as if they had this share of it.
+// The same after a warm start: rounds that bring little are not worth the wait for a small change.
+constexpr double LeastWarmProgress = 0.2;
+constexpr int MostIdleWarmRounds = 1;
+// The least area ratio of a face in the sum of errors. A guard: the logarithm of a flipped face's ratio
+// does not exist.
 constexpr double LeastRatio = 1e-3;
-// Every other round looks whether regions of the size of a patch have their area to this share.
+// The direction of the lines between regions, in radians. A convention: other than that of the patches.
 constexpr double RegionAngle = 0.5;
+// Every RoundsPerBalance rounds, regions of the size of a patch must have their area up to
+// RegionTolerance, or steps of the whole mesh follow. These cost about as much as several rounds,
+// patches cannot replace them.
 constexpr double RegionTolerance = 0.01;
 constexpr int RoundsPerBalance = 2;
 
@@ -36,21 +42,21 @@ constexpr int RoundsPerBalance = 2;
 // The faces whose area is off by more than the tolerance.
 struct RefinementRounds::WrongFaces
 {
-  double Share = 0.0;    // of all faces
-  double Distance = 0.0; // the sum of how far they are off, by the logarithms of their area ratios
+  double Share = 0.0;    // their share of all faces
+  double Distance = 0.0; // the sum of the logarithms of their area ratios, absolute values
 };
 
 RefinementRounds::RefinementRounds(const TriangleMesh& surface,
   const RefinementTerms& terms,
   const VertexFaces& facesOf,
-  const DegreesOfFreedom& unknowns,
-  Start start)
+  const DegreesOfFreedom& dofs,
+  RefinementStart start)
   : Surface(surface)
-  , Unknowns(unknowns)
-  , Energy(terms, facesOf, unknowns)
-  , Patches(terms, facesOf, unknowns)
-  , Begin(start)
-  , LastShapeRound(start == Start::Refined ? 0 : FirstShapeRounds)
+  , Dofs(dofs)
+  , Energy(terms, facesOf, dofs)
+  , Patches(terms, facesOf, dofs)
+  , Start(start)
+  , LastShapeRound(start == RefinementStart::WarmStart ? 0 : FirstShapeRounds)
 {
 }
 
@@ -61,7 +67,7 @@ void RefinementRounds::setStage(const Eigen::VectorXd& targets, double epsilon)
   this->Epsilon = epsilon;
 }
 
-void RefinementRounds::startAgain()
+void RefinementRounds::favourShapes()
 {
   this->LastShapeRound = this->Count + FirstShapeRounds;
   if (this->Descent)
@@ -70,10 +76,10 @@ void RefinementRounds::startAgain()
   }
 }
 
-RefinementRounds::WrongFaces RefinementRounds::wrongFaces(const FlatState& state)
+RefinementRounds::WrongFaces RefinementRounds::wrongFaces(const DomainMap& map)
 {
-  this->Energy.setEnclosed(state);
-  const Eigen::VectorXd ratios = this->Energy.areaRatios(state);
+  this->Energy.setEnclosed(map);
+  const Eigen::VectorXd ratios = this->Energy.areaRatios(map);
   WrongFaces wrong;
   for (const double ratio : ratios)
   {
@@ -86,9 +92,9 @@ RefinementRounds::WrongFaces RefinementRounds::wrongFaces(const FlatState& state
   return wrong;
 }
 
-Eigen::VectorXd RefinementRounds::presentTargets(const FlatState& state)
+Eigen::VectorXd RefinementRounds::presentTargets(const DomainMap& map)
 {
-  this->Energy.setEnclosed(state);
+  this->Energy.setEnclosed(map);
   Eigen::VectorXd targets(this->Surface.faceCount());
   for (int f = 0; f < this->Surface.faceCount(); ++f)
   {
@@ -97,16 +103,16 @@ Eigen::VectorXd RefinementRounds::presentTargets(const FlatState& state)
   return targets;
 }
 
-// The largest share by which a region's area is wrong.
-double RefinementRounds::imbalance(const FlatState& state, const Eigen::VectorXd& targets) const
+// The largest relative error of a region's area.
+double RefinementRounds::imbalance(const DomainMap& map, const Eigen::VectorXd& targets) const
 {
   const FaceMatrix& faces = this->Surface.Faces;
   const int n = this->Surface.vertexCount();
-  const Eigen::VectorXd areas = vertexAreas(faces, signedFaceAreas(state.Positions, faces), n);
+  const Eigen::VectorXd areas = vertexAreas(faces, signedFaceAreas(map.Positions, faces), n);
   const Eigen::VectorXd wanted = vertexAreas(faces, targets, n);
   double largest = 0.0;
   for (const std::vector<int>& region :
-    recursiveBisection(state.Positions, RefinementPatches::LargestPatch, RegionAngle))
+    recursiveBisection(map.Positions, RefinementPatches::LargestPatch, RegionAngle))
   {
     double has = 0.0;
     double wants = 0.0;
@@ -120,28 +126,27 @@ double RefinementRounds::imbalance(const FlatState& state, const Eigen::VectorXd
   return largest;
 }
 
-// Area that must travel farther than a patch reaches takes steps of the whole mesh.
-void RefinementRounds::balance(FlatState& state, double tolerance, const ProgressCallback& progress)
+void RefinementRounds::balance(DomainMap& map, double tolerance, const ProgressCallback& progress)
 {
-  if (this->imbalance(state, this->presentTargets(state)) < tolerance)
+  if (this->imbalance(map, this->presentTargets(map)) < tolerance)
   {
     return;
   }
   if (!this->Descent)
   {
     this->Descent.emplace(
-      this->Energy, this->Unknowns, this->Surface.Faces, SparseCholesky::Kernel::Blocks, progress);
+      this->Energy, this->Dofs, this->Surface.Faces, SparseCholesky::Kernel::Blocks, progress);
   }
   this->Descent->keepOrientation(this->Epsilon == 0.0);
-  this->Descent->round(state, progress);
+  this->Descent->round(map, progress);
 }
 
-void RefinementRounds::run(FlatState& state, int most, Until until, const ProgressCallback& progress)
+void RefinementRounds::run(DomainMap& map, int most, Until until, const ProgressCallback& progress)
 {
-  const bool isRefined = this->Begin == Start::Refined;
-  const double progressShare = isRefined ? LeastContinuedProgress : LeastProgress;
-  const int mostIdle = isRefined ? MostIdleContinuedRounds : MostIdleRounds;
-  WrongFaces before = this->wrongFaces(state);
+  const bool isWarm = this->Start == RefinementStart::WarmStart;
+  const double leastProgress = isWarm ? LeastWarmProgress : LeastProgress;
+  const int mostIdle = isWarm ? MostIdleWarmRounds : MostIdleRounds;
+  WrongFaces before = this->wrongFaces(map);
   int idle = 0;
   for (int round = 0; round < most && (before.Share > EnoughShare || until == Until::AllRounds); ++round)
   {
@@ -151,17 +156,17 @@ void RefinementRounds::run(FlatState& state, int most, Until until, const Progre
     const double middle = 0.5 * (begin + end);
     if (round % RoundsPerBalance == RoundsPerBalance - 1)
     {
-      this->balance(state, RegionTolerance, subrange(progress, begin, middle));
+      this->balance(map, RegionTolerance, subrange(progress, begin, middle));
     }
     RefinementPatches::Pass pass;
-    pass.Targets = this->presentTargets(state);
+    pass.Targets = this->presentTargets(map);
     pass.Epsilon = this->Epsilon;
     pass.KeepsOrientation = this->Epsilon == 0.0;
     pass.ShapeFactor = this->Count <= this->LastShapeRound ? FirstShapeFactor : 1.0;
-    const int patches = this->Patches.run(pass, state, subrange(progress, middle, end));
-    const WrongFaces next = this->wrongFaces(state);
-    const bool isIdle = next.Share > (1.0 - progressShare) * before.Share &&
-                        next.Distance > (1.0 - progressShare) * before.Distance;
+    const int patches = this->Patches.run(pass, map, subrange(progress, middle, end));
+    const WrongFaces next = this->wrongFaces(map);
+    const bool isIdle = next.Share > (1.0 - leastProgress) * before.Share &&
+                        next.Distance > (1.0 - leastProgress) * before.Distance;
     idle = isIdle ? idle + 1 : 0;
     if (patches == 0 || (until == Until::Enough && idle == mostIdle))
     {

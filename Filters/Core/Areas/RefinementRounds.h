@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Rounds of face refinement: passes over the patches, and steps of the whole mesh where area must go
-/// farther.
+/// Rounds of face refinement: passes over the patches, and steps of the whole mesh where area must move
+/// farther than a patch reaches.
 #pragma once
 
 #include "Areas/DegreesOfFreedom.h"
@@ -8,6 +8,7 @@
 #include "Areas/RefinementEnergy.h"
 #include "Areas/RefinementPatches.h"
 #include "Areas/RefinementTerms.h"
+#include "Areas/WarmStart.h"
 #include "Base/Progress.h"
 #include "Mesh/TriangleMesh.h"
 #include "Mesh/VertexFaces.h"
@@ -19,60 +20,54 @@
 namespace flattening
 {
 
-/// Of one surface, whose flat map it takes from stage to stage.
+/// The rounds of one surface. The caller sets a stage and runs its rounds on the flat map.
 class RefinementRounds
 {
 public:
   /// When to stop before the greatest number of rounds.
   enum class Until
   {
-    Enough,   ///< so few faces are off, or rounds in a row bring so little, that more do not pay
+    Enough,   ///< when few faces are off, or when rounds in a row bring too little
     AllRounds ///< never
   };
 
-  /// From where the rounds begin.
-  enum class Start
-  {
-    Transported, ///< shapes count more in the first rounds
-    Refined      ///< a map that was refined before: few faces are off, and most of these at once mended
-  };
-
-  /// The arguments must live as long as this does.
+  /// From the transport on, shapes count more in the first rounds. After a warm start they do not, and
+  /// the rounds end earlier. The arguments must live as long as this does.
   RefinementRounds(const TriangleMesh& surface,
     const RefinementTerms& terms,
     const VertexFaces& facesOf,
-    const DegreesOfFreedom& unknowns,
-    Start start);
+    const DegreesOfFreedom& dofs,
+    RefinementStart start);
 
-  /// @p targets (m, > 0) in sum the area of the domain. @p epsilon as in FaceAreaEnergy: 0 keeps all
-  /// faces positive, which they must be then.
+  /// @p targets (m, > 0): the areas of the faces, with the domain's area as their sum. @p epsilon >= 0,
+  /// see FaceAreaEnergy: with 0 faces do not flip, and all of them must be positive at the start.
   void setStage(const Eigen::VectorXd& targets, double epsilon);
 
-  /// In the next rounds shapes count more, as in the first ones, and steps of the whole mesh begin with
-  /// as little damping: faces that lie across each other come apart.
-  void startAgain();
+  /// Lets shapes count more in the next rounds, as in the first ones, and resets the damping of the
+  /// steps of the whole mesh: faces that lie across each other come apart.
+  void favourShapes();
 
-  /// @throws Cancelled, ConvergenceError.
-  void run(FlatState& state, int most, Until until, const ProgressCallback& progress);
+  /// Runs at most @p most rounds. @throws Cancelled, ConvergenceError.
+  void run(DomainMap& map, int most, Until until, const ProgressCallback& progress);
 
-  /// Steps of the whole mesh, if a region of the size of a patch is off by more than @p tolerance, a
-  /// share of its area. @throws Cancelled, ConvergenceError.
-  void balance(FlatState& state, double tolerance, const ProgressCallback& progress);
+  /// Makes steps of the whole mesh if the area of a region of the size of a patch is off by more than
+  /// the share @p tolerance. @throws Cancelled, ConvergenceError.
+  void balance(DomainMap& map, double tolerance, const ProgressCallback& progress);
 
-  int count() const { return this->Count; } ///< of the rounds so far
+  int count() const { return this->Count; } ///< number of rounds so far
 
 private:
   struct WrongFaces;
-  WrongFaces wrongFaces(const FlatState& state);
-  Eigen::VectorXd presentTargets(const FlatState& state);
-  double imbalance(const FlatState& state, const Eigen::VectorXd& targets) const;
+  WrongFaces wrongFaces(const DomainMap& map);
+  Eigen::VectorXd presentTargets(const DomainMap& map);
+  double imbalance(const DomainMap& map, const Eigen::VectorXd& targets) const;
 
   const TriangleMesh& Surface;
-  const DegreesOfFreedom& Unknowns;
+  const DegreesOfFreedom& Dofs;
   RefinementEnergy Energy;
   RefinementPatches Patches;
   std::optional<RefinementDescent> Descent; // of the whole mesh
-  Start Begin;
+  RefinementStart Start;
   double Epsilon = 0.0;
   int Count = 0;
   int LastShapeRound;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Areas/RefinementTerms.h"
 
+#include "Mesh/SliverThresholds.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -10,10 +12,7 @@ namespace flattening
 namespace
 {
 
-// Altitude over the longest side below which a face's angles count less, and where they are opened to.
-constexpr double SliverAltitude = 0.1;
-constexpr double LeastAltitude = 1e-4;
-// Of the mean gap: one of no length on the surface gets a little all the same.
+// The least share of a gap, in mean gaps. A guard for boundary edges without length on the surface.
 constexpr double LeastGap = 1e-3;
 
 } // namespace
@@ -44,9 +43,9 @@ RefinementTerms::RefinementTerms(const TriangleMesh& surface,
     {
       const double cosine = (corners[(k + 1) % 3] - corners[k]).dot(corners[(k + 2) % 3] - corners[k]);
       this->Cotangents(f, k) =
-        longest2 > 0.0 ? cosine / std::max(twiceArea, LeastAltitude * longest2) : 0.0;
+        longest2 > 0.0 ? cosine / std::max(twiceArea, slivers::AngleAltitude * longest2) : 0.0;
     }
-    const double share = std::min(1.0, altitude / SliverAltitude);
+    const double share = std::min(1.0, altitude / slivers::ShapeAltitude);
     this->ShapeWeights[f] = shapeWeight * share * share;
   }
   const int members = static_cast<int>(loop.size());

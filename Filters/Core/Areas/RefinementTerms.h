@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the energy of face refinement takes from the surface.
+/// The coefficients of the refinement energy that depend on the surface.
 #pragma once
 
 #include "Mesh/TriangleMesh.h"
@@ -9,23 +9,24 @@
 namespace flattening
 {
 
-/// Between neighbours on the boundary, which are members of its loop.
+/// The gap between two neighbours on the boundary, given as indices into its loop.
 struct BoundaryGap
 {
   int First;
   int Second;
-  double Share; ///< of the perimeter of the domain, by its length on the surface
+  double Share; ///< its part of the domain's perimeter, by length on the surface
 };
 
-/// Of a mesh or a part of it.
+/// The coefficients of a mesh or a part of it.
 struct RefinementTerms
 {
   FaceMatrix Faces;
-  Eigen::MatrixX3d Cotangents;  ///< of the surface's angles; those of slivers are opened
-  Eigen::VectorXd ShapeWeights; ///< per face
+  Eigen::MatrixX3d Cotangents;  ///< of the surface's angles (m x 3); slivers are opened first
+  Eigen::VectorXd ShapeWeights; ///< per face (m)
   std::vector<BoundaryGap> Gaps;
 
-  /// @p loop of the boundary. @p shapeWeight >= 0 is that of faces which are no slivers.
+  /// @p loop holds the boundary vertices. @p shapeWeight (>= 0) is for faces that are no slivers;
+  /// slivers get less. @p perimeter is that of the domain.
   RefinementTerms(const TriangleMesh& surface,
     const std::vector<int>& loop,
     double perimeter,

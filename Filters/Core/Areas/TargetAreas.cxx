@@ -3,6 +3,7 @@
 
 #include "Base/Errors.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -13,7 +14,31 @@ namespace flattening
 namespace
 {
 
-// Areas and targets as shares of their sums: weights must not make a target vanish beside the domain.
+// Resolvable areas are at least this share of the circle's segment over the longest side, and at most
+// this share of the mean target. Choices: larger ones spoil more areas in the first stage, with smaller
+// ones more faces flip at small holes.
+constexpr double SegmentShare = 0.3;
+constexpr double LargestShare = 0.3;
+
+double longestSide(const FaceMatrix& faces, const Points2& positions, Eigen::Index face)
+{
+  double longest = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const auto side = positions.row(faces(face, (k + 1) % 3)) - positions.row(faces(face, k));
+    longest = std::max(longest, side.norm());
+  }
+  return longest;
+}
+
+double distanceFromCentre(const FaceMatrix& faces, const Points2& positions, Eigen::Index face)
+{
+  return (positions.row(faces(face, 0)) + positions.row(faces(face, 1)) + positions.row(faces(face, 2)))
+    .norm();
+}
+
+// Throws if a weight makes a target vanish beside the domain. Areas and targets are shares of their
+// sums.
 void requireResolved(const Eigen::VectorXd& areas,
   const Eigen::VectorXd& targets,
   const Eigen::VectorXd& weights)
@@ -57,7 +82,7 @@ Eigen::VectorXd targetAreas(const TriangleMesh& mesh, const Eigen::VectorXd& wei
     return areas * (EIGEN_PI / areas.sum());
   }
   areas /= areas.sum();
-  // Their common factor must not overflow.
+  // The weights' common factor does not count, but it must not overflow.
   const Eigen::VectorXd weighted = areas.cwiseProduct(weights / weights.maxCoeff());
   const Eigen::VectorXd shares = weighted / weighted.sum();
   requireResolved(areas, shares, weights);
@@ -76,6 +101,28 @@ Eigen::VectorXd faceTargets(const TriangleMesh& mesh, const Eigen::VectorXd& wei
     }
   }
   return targets;
+}
+
+Eigen::VectorXd resolvableAreas(const FaceMatrix& faces,
+  const Points2& conformal,
+  const Points2& positions,
+  const Eigen::VectorXd& targets)
+{
+  const double largest = LargestShare * targets.mean();
+  Eigen::VectorXd result = targets;
+  for (Eigen::Index f = 0; f < faces.rows(); ++f)
+  {
+    const double before = distanceFromCentre(faces, conformal, f);
+    const double after = distanceFromCentre(faces, positions, f);
+    double side = longestSide(faces, positions, f);
+    if (before > 0.0)
+    {
+      side = std::min(side, longestSide(faces, conformal, f) * std::max(1.0, after / before));
+    }
+    const double segment = side * side * side / 12.0;
+    result[f] = std::max(result[f], std::min(SegmentShare * segment, largest));
+  }
+  return result * (targets.sum() / result.sum());
 }
 
 } // namespace flattening

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What areas vertices and faces of a map should have, by those of the surface and by weights.
+/// The areas that the vertices and faces of a map should have, from the surface and from weights.
 #pragma once
 
 #include "Mesh/TriangleMesh.h"
@@ -7,14 +7,27 @@
 namespace flattening
 {
 
-/// The area that each vertex is to have in a domain of area pi: a third of its incident faces' areas
-/// times its weight, scaled to the sum pi (paper, section 4.1). @p weights (n) may be empty: all 1.
+/// The area that each vertex should get in a domain of area pi (n): a third of its incident faces' areas
+/// times its weight, scaled to the sum pi (paper, section 4.1). @p weights (n, > 0) may be empty: all 1.
 /// @throws InvalidInput if a weight is not a positive number, if weights leave a vertex less than 2e-16
 /// of the domain, or if a vertex has no area.
 Eigen::VectorXd targetAreas(const TriangleMesh& mesh, const Eigen::VectorXd& weights);
 
-/// What a face's area should become, from the weights of its corners: its area times their mean (m).
-/// @p weights (n) may be empty: all 1.
+/// The area that each face should get, up to a common factor (m): its area times the mean weight of its
+/// corners. @p weights (n) may be empty: all 1.
 Eigen::VectorXd faceTargets(const TriangleMesh& mesh, const Eigen::VectorXd& weights);
+
+/// Target areas that straight-sided faces can have in the unit disk. Near the circle, faces that are
+/// stretched along it and thinner than the segment that their longest side cuts off cannot lie beside
+/// each other without flipping: where a small hole becomes the boundary, all faces are like that.
+/// Returns
+/// @p targets (m), raised for such faces to a share of the segment's area (side^3 / 12) and at most to a
+/// share of the mean target, and scaled back to their sum. The length of a side is taken from
+/// @p positions (n x 2), or from @p conformal (n x 2) stretched in proportion to the distance from the
+/// centre if that is shorter.
+Eigen::VectorXd resolvableAreas(const FaceMatrix& faces,
+  const Points2& conformal,
+  const Points2& positions,
+  const Eigen::VectorXd& targets);
 
 } // namespace flattening

@@ -4,88 +4,125 @@
 #include "Mesh/FaceOrientation.h"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 namespace flattening
 {
 namespace
 {
 
-// Of a domain of area pi: what scaling to the output and back costs a point on the boundary.
+// How far a boundary vertex may lie from the boundary of a domain of area pi. A guard: scaling to the
+// units of the output and back costs rounding only, and edges of the boundary are longer.
 constexpr double BoundaryTolerance = 1e-6;
+// A guard: a carried map that flips a greater share of its faces is no better a start than the
+// transport.
+constexpr double LargestFlippedShare = 0.01;
 
-// The same places growing over less than a turn from the first, if the loop is in order.
-std::vector<double> fromTheFirst(std::vector<double> places, double turn)
-{
-  for (double& place : places)
-  {
-    const double along = place - places.front();
-    place = places.front() + along - turn * std::floor(along / turn);
-  }
-  return places;
-}
-
-} // namespace
-
-bool isRefinedMap(const Points2& positions,
+bool isMapToDomain(const Points2& positions,
   const FaceMatrix& faces,
   const ConvexDomain& domain,
-  const std::vector<int>& loop,
-  const std::vector<int>& corners,
-  const std::vector<double>& cornerPlaces)
+  const BoundaryLoop& boundary)
 {
   if (!positions.allFinite())
   {
     return false;
   }
-  const auto isAt = [&](int v, double place)
-  { return (domain.at(place).transpose() - positions.row(v)).norm() <= BoundaryTolerance; };
-  std::vector<double> places;
-  for (const int v : loop)
-  {
-    places.push_back(domain.placeOf(positions.row(v).transpose()));
-  }
-  places = fromTheFirst(std::move(places), domain.perimeter());
+  const std::vector<int>& loop = boundary.Vertices;
+  const auto isAt = [&](int v, double parameter)
+  { return (domain.at(parameter).transpose() - positions.row(v)).norm() <= BoundaryTolerance; };
+  const Eigen::VectorXd parameters = domain.parametersOf(positions, loop);
   for (std::size_t k = 0; k < loop.size(); ++k)
   {
-    if (!isAt(loop[k], places[k]) || (k > 0 && !(places[k] > places[k - 1])))
+    if (!isAt(loop[k], parameters[k]))
     {
       return false;
     }
   }
-  for (std::size_t c = 0; c < corners.size(); ++c)
+  for (std::size_t c = 0; c < boundary.Corners.size(); ++c)
   {
-    if (!isAt(loop[corners[c]], cornerPlaces[c]))
+    if (!isAt(loop[boundary.Corners[c]], boundary.CornerParameters[c]))
     {
       return false;
     }
   }
-  return countFlippedFaces(positions, faces) == 0;
+  return domain.areInOrder(parameters) && countFlippedFaces(positions, faces) == 0;
+}
+
+// The same parameters from the first on around the whole boundary.
+std::vector<double> turnOf(const std::vector<double>& parameters, const ConvexDomain& domain)
+{
+  std::vector<double> turn;
+  for (const double parameter : parameters)
+  {
+    turn.push_back(domain.parameterAfter(parameters.front(), parameter));
+  }
+  turn.push_back(parameters.front() + domain.perimeter());
+  return turn;
+}
+
+} // namespace
+
+Eigen::VectorXd WarmStart::weightsOf(const TransportSites& sites) const
+{
+  if (this->PowerWeights.size() != static_cast<Eigen::Index>(sites.SiteOfVertex.size()))
+  {
+    return {};
+  }
+  Eigen::VectorXd weights(sites.count());
+  for (Eigen::Index v = 0; v < this->PowerWeights.size(); ++v)
+  {
+    weights[sites.SiteOfVertex[v]] = this->PowerWeights[v];
+  }
+  return weights;
+}
+
+std::optional<Points2> warmPositions(const WarmStart& start,
+  const FaceMatrix& faces,
+  const TransportSites& sites,
+  const PowerDiagram& diagram,
+  const SiteImages& images,
+  const BoundaryLoop& boundary)
+{
+  const Eigen::VectorXd weights = start.weightsOf(sites);
+  if (start.Positions.rows() != start.PowerWeights.size() || weights.size() == 0 ||
+      !weights.allFinite() || !isMapToDomain(start.Positions, faces, diagram.domain(), boundary))
+  {
+    return {};
+  }
+  PowerDiagram before = diagram;
+  if (!before.update(weights.cast<DoubleDouble>()))
+  {
+    return {};
+  }
+  Points2 carried = carriedMap(start.Positions,
+    sites,
+    siteImages(before, images.Masses, sites, boundary),
+    images,
+    boundary.Vertices,
+    diagram.domain());
+  return countFlippedFaces(carried, faces) <= LargestFlippedShare * static_cast<double>(faces.rows())
+           ? std::optional(std::move(carried))
+           : std::nullopt;
 }
 
 Points2 carriedMap(const Points2& positions,
   const TransportSites& sites,
-  const TransportedSites& before,
-  const TransportedSites& after,
+  const SiteImages& before,
+  const SiteImages& after,
   const std::vector<int>& loop,
   const ConvexDomain& domain)
 {
-  const TransportSites moved{ before.Images.Positions, sites.SiteOfVertex };
-  Points2 result = interpolateTransport(moved, after.Images, positions, domain);
+  const TransportSites moved{ before.Positions, sites.SiteOfVertex };
+  Points2 result = interpolateTransport(moved, after, positions, domain);
 
-  const double turn = domain.perimeter();
-  std::vector<double> from = fromTheFirst(before.Places, turn);
-  std::vector<double> to = fromTheFirst(after.Places, turn);
-  from.push_back(from.front() + turn);
-  to.push_back(to.front() + turn);
+  const std::vector<double> from = turnOf(before.BoundaryParameters, domain);
+  const std::vector<double> to = turnOf(after.BoundaryParameters, domain);
   for (const int v : loop)
   {
-    const double along = domain.placeOf(positions.row(v).transpose()) - from.front();
-    const double place = from.front() + along - turn * std::floor(along / turn);
-    const auto above = std::upper_bound(from.begin(), from.end() - 1, place);
+    const double parameter =
+      domain.parameterAfter(from.front(), domain.parameterOf(positions.row(v).transpose()));
+    const auto above = std::upper_bound(from.begin(), from.end() - 1, parameter);
     const std::size_t k = above - from.begin();
-    const double share = std::clamp((place - from[k - 1]) / (from[k] - from[k - 1]), 0.0, 1.0);
+    const double share = std::clamp((parameter - from[k - 1]) / (from[k] - from[k - 1]), 0.0, 1.0);
     result.row(v) = domain.at((1.0 - share) * to[k - 1] + share * to[k]).transpose();
   }
   return result;

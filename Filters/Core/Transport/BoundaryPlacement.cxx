@@ -13,6 +13,11 @@ namespace flattening
 namespace
 {
 
+// How near a vertex may come to a corner, in mean gaps between neighbours. A guard: with 0 the vertices
+// of cells beyond a corner would fall onto it.
+constexpr double LeastGap = 0.1;
+
+// Neighbouring values that share their mean.
 struct Pool
 {
   double Sum;
@@ -20,15 +25,89 @@ struct Pool
   double mean() const { return this->Sum / this->Count; }
 };
 
-double preferredPlace(const PowerDiagram& diagram, int site)
+double preferredParameter(const PowerDiagram& diagram, int site)
 {
   const PowerDiagram::BoundaryPart part = diagram.boundaryPart(site);
   return part.Length > 0.0 ? part.Middle
-                           : diagram.domain().placeOf(diagram.centroids().row(site).transpose());
+                           : diagram.domain().parameterOf(diagram.centroids().row(site).transpose());
 }
 
-// Of the mean gap between neighbours: how near a vertex may come to a corner.
-constexpr double LeastGap = 0.1;
+// The parameters of vertices that may slide all around the boundary.
+std::vector<double> slidingParameters(const PowerDiagram& diagram,
+  const std::vector<int>& loop,
+  const std::vector<int>& siteOfVertex)
+{
+  const double turn = diagram.domain().perimeter();
+  const int n = static_cast<int>(loop.size());
+  std::vector<double> parameters(n);
+  for (int k = 0; k < n; ++k)
+  {
+    parameters[k] = preferredParameter(diagram, siteOfVertex[loop[k]]);
+  }
+  // Cut the boundary in its widest gap, so that the order of the vertices does not break near the cut.
+  int cut = 0;
+  double widest = -1.0;
+  for (int k = 0; k < n; ++k)
+  {
+    const double gap = std::remainder(parameters[k] - parameters[(k + n - 1) % n], turn);
+    if (gap > widest)
+    {
+      widest = gap;
+      cut = k;
+    }
+  }
+  std::vector<double> unrolled(n);
+  for (int k = 0; k < n; ++k)
+  {
+    const double parameter = parameters[(cut + k) % n];
+    unrolled[k] =
+      k == 0 ? parameter : unrolled[k - 1] + std::remainder(parameter - unrolled[k - 1], turn);
+  }
+  const std::vector<double> fit = strictlyIncreasingFit(unrolled);
+  for (int k = 0; k < n; ++k)
+  {
+    // Vertices before the cut came one turn later: let the parameters increase from the first vertex.
+    parameters[(cut + k) % n] = k < n - cut ? fit[k] : fit[k] - turn;
+  }
+  return parameters;
+}
+
+// The parameters of vertices between corners where other vertices stay.
+std::vector<double> parametersBetweenCorners(const PowerDiagram& diagram,
+  const BoundaryLoop& boundary,
+  const std::vector<int>& siteOfVertex)
+{
+  const std::vector<int>& loop = boundary.Vertices;
+  const std::vector<int>& corners = boundary.Corners;
+  const std::vector<double>& cornerParameters = boundary.CornerParameters;
+  const double turn = diagram.domain().perimeter();
+  const int n = static_cast<int>(loop.size());
+  std::vector<double> parameters(n);
+  for (std::size_t c = 0; c < corners.size(); ++c)
+  {
+    const bool isLast = c + 1 == corners.size();
+    const int first = corners[c];
+    const int count = (isLast ? corners[0] + n : corners[c + 1]) - first; // sides of the loop
+    const double start = cornerParameters[c];
+    const double end = isLast ? cornerParameters[0] + turn : cornerParameters[c + 1];
+    const double margin = LeastGap * (end - start) / count;
+    std::vector<double> between{ start };
+    for (int k = 1; k < count; ++k)
+    {
+      const double parameter = preferredParameter(diagram, siteOfVertex[loop[(first + k) % n]]);
+      const double middle = 0.5 * (start + end);
+      const double unrolled = middle + std::remainder(parameter - middle, turn);
+      between.push_back(std::clamp(unrolled, start + margin, end - margin));
+    }
+    between.push_back(end);
+    const std::vector<double> fit = strictlyIncreasingFit(between);
+    for (int k = 0; k < count; ++k)
+    {
+      parameters[(first + k) % n] = fit[k];
+    }
+  }
+  return parameters;
+}
 
 } // namespace
 
@@ -40,16 +119,17 @@ std::vector<double> strictlyIncreasingFit(const std::vector<double>& values)
     pools.push_back({ value, 1 });
     while (pools.size() > 1 && pools[pools.size() - 2].mean() >= pools.back().mean())
     {
-      pools[pools.size() - 2].Sum += pools.back().Sum;
-      pools[pools.size() - 2].Count += pools.back().Count;
+      const Pool last = pools.back();
       pools.pop_back();
+      pools.back().Sum += last.Sum;
+      pools.back().Count += last.Count;
     }
   }
   std::vector<double> fit;
   for (std::size_t p = 0; p < pools.size(); ++p)
   {
     const double mean = pools[p].mean();
-    // A third of the smaller gap to either side; with no neighbour at all any width does.
+    // A third of the smaller of both gaps; a single pool has no gaps, and any width does.
     double width = 1.0;
     width = p > 0 ? std::min(width, mean - pools[p - 1].mean()) : width;
     width = p + 1 < pools.size() ? std::min(width, pools[p + 1].mean() - mean) : width;
@@ -63,89 +143,20 @@ std::vector<double> strictlyIncreasingFit(const std::vector<double>& values)
 }
 
 std::vector<double> boundaryParameters(const PowerDiagram& diagram,
-  const std::vector<int>& loop,
+  const BoundaryLoop& boundary,
   const std::vector<int>& siteOfVertex)
 {
-  const double turn = diagram.domain().perimeter();
-  const int n = static_cast<int>(loop.size());
-  std::vector<double> places(n);
-  for (int k = 0; k < n; ++k)
-  {
-    places[k] = preferredPlace(diagram, siteOfVertex[loop[k]]);
-  }
-  // Unroll the boundary where the widest gap is, so that the order can break nowhere near the cut.
-  int cut = 0;
-  double widest = -1.0;
-  for (int k = 0; k < n; ++k)
-  {
-    const double gap = std::remainder(places[k] - places[(k + n - 1) % n], turn);
-    if (gap > widest)
-    {
-      widest = gap;
-      cut = k;
-    }
-  }
-  std::vector<double> unrolled(n);
-  for (int k = 0; k < n; ++k)
-  {
-    const double place = places[(cut + k) % n];
-    unrolled[k] = k == 0 ? place : unrolled[k - 1] + std::remainder(place - unrolled[k - 1], turn);
-  }
-  const std::vector<double> fit = strictlyIncreasingFit(unrolled);
-  for (int k = 0; k < n; ++k)
-  {
-    places[(cut + k) % n] = fit[k];
-  }
-  for (int k = n - cut; k < n; ++k)
-  {
-    // Members before the cut follow one turn later: keep the loop increasing from its first vertex.
-    places[(cut + k) % n] -= turn;
-  }
-  return places;
-}
-
-std::vector<double> boundaryParameters(const PowerDiagram& diagram,
-  const std::vector<int>& loop,
-  const std::vector<int>& siteOfVertex,
-  const std::vector<int>& corners,
-  const std::vector<double>& cornerPlaces)
-{
-  const double turn = diagram.domain().perimeter();
-  const int n = static_cast<int>(loop.size());
-  std::vector<double> places(n);
-  for (std::size_t c = 0; c < corners.size(); ++c)
-  {
-    const bool isLast = c + 1 == corners.size();
-    const int first = corners[c];
-    const int count = (isLast ? corners[0] + n : corners[c + 1]) - first; // sides of the loop
-    const double start = cornerPlaces[c];
-    const double end = isLast ? cornerPlaces[0] + turn : cornerPlaces[c + 1];
-    const double margin = LeastGap * (end - start) / count;
-    std::vector<double> between{ start };
-    for (int k = 1; k < count; ++k)
-    {
-      const double place = preferredPlace(diagram, siteOfVertex[loop[(first + k) % n]]);
-      const double middle = 0.5 * (start + end);
-      const double unrolled = middle + std::remainder(place - middle, turn);
-      between.push_back(std::clamp(unrolled, start + margin, end - margin));
-    }
-    between.push_back(end);
-    const std::vector<double> fit = strictlyIncreasingFit(between);
-    for (int k = 0; k < count; ++k)
-    {
-      places[(first + k) % n] = fit[k];
-    }
-  }
-  return places;
+  return boundary.Corners.empty() ? slidingParameters(diagram, boundary.Vertices, siteOfVertex)
+                                  : parametersBetweenCorners(diagram, boundary, siteOfVertex);
 }
 
 std::vector<int> cornerMembers(const PowerDiagram& diagram,
   const std::vector<int>& loop,
   const std::vector<int>& siteOfVertex,
-  const std::vector<double>& cornerPlaces)
+  const std::vector<double>& cornerParameters)
 {
   const int n = static_cast<int>(loop.size());
-  const int count = static_cast<int>(cornerPlaces.size());
+  const int count = static_cast<int>(cornerParameters.size());
   if (n < count)
   {
     throw InvalidInput("the boundary has " + std::to_string(n) + " points, the domain " +
@@ -157,34 +168,34 @@ std::vector<int> cornerMembers(const PowerDiagram& diagram,
   std::vector<double> halfLengths(n);
   for (int k = 0; k < n; ++k)
   {
-    middles[k] = preferredPlace(diagram, siteOfVertex[loop[k]]);
+    middles[k] = preferredParameter(diagram, siteOfVertex[loop[k]]);
     halfLengths[k] = 0.5 * diagram.boundaryPart(siteOfVertex[loop[k]]).Length;
   }
-  // How far from the part, and among parts that have the place, from their middle.
+  // The distance of a point from a vertex's part of the boundary, and then from the part's middle.
   const auto apart = [&](int member, double fromMiddle)
   { return std::pair(std::max(0.0, fromMiddle - halfLengths[member]), fromMiddle); };
   const auto apartAtFirst = [&](int k)
-  { return apart(k, std::abs(std::remainder(middles[k] - cornerPlaces[0], turn))); };
+  { return apart(k, std::abs(std::remainder(middles[k] - cornerParameters[0], turn))); };
   int first = 0;
   for (int k = 1; k < n; ++k)
   {
     first = apartAtFirst(k) < apartAtFirst(first) ? k : first;
   }
-  // From there on once around.
-  const auto apartAt = [&](int k, double place)
+  // The same for the other corners, along the boundary from the first corner once around.
+  const auto apartAt = [&](int k, double parameter)
   {
-    const double fromFirst = middles[k % n] - cornerPlaces[0];
+    const double fromFirst = middles[k % n] - cornerParameters[0];
     const double unrolled = fromFirst - turn * std::floor(fromFirst / turn);
-    return apart(k % n, std::abs(unrolled - (place - cornerPlaces[0])));
+    return apart(k % n, std::abs(unrolled - (parameter - cornerParameters[0])));
   };
   std::vector<int> members{ first };
   for (int c = 1; c < count; ++c)
   {
-    // After the member of the corner before, with one left for each corner to come.
+    // After the vertex of the previous corner, leaving one vertex for each following corner.
     int best = members.back() + 1;
     for (int k = best; k < first + n - (count - 1 - c); ++k)
     {
-      best = apartAt(k, cornerPlaces[c]) < apartAt(best, cornerPlaces[c]) ? k : best;
+      best = apartAt(k, cornerParameters[c]) < apartAt(best, cornerParameters[c]) ? k : best;
     }
     members.push_back(best);
   }

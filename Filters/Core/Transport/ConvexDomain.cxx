@@ -13,23 +13,48 @@ namespace flattening
 namespace
 {
 
-// Of the perimeter: a distance along the boundary that lacks no more than this of it was turned around
-// by rounding.
-constexpr double TurnedAround = 1e-9;
+// A length along the boundary within this share of the whole perimeter is that between two nearly equal
+// points in exchanged order. A guard far above rounding (1e-16) and far below a boundary edge; with 0 a
+// cell could get the whole boundary.
+constexpr double ExchangedShare = 1e-9;
 
 } // namespace
 
-Eigen::Vector2d UnitDisk::at(double place) const
+double ConvexDomain::parameterAfter(double first, double parameter) const
 {
-  return { std::cos(place), std::sin(place) };
+  const double along = parameter - first;
+  return first + along - this->perimeter() * std::floor(along / this->perimeter());
 }
 
-Eigen::Vector2d UnitDisk::tangentAt(double place) const
+Eigen::VectorXd ConvexDomain::parametersOf(const Points2& positions, const std::vector<int>& loop) const
 {
-  return { -std::sin(place), std::cos(place) };
+  Eigen::VectorXd parameters(static_cast<Eigen::Index>(loop.size()));
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    const double parameter = this->parameterOf(positions.row(loop[k]).transpose());
+    parameters[k] = k == 0 ? parameter : this->parameterAfter(parameters[0], parameter);
+  }
+  return parameters;
 }
 
-double UnitDisk::placeOf(const Eigen::Vector2d& point) const
+bool ConvexDomain::areInOrder(const Eigen::VectorXd& parameters) const
+{
+  const Eigen::Index steps = parameters.size() - 1;
+  return (parameters.head(steps).array() < parameters.tail(steps).array()).all() &&
+         parameters[steps] - parameters[0] < this->perimeter();
+}
+
+Eigen::Vector2d UnitDisk::at(double parameter) const
+{
+  return { std::cos(parameter), std::sin(parameter) };
+}
+
+Eigen::Vector2d UnitDisk::tangentAt(double parameter) const
+{
+  return { -std::sin(parameter), std::cos(parameter) };
+}
+
+double UnitDisk::parameterOf(const Eigen::Vector2d& point) const
 {
   return std::atan2(point.y(), point.x());
 }
@@ -68,7 +93,7 @@ std::vector<Eigen::Vector2d> UnitDisk::pointsBetween(const Eigen::Vector2d& from
   double maximumStep) const
 {
   const double length = arcAngle(from, to);
-  const double start = this->placeOf(from);
+  const double start = this->parameterOf(from);
   const int steps = std::max(1, static_cast<int>(std::ceil(length / maximumStep)));
   std::vector<Eigen::Vector2d> points;
   for (int k = 1; k < steps; ++k)
@@ -127,7 +152,7 @@ ConvexPolygon::ConvexPolygon(const Points2& corners)
   this->Centroid = region.centroid();
 }
 
-std::vector<double> ConvexPolygon::cornerPlaces() const
+std::vector<double> ConvexPolygon::cornerParameters() const
 {
   return { this->Along.begin(), this->Along.end() - 1 };
 }
@@ -159,29 +184,29 @@ bool ConvexPolygon::contains(const Eigen::Vector2d& point) const
   return true;
 }
 
-int ConvexPolygon::sideAt(double& place) const
+int ConvexPolygon::sideAt(double& parameter) const
 {
-  place -= this->perimeter() * std::floor(place / this->perimeter());
-  const auto after = std::upper_bound(this->Along.begin() + 1, this->Along.end() - 1, place);
+  parameter -= this->perimeter() * std::floor(parameter / this->perimeter());
+  const auto after = std::upper_bound(this->Along.begin() + 1, this->Along.end() - 1, parameter);
   return static_cast<int>(after - this->Along.begin()) - 1;
 }
 
-Eigen::Vector2d ConvexPolygon::tangentAt(double place) const
+Eigen::Vector2d ConvexPolygon::tangentAt(double parameter) const
 {
-  const int k = this->sideAt(place);
+  const int k = this->sideAt(parameter);
   return (this->corner(k + 1) - this->corner(k)) / (this->Along[k + 1] - this->Along[k]);
 }
 
-Eigen::Vector2d ConvexPolygon::at(double place) const
+Eigen::Vector2d ConvexPolygon::at(double parameter) const
 {
-  const int k = this->sideAt(place);
-  const double t = (place - this->Along[k]) / (this->Along[k + 1] - this->Along[k]);
+  const int k = this->sideAt(parameter);
+  const double t = (parameter - this->Along[k]) / (this->Along[k + 1] - this->Along[k]);
   return this->corner(k) + t * (this->corner(k + 1) - this->corner(k)); // exact along the axes
 }
 
-double ConvexPolygon::placeOf(const Eigen::Vector2d& point) const
+double ConvexPolygon::parameterOf(const Eigen::Vector2d& point) const
 {
-  // From the centroid the ray meets the side relative to which the point has lost most height.
+  // The ray meets the side above which the point is lowest, relative to the centroid's height.
   int side = 0;
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < this->count(); ++k)
@@ -195,7 +220,7 @@ double ConvexPolygon::placeOf(const Eigen::Vector2d& point) const
   }
   if (!(least < 1.0))
   {
-    return 0.0; // the centroid itself
+    return 0.0; // the point is the centroid: every direction is right
   }
   const Eigen::Vector2d there = this->Centroid + (point - this->Centroid) / (1.0 - least);
   const Eigen::Vector2d along = this->corner(side + 1) - this->corner(side);
@@ -239,7 +264,7 @@ bool ConvexPolygon::cross(const Eigen::Vector2d& point,
   {
     return false;
   }
-  // Exactly on the side, but for its own rounding.
+  // Projects onto the side, so that the point lies on it up to rounding.
   const auto onSide = [&](int side, double at) -> Eigen::Vector2d
   {
     const Eigen::Vector2d along = this->corner(side + 1) - this->corner(side);
@@ -253,22 +278,23 @@ bool ConvexPolygon::cross(const Eigen::Vector2d& point,
 
 double ConvexPolygon::distanceAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const
 {
-  const double distance = this->placeOf(to) - this->placeOf(from);
+  const double distance = this->parameterOf(to) - this->parameterOf(from);
   const double ahead = distance < 0.0 ? distance + this->perimeter() : distance;
-  return ahead > (1.0 - TurnedAround) * this->perimeter() ? 0.0 : ahead;
+  return ahead > (1.0 - ExchangedShare) * this->perimeter() ? 0.0 : ahead;
 }
 
 std::vector<Eigen::Vector2d> ConvexPolygon::pointsBetween(const Eigen::Vector2d& from,
   const Eigen::Vector2d& to,
   double) const
 {
-  const double start = this->placeOf(from);
+  const double start = this->parameterOf(from);
   const double end = start + this->distanceAlong(from, to);
   std::vector<Eigen::Vector2d> points;
   for (int k = 0; k < 2 * this->count(); ++k)
   {
-    const double place = this->Along[k % this->count()] + (k < this->count() ? 0.0 : this->perimeter());
-    if (place > start && place < end)
+    const double parameter =
+      this->Along[k % this->count()] + (k < this->count() ? 0.0 : this->perimeter());
+    if (parameter > start && parameter < end)
     {
       points.push_back(this->corner(k));
     }

@@ -1,34 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Places of the conformal map where the mass of many sites lies as if in one point.
+/// Power weights from which the transport starts: they leave no cell empty.
 #pragma once
 
+#include "Base/Progress.h"
 #include "Transport/PowerDiagram.h"
-
-#include <vector>
 
 namespace flattening
 {
 
-/// Sites that lie together in a place with far too little area.
-struct DenseCluster
-{
-  std::vector<int> Sites; ///< by distance from the first, which has the least area for its mass
-  double Mass = 0.0;
-};
+/// The weights w = r^2 - 2 h(r) of the radially symmetric convex potential h(r) = integral of sqrt(m),
+/// where m(r) is the share of @p masses (n, > 0) at radii <= r. Its gradient spreads the radii of
+/// @p sites (n x 2, unit disk) evenly by area over the disk of radius @p reach. Every site keeps a cell
+/// because h is convex (docs/mathematics.md, "Optimal transport").
+PowerDiagram::Weights radialPotentialWeights(const Points2& sites,
+  const Eigen::VectorXd& masses,
+  double reach = 1.0);
 
-/// The clusters of sites of @p diagram whose cells have less than a thousandth of their target area in
-/// @p targets (n), next to each other. Those with less than 1e-7, 1e-11 and so on within a cluster make
-/// clusters of their own, without which it is counted. Horns of the surface, and horns upon these, make
-/// them: there the conformal map shrinks exponentially.
-std::vector<DenseCluster> denseClusters(const PowerDiagram& diagram, const Eigen::VectorXd& targets);
+/// The greatest |log(target / area)| of all cells; infinite if a cell is empty.
+double largestLogRatio(const Eigen::VectorXd& areas, const Eigen::VectorXd& targets);
 
-/// A sum of convex potentials, one per cluster, radially symmetric about its first site: h'(r) is the
-/// radius of the disk with the mass of the cluster within r, where @p totalMass has radius 1. Its
-/// gradient opens each cluster to a disk and moves the other sites out of the way. One value per site,
-/// in extended precision, as the members of a cluster differ little.
-PowerDiagram::Weights openingPotential(const PowerDiagram& diagram,
-  const std::vector<DenseCluster>& clusters,
+/// The weights whose cells are nearest to @p targets (n) by largestLogRatio(), among
+/// - @p given (n, or empty), which are taken at once if no cell is off by more than a decade,
+/// - 0, as in the paper, and radialPotentialWeights(),
+/// - the sums of these two with the potential that opens dense clusters: groups of neighbouring cells
+///   that have a thousandth of their target areas and less without weights. Protrusions of the surface
+///   make them, and smaller protrusions upon these clusters within clusters, since the conformal map
+///   shrinks exponentially along a protrusion. A convex potential that is radially symmetric about the
+///   smallest cell opens each cluster to a disk and moves the other sites out of the way.
+///
+/// All but the given ones are gradients of convex functions, so that every site has a cell in the plane.
+/// @p diagram  is updated with the result
+/// @throws ConvergenceError if all starts leave a cell empty, Cancelled.
+PowerDiagram::Weights initialWeights(PowerDiagram& diagram,
   const Eigen::VectorXd& targets,
-  double totalMass);
+  const Eigen::VectorXd& given,
+  const ProgressCallback& progress);
 
 } // namespace flattening

@@ -364,7 +364,7 @@ PowerDiagram::BoundaryPart PowerDiagram::boundaryPart(int site) const
       const double length = this->Domain->distanceAlong(sides[s].To, following.From);
       if (length > longest.Length)
       {
-        longest = { this->Domain->placeOf(sides[s].To) + 0.5 * length, length };
+        longest = { this->Domain->parameterOf(sides[s].To) + 0.5 * length, length };
       }
     }
   }

@@ -55,13 +55,14 @@ public:
   const Points2& centroids() const { return this->Centroids; }
 
   /// A common side of two cells: its length inside the domain and the distance of the sites.
-  /// The area of cell First changes by -Length / (2 Distance) per unit of the weight of Second.
+  /// The area of either cell changes by -slope() per unit of the other site's weight.
   struct CommonSide
   {
     int First;
     int Second;
     double Length;
     double Distance;
+    double slope() const { return this->Length / (2.0 * this->Distance); }
   };
   const std::vector<CommonSide>& commonSides() const { return this->Sides; }
 

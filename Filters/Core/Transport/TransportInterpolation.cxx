@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Transport/TransportInterpolation.h"
 
-#include "Mesh/VertexFaces.h"
+#include "Transport/ArcPolygonMoments.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -23,28 +23,28 @@ using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
 using Triangulation =
   CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase>>;
 
+// Sites or vertices of one task of a thread: large enough to hide the task's overhead. Results do not
+// depend on it.
 constexpr int PerTask = 512;
-// Of the squared trace of the neighbours' spread: its determinant, where they lie in a line.
+// Neighbours whose spread has a determinant below this share of its squared trace lie nearly in a line
+// (a thousand times longer than wide), and the slope across it is unknown. A guard against dividing by
+// 0.
 constexpr double DegenerateSpread = 1e-6;
 
-double crossProduct(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-// Takes a place near From to To + (place - From) * Slope.
+// Takes a point near From to To + (point - From) * Slope.
 struct AffineMap
 {
   Eigen::RowVector2d From;
   Eigen::RowVector2d To;
   Eigen::Matrix2d Slope;
 
-  Eigen::RowVector2d operator()(const Eigen::RowVector2d& place) const
+  Eigen::RowVector2d operator()(const Eigen::RowVector2d& point) const
   {
-    return this->To + (place - this->From) * this->Slope;
+    return this->To + (point - this->From) * this->Slope;
   }
 };
 
+// The blended affine maps of all sites.
 class Field
 {
 public:
@@ -55,54 +55,43 @@ public:
     , Maps(sites.count())
   {
     this->triangulate();
-    FaceMatrix faces(static_cast<Eigen::Index>(this->Sheet.number_of_faces()), 3);
-    Eigen::Index row = 0;
-    for (const auto face : this->Sheet.finite_face_handles())
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        faces(row, k) = face->vertex(k)->info();
-      }
-      ++row;
-    }
-    const VertexFaces facesOf(faces, sites.count());
     tbb::parallel_for(tbb::blocked_range<int>(0, sites.count(), PerTask),
       [&](const tbb::blocked_range<int>& range)
       {
         for (int i = range.begin(); i < range.end(); ++i)
         {
-          this->Maps[i] = this->fit(i, faces, facesOf);
+          this->Maps[i] = this->fit(i);
         }
       });
   }
 
-  // Of a vertex that belongs to a site.
-  Eigen::RowVector2d at(const Eigen::RowVector2d& place, int site) const
+  // The image of a point near @p site.
+  Eigen::RowVector2d at(const Eigen::RowVector2d& point, int site) const
   {
     const auto face =
-      this->Sheet.locate(Kernel::Point_2(place.x(), place.y()), this->Vertices[site]->face());
+      this->Delaunay.locate(Kernel::Point_2(point.x(), point.y()), this->Vertices[site]->face());
     int corners[3];
     double shares[3] = { 0.0, 0.0, 0.0 };
     int count = 0;
     for (int k = 0; k < 3; ++k)
     {
-      if (!this->Sheet.is_infinite(face->vertex(k)))
+      if (!this->Delaunay.is_infinite(face->vertex(k)))
       {
         corners[count++] = face->vertex(k)->info();
       }
     }
     const auto side = [&](int k)
-    { return Eigen::RowVector2d(this->Sites.Positions.row(corners[k % count]) - place); };
+    { return Eigen::Vector2d((this->Sites.Positions.row(corners[k % count]) - point).transpose()); };
     if (count == 3)
     {
       for (int k = 0; k < 3; ++k)
       {
-        shares[k] = std::max(0.0, crossProduct(side(k + 1), side(k + 2)));
+        shares[k] = std::max(0.0, cross(side(k + 1), side(k + 2)));
       }
     }
-    else // beyond the hull: as the nearest point of its edge
+    else // outside the hull: shares of the nearest point of its edge
     {
-      const Eigen::RowVector2d edge = side(1) - side(0);
+      const Eigen::Vector2d edge = side(1) - side(0);
       const double along = std::clamp(-side(0).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
       shares[0] = 1.0 - along;
       shares[1] = along;
@@ -110,12 +99,12 @@ public:
     const double sum = shares[0] + shares[1] + shares[2];
     if (!(sum > 0.0))
     {
-      return this->Maps[site](place);
+      return this->Maps[site](point);
     }
     Eigen::RowVector2d result = Eigen::RowVector2d::Zero();
     for (int k = 0; k < count; ++k)
     {
-      result += (shares[k] / sum) * this->Maps[corners[k]](place);
+      result += (shares[k] / sum) * this->Maps[corners[k]](point);
     }
     return result;
   }
@@ -129,22 +118,33 @@ private:
     {
       points.emplace_back(Kernel::Point_2(this->Sites.Positions(i, 0), this->Sites.Positions(i, 1)), i);
     }
-    this->Sheet.insert(points.begin(), points.end());
-    for (const auto vertex : this->Sheet.finite_vertex_handles())
+    this->Delaunay.insert(points.begin(), points.end());
+    for (const auto vertex : this->Delaunay.finite_vertex_handles())
     {
       this->Vertices[vertex->info()] = vertex;
     }
   }
 
-  AffineMap fit(int site, const FaceMatrix& faces, const VertexFaces& facesOf) const
+  // A site and its neighbours, ascending.
+  std::vector<int> star(int site) const
   {
     std::vector<int> star{ site };
-    for (const int f : facesOf[site])
+    const auto first = this->Delaunay.incident_vertices(this->Vertices[site]);
+    auto neighbour = first;
+    do
     {
-      star.insert(star.end(), { faces(f, 0), faces(f, 1), faces(f, 2) });
-    }
+      if (!this->Delaunay.is_infinite(neighbour))
+      {
+        star.push_back(neighbour->info());
+      }
+    } while (++neighbour != first);
     std::sort(star.begin(), star.end());
-    star.erase(std::unique(star.begin(), star.end()), star.end());
+    return star;
+  }
+
+  AffineMap fit(int site) const
+  {
+    const std::vector<int> star = this->star(site);
     double mass = 0.0;
     AffineMap map{ Eigen::RowVector2d::Zero(), Eigen::RowVector2d::Zero(), Eigen::Matrix2d::Zero() };
     for (const int u : star)
@@ -164,16 +164,12 @@ private:
       moments += this->Images.Masses[u] * offset.transpose() * (this->Images.Positions.row(u) - map.To);
     }
     const double trace = spread.trace();
-    if (spread.determinant() > DegenerateSpread * trace * trace)
+    const bool hasSlope = spread.determinant() > DegenerateSpread * trace * trace;
+    if (hasSlope)
     {
       map.Slope = spread.inverse() * moments;
     }
-    else
-    {
-      map.From = this->Sites.Positions.row(site);
-      map.To = this->Images.Positions.row(site);
-    }
-    if (this->Images.OnBoundary[site])
+    if (!hasSlope || this->Images.OnBoundary[site])
     {
       map.From = this->Sites.Positions.row(site);
       map.To = this->Images.Positions.row(site);
@@ -183,7 +179,7 @@ private:
 
   const TransportSites& Sites;
   const SiteImages& Images;
-  Triangulation Sheet;
+  Triangulation Delaunay;
   std::vector<Triangulation::Vertex_handle> Vertices;
   std::vector<AffineMap> Maps;
 };
@@ -193,14 +189,16 @@ private:
 SiteImages siteImages(const PowerDiagram& diagram,
   const Eigen::VectorXd& masses,
   const TransportSites& sites,
-  const std::vector<int>& loop,
-  const std::vector<double>& places)
+  const BoundaryLoop& boundary)
 {
-  SiteImages images{ masses, diagram.centroids(), std::vector<char>(sites.count(), 0) };
-  for (std::size_t k = 0; k < loop.size(); ++k)
+  SiteImages images{ masses,
+    diagram.centroids(),
+    std::vector<char>(sites.count(), 0),
+    boundaryParameters(diagram, boundary, sites.SiteOfVertex) };
+  for (std::size_t k = 0; k < boundary.Vertices.size(); ++k)
   {
-    const int site = sites.SiteOfVertex[loop[k]];
-    images.Positions.row(site) = diagram.domain().at(places[k]);
+    const int site = sites.SiteOfVertex[boundary.Vertices[k]];
+    images.Positions.row(site) = diagram.domain().at(images.BoundaryParameters[k]);
     images.OnBoundary[site] = 1;
   }
   return images;
@@ -218,8 +216,9 @@ Points2 interpolateTransport(const TransportSites& sites,
     {
       for (int v = range.begin(); v < range.end(); ++v)
       {
-        const Eigen::Vector2d place = field.at(positions.row(v), sites.SiteOfVertex[v]).transpose();
-        result.row(v) = (domain.contains(place) ? place : domain.at(domain.placeOf(place))).transpose();
+        const Eigen::Vector2d point = field.at(positions.row(v), sites.SiteOfVertex[v]).transpose();
+        result.row(v) =
+          (domain.contains(point) ? point : domain.at(domain.parameterOf(point))).transpose();
       }
     });
   return result;

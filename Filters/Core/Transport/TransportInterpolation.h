@@ -2,6 +2,7 @@
 /// A smooth map through the centroids of transported cells.
 #pragma once
 
+#include "Transport/BoundaryPlacement.h"
 #include "Transport/PowerDiagram.h"
 #include "Transport/TransportSites.h"
 
@@ -10,28 +11,28 @@
 namespace flattening
 {
 
-/// Where the sites of a transport are taken to.
+/// Where a transport takes its sites and the boundary vertices.
 struct SiteImages
 {
-  Eigen::VectorXd Masses;       ///< per site, > 0
-  Points2 Positions;            ///< per site
-  std::vector<char> OnBoundary; ///< per site: whether its image holds exactly
+  Eigen::VectorXd Masses;                 ///< per site, > 0
+  Points2 Positions;                      ///< per site
+  std::vector<char> OnBoundary;           ///< per site: whether the map must take it exactly there
+  std::vector<double> BoundaryParameters; ///< of the boundary vertices (boundaryParameters)
 };
 
-/// The centroids of the cells of @p diagram, and the places on the domain's boundary (ConvexDomain.h)
-/// for the vertices of the boundary loop. @p masses per site.
+/// The images are the centroids of the cells of @p diagram, and on the boundary the points with the
+/// boundaryParameters(). @p masses per site.
 SiteImages siteImages(const PowerDiagram& diagram,
   const Eigen::VectorXd& masses,
   const TransportSites& sites,
-  const std::vector<int>& loop,
-  const std::vector<double>& places);
+  const BoundaryLoop& boundary);
 
-/// The optimal transport is a smooth map, but the centroids of its cells follow it only to about the
-/// size of a cell, and their order in slivers is lost. At every site the affine map is taken that fits
-/// best, in the sense of least squares by mass, how its neighbours and itself are moved; between the
-/// sites these maps are blended by barycentric coordinates in the sites' Delaunay triangulation, which
-/// follows a smooth map to second order. So faces keep, but for the stretch, the shapes that they have
-/// at @p positions (n x 2), and vertices that are no sites are moved as those around them.
+/// Maps vertices at @p positions (n x 2) as the transport maps the sites around them. The optimal
+/// transport is a smooth map, but the centroids of its cells follow it only to about the size of a cell,
+/// and the order of the centroids of slivers is lost. Therefore an affine map is fitted at every site to
+/// the images of the site and its neighbours (least squares, weighted by mass). Between the sites these
+/// maps are blended by barycentric coordinates in the sites' Delaunay triangulation, which follows a
+/// smooth map to second order. So faces keep their shapes up to the stretch of the map.
 /// Vertices that would leave @p domain are put on its boundary.
 Points2 interpolateTransport(const TransportSites& sites,
   const SiteImages& images,

@@ -40,7 +40,8 @@ TransportSites distinctSites(const Points2& positions)
   sites.SiteOfVertex.resize(n);
   sites.Positions.resize(n, 2);
   int count = 0;
-  for (int v = 0; v < n; ++v) // the lowest vertex of each place comes first: the sort is stable
+  // The representative is the lowest vertex at its position, since the sort is stable.
+  for (int v = 0; v < n; ++v)
   {
     if (representative[v] == v)
     {
@@ -75,12 +76,12 @@ TransportSites groupedSites(const Points2& positions,
       grouped.push_back(v);
     }
   }
-  Points2 places(static_cast<Eigen::Index>(grouped.size()), 2);
+  Points2 points(static_cast<Eigen::Index>(grouped.size()), 2);
   for (std::size_t i = 0; i < grouped.size(); ++i)
   {
-    places.row(static_cast<Eigen::Index>(i)) = positions.row(grouped[i]);
+    points.row(static_cast<Eigen::Index>(i)) = positions.row(grouped[i]);
   }
-  const std::vector<std::vector<int>> groups = recursiveBisection(places, verticesPerSite, 0.0);
+  const std::vector<std::vector<int>> groups = recursiveBisection(points, verticesPerSite, 0.0);
 
   Points2 centres(static_cast<Eigen::Index>(groups.size() + alone.size()), 2);
   std::vector<int> groupOf(n);
@@ -91,7 +92,7 @@ TransportSites groupedSites(const Points2& positions,
     double mass = 0.0;
     for (const int i : group)
     {
-      moment += masses[grouped[i]] * places.row(i);
+      moment += masses[grouped[i]] * points.row(i);
       mass += masses[grouped[i]];
       groupOf[grouped[i]] = count;
     }

@@ -9,21 +9,22 @@
 namespace flattening
 {
 
+/// Sites, and the site of every vertex.
 struct TransportSites
 {
-  Points2 Positions;             ///< pairwise distinct
-  std::vector<int> SiteOfVertex; ///< n
+  Points2 Positions;             ///< one row per site, pairwise distinct
+  std::vector<int> SiteOfVertex; ///< per vertex (n)
 
   int count() const { return static_cast<int>(this->Positions.rows()); }
-  /// The sums over the vertices of each site of @p values (n).
+  /// Per site the sum of @p values (n) over its vertices.
   Eigen::VectorXd sums(const Eigen::VectorXd& values) const;
 };
 
-/// Every vertex is a site; those at the very same place are one.
+/// Every vertex is a site; vertices with equal positions share one.
 TransportSites distinctSites(const Points2& positions);
 
-/// About @p verticesPerSite >= 1 neighbours are one site at their centre of mass, @p masses (n, > 0).
-/// The vertices in @p alone are sites of their own.
+/// Groups of at most @p verticesPerSite (>= 1) neighbouring vertices share one site, at their centre of
+/// mass for @p masses (n, > 0). The vertices in @p alone are sites of their own.
 TransportSites groupedSites(const Points2& positions,
   const Eigen::VectorXd& masses,
   const std::vector<int>& alone,

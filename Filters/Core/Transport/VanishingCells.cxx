@@ -69,7 +69,7 @@ Eigen::VectorXd ownSlopes(const PowerDiagram& diagram)
   Eigen::VectorXd slopes = Eigen::VectorXd::Zero(diagram.siteCount());
   for (const PowerDiagram::CommonSide& side : diagram.commonSides())
   {
-    const double slope = side.Length / (2.0 * side.Distance);
+    const double slope = side.slope();
     slopes[side.First] += slope;
     slopes[side.Second] += slope;
   }

@@ -201,7 +201,7 @@ TEST(AreaPreservingDisk, WarmStart)
   }
   const AreaPreservingMap cold = areaPreservingDiskMap(mesh.Mesh, flat, weights, transportAlone()).Map;
   AreaPreservingOptions options = transportAlone();
-  options.Transport.StartWeights = before.PowerWeights;
+  options.Start.PowerWeights = before.PowerWeights;
   const AreaPreservingMap warm = areaPreservingDiskMap(mesh.Mesh, flat, weights, options).Map;
   std::cout << "Newton steps: " << cold.NewtonIterations << " cold, " << warm.NewtonIterations
             << " warm\n";
@@ -209,7 +209,7 @@ TEST(AreaPreservingDisk, WarmStart)
   EXPECT_LE(warm.MaxCellError, 1e-6);
   EXPECT_LT((warm.Positions - cold.Positions).rowwise().norm().maxCoeff(), 1e-6);
 
-  options.Transport.StartWeights.setConstant(std::nan(""));
+  options.Start.PowerWeights.setConstant(std::nan(""));
   const AreaPreservingMap unusable = areaPreservingDiskMap(mesh.Mesh, flat, weights, options).Map;
   EXPECT_EQ(unusable.NewtonIterations, cold.NewtonIterations) << "a start of no use is not taken";
 }
@@ -412,7 +412,7 @@ TEST(AreaPreservingRectangle, RefusesWhatIsNoMapToARectangle)
   EXPECT_TRUE(contains(message(wrong, 2.0), "vertex 15 lies outside of the rectangle"));
   wrong = conformal;
   wrong.col(0) *= -1.0;
-  EXPECT_TRUE(contains(message(wrong, 2.0), "turned over"));
+  EXPECT_TRUE(contains(message(wrong, 2.0), "mirrored"));
 }
 
 } // namespace

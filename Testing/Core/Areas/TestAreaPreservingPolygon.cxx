@@ -127,7 +127,7 @@ TEST_P(AreaPreservingPolygonOf, IsFilledAndFacesKeepTheirAreas)
     for (const int v : loop)
     {
       const Eigen::Vector2d position = map.Positions.row(v);
-      ASSERT_LT((polygon.at(polygon.placeOf(position)) - position).norm(), 1e-14) << "on a side";
+      ASSERT_LT((polygon.at(polygon.parameterOf(position)) - position).norm(), 1e-14) << "on a side";
     }
     for (Eigen::Index k = 0; k < corners.rows(); ++k)
     {

@@ -10,16 +10,9 @@ namespace
 
 using namespace flattening;
 
-FaceAreaEnergy energyOf(double epsilon)
-{
-  FaceAreaEnergy::Options options;
-  options.Epsilon = epsilon;
-  return FaceAreaEnergy(options);
-}
-
 TEST(FaceAreaEnergy, VanishesForASimilarTriangleOfTheTargetArea)
 {
-  const auto value = energyOf(0.0).value(0.7, 0.7, 0.7, 0.01);
+  const auto value = FaceAreaEnergy(0.0).value(0.7, 0.7, 0.7, 0.01);
   EXPECT_NEAR(value.Energy, 0.0, 1e-16);
   // Growing it as it is gains nothing either: the derivatives by both measures of its size cancel.
   EXPECT_NEAR(value.ByArea + value.ByDirichlet, 0.0, 1e-16);
@@ -27,9 +20,9 @@ TEST(FaceAreaEnergy, VanishesForASimilarTriangleOfTheTargetArea)
 
 TEST(FaceAreaEnergy, IsInfiniteForAFlippedFaceUnlessEpsilonIsPositive)
 {
-  EXPECT_TRUE(std::isinf(energyOf(0.0).value(-0.1, 1.0, 1.0, 0.0).Energy));
-  EXPECT_TRUE(std::isinf(energyOf(0.0).value(0.0, 1.0, 1.0, 0.0).Energy));
-  EXPECT_TRUE(std::isfinite(energyOf(0.1).value(-50.0, 1.0, 50.0, 0.01).Energy));
+  EXPECT_TRUE(std::isinf(FaceAreaEnergy(0.0).value(-0.1, 1.0, 1.0, 0.0).Energy));
+  EXPECT_TRUE(std::isinf(FaceAreaEnergy(0.0).value(0.0, 1.0, 1.0, 0.0).Energy));
+  EXPECT_TRUE(std::isfinite(FaceAreaEnergy(0.1).value(-50.0, 1.0, 50.0, 0.01).Energy));
 }
 
 // However much shape counts: the logarithms of both its sizes are smoothed alike.
@@ -39,7 +32,7 @@ TEST(FaceAreaEnergy, AFaceDoesNotGainByShrinkingToAPoint)
   {
     for (const double size : { 1e-2, 1e-4, 1e-8, 0.0 })
     {
-      EXPECT_GT(energyOf(0.1).value(size, 1.0, size, shape).Energy, 0.9) << shape << " " << size;
+      EXPECT_GT(FaceAreaEnergy(0.1).value(size, 1.0, size, shape).Energy, 0.9) << shape << " " << size;
     }
   }
 }
@@ -51,7 +44,7 @@ TEST(FaceAreaEnergy, DerivativesMatchDifferences)
   constexpr double step = 1e-5;
   for (const double epsilon : { 0.0, 0.1 })
   {
-    const FaceAreaEnergy energy = energyOf(epsilon);
+    const FaceAreaEnergy energy(epsilon);
     for (const double area : { -0.2, 0.05, 0.3, 0.9 })
     {
       if (epsilon == 0.0 && area < 0.0)

@@ -275,7 +275,7 @@ TEST(FaceRefinement, BeginsAgainInAPolygonWhereFacesCannotBeTurnedOver)
   for (const int v : loop)
   {
     const Eigen::Vector2d position = result.Positions.row(v);
-    EXPECT_LT((square->at(square->placeOf(position)) - position).norm(), 1e-14) << "on a side";
+    EXPECT_LT((square->at(square->parameterOf(position)) - position).norm(), 1e-14) << "on a side";
   }
   for (const int member : members)
   {

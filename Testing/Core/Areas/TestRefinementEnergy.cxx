@@ -21,32 +21,32 @@ protected:
     : Mesh(analytic::sunflowerMesh(analytic::paraboloid(0.8), 300).Mesh)
     , FacesOf(Mesh.Faces, Mesh.vertexCount())
     , Loop(requireDisk(Mesh))
-    , Unknowns(Mesh.vertexCount(), std::make_shared<UnitDisk>(), Loop, { 0 })
-    , Terms(Mesh, Loop, Unknowns.domain().perimeter(), 0.01)
-    , Energy(Terms, FacesOf, Unknowns)
+    , Dofs(Mesh.vertexCount(), std::make_shared<UnitDisk>(), Loop, { 0 })
+    , Terms(Mesh, Loop, Dofs.domain().perimeter(), 0.01)
+    , Energy(Terms, FacesOf, Dofs)
   {
     const Eigen::VectorXd areas = faceAreas(Mesh.Vertices, Mesh.Faces);
     this->Energy.setTargets(areas * (EIGEN_PI / areas.sum()));
     this->Energy.setEpsilon(0.1);
-    this->State.Positions = Mesh.Vertices.leftCols<2>();
-    for (Eigen::Index i = 0; i < this->State.Positions.size(); ++i)
+    this->Map.Positions = Mesh.Vertices.leftCols<2>();
+    for (Eigen::Index i = 0; i < this->Map.Positions.size(); ++i)
     {
-      this->State.Positions.data()[i] += 0.02 * std::sin(17.0 * static_cast<double>(i));
+      this->Map.Positions.data()[i] += 0.02 * std::sin(17.0 * static_cast<double>(i));
     }
-    this->State.Places.resize(static_cast<Eigen::Index>(Loop.size()));
-    const double first = this->Unknowns.domain().placeOf(Mesh.Vertices.row(Loop[0]).head<2>());
+    this->Map.BoundaryParameters.resize(static_cast<Eigen::Index>(Loop.size()));
+    const double first = this->Dofs.domain().parameterOf(Mesh.Vertices.row(Loop[0]).head<2>());
     for (std::size_t k = 0; k < Loop.size(); ++k)
     {
       const double share = static_cast<double>(k) / static_cast<double>(Loop.size());
-      this->State.Places[k] = first + 2.0 * EIGEN_PI * (share + 0.01 * std::sin(5.0 * share));
-      this->State.Positions.row(Loop[k]) = this->Unknowns.domain().at(this->State.Places[k]);
+      this->Map.BoundaryParameters[k] = first + 2.0 * EIGEN_PI * (share + 0.01 * std::sin(5.0 * share));
+      this->Map.Positions.row(Loop[k]) = this->Dofs.domain().at(this->Map.BoundaryParameters[k]);
     }
-    this->Energy.setEnclosed(this->State);
+    this->Energy.setEnclosed(this->Map);
   }
 
   Eigen::VectorXd randomStep(int seed) const
   {
-    Eigen::VectorXd step(this->Unknowns.count());
+    Eigen::VectorXd step(this->Dofs.count());
     for (Eigen::Index i = 0; i < step.size(); ++i)
     {
       step[i] = std::sin(1.3 * static_cast<double>((i + 1) * (seed + 2) % 9973));
@@ -57,29 +57,29 @@ protected:
   TriangleMesh Mesh;
   VertexFaces FacesOf;
   std::vector<int> Loop;
-  DegreesOfFreedom Unknowns;
+  DegreesOfFreedom Dofs;
   RefinementTerms Terms;
   RefinementEnergy Energy;
-  FlatState State;
+  DomainMap Map;
 };
 
 TEST_F(RefinementEnergyOfAMap, HasOneUnknownOnTheBoundaryTwoInsideAndNoneInACorner)
 {
   const int inside = this->Mesh.vertexCount() - static_cast<int>(this->Loop.size());
-  EXPECT_EQ(this->Unknowns.count(), 2 * inside + static_cast<int>(this->Loop.size()) - 1);
+  EXPECT_EQ(this->Dofs.count(), 2 * inside + static_cast<int>(this->Loop.size()) - 1);
 }
 
 TEST_F(RefinementEnergyOfAMap, GradientMatchesDifferences)
 {
   Eigen::VectorXd gradient;
-  const double value = this->Energy.gradient(this->State, gradient);
-  EXPECT_NEAR(value, this->Energy.value(this->State), 1e-14 * value);
+  const double value = this->Energy.gradient(this->Map, gradient);
+  EXPECT_NEAR(value, this->Energy.value(this->Map), 1e-14 * value);
   for (int seed = 0; seed < 10; ++seed)
   {
     const Eigen::VectorXd step = this->randomStep(seed);
     constexpr double length = 1e-5;
-    const double up = this->Energy.value(this->Unknowns.moved(this->State, step, length));
-    const double down = this->Energy.value(this->Unknowns.moved(this->State, step, -length));
+    const double up = this->Energy.value(this->Dofs.moved(this->Map, step, length));
+    const double down = this->Energy.value(this->Dofs.moved(this->Map, step, -length));
     EXPECT_NEAR(gradient.dot(step), (up - down) / (2.0 * length), 1e-6 * gradient.norm());
   }
 }
@@ -89,15 +89,15 @@ TEST_F(RefinementEnergyOfAMap, GradientMatchesDifferences)
 TEST_F(RefinementEnergyOfAMap, HessianIsPositiveAndNearlyTheSecondDerivative)
 {
   Eigen::VectorXd gradient;
-  const double value = this->Energy.gradient(this->State, gradient);
-  const SparseMatrix hessian = this->Energy.hessian(this->State);
+  const double value = this->Energy.gradient(this->Map, gradient);
+  const SparseMatrix hessian = this->Energy.hessian(this->Map);
   for (int seed = 0; seed < 10; ++seed)
   {
     const Eigen::VectorXd step = this->randomStep(seed);
     const Eigen::VectorXd product = hessian.selfadjointView<Eigen::Lower>() * step;
     constexpr double length = 1e-4;
-    const double up = this->Energy.value(this->Unknowns.moved(this->State, step, length));
-    const double down = this->Energy.value(this->Unknowns.moved(this->State, step, -length));
+    const double up = this->Energy.value(this->Dofs.moved(this->Map, step, length));
+    const double down = this->Energy.value(this->Dofs.moved(this->Map, step, -length));
     const double second = (up - 2.0 * value + down) / (length * length);
     EXPECT_GT(step.dot(product), 0.0);
     EXPECT_NEAR(step.dot(product), second, 0.3 * std::abs(second));
@@ -108,9 +108,9 @@ TEST_F(RefinementEnergyOfAMap, HessianIsPositiveAndNearlyTheSecondDerivative)
 TEST_F(RefinementEnergyOfAMap, HessianStartsAnewEveryTime)
 {
   Eigen::VectorXd gradient;
-  this->Energy.gradient(this->State, gradient);
-  const SparseMatrix first = this->Energy.hessian(this->State);
-  const SparseMatrix second = this->Energy.hessian(this->State);
+  this->Energy.gradient(this->Map, gradient);
+  const SparseMatrix first = this->Energy.hessian(this->Map);
+  const SparseMatrix second = this->Energy.hessian(this->Map);
   EXPECT_EQ((first - second).norm(), 0.0);
 }
 

@@ -23,26 +23,26 @@ protected:
     : Mesh(analytic::sunflowerMesh(analytic::flatDisk(), 12000).Mesh)
     , FacesOf(Mesh.Faces, Mesh.vertexCount())
     , Loop(requireDisk(Mesh))
-    , Unknowns(Mesh.vertexCount(), std::make_shared<UnitDisk>(), Loop, { 0 })
-    , Terms(Mesh, Loop, Unknowns.domain().perimeter(), 0.001)
-    , Patches(Terms, FacesOf, Unknowns)
+    , Dofs(Mesh.vertexCount(), std::make_shared<UnitDisk>(), Loop, { 0 })
+    , Terms(Mesh, Loop, Dofs.domain().perimeter(), 0.001)
+    , Patches(Terms, FacesOf, Dofs)
   {
     this->Exact.Positions = Mesh.Vertices.leftCols<2>();
-    this->Exact.Places.resize(static_cast<Eigen::Index>(Loop.size()));
+    this->Exact.BoundaryParameters.resize(static_cast<Eigen::Index>(Loop.size()));
     double last = -10.0;
     for (std::size_t k = 0; k < Loop.size(); ++k)
     {
-      double place = this->Unknowns.domain().placeOf(this->Exact.Positions.row(Loop[k]).transpose());
-      place += place < last ? 2.0 * EIGEN_PI : 0.0;
-      this->Exact.Places[k] = place;
-      this->Exact.Positions.row(Loop[k]) = this->Unknowns.domain().at(place);
-      last = place;
+      double parameter = this->Dofs.domain().parameterOf(this->Exact.Positions.row(Loop[k]).transpose());
+      parameter += parameter < last ? 2.0 * EIGEN_PI : 0.0;
+      this->Exact.BoundaryParameters[k] = parameter;
+      this->Exact.Positions.row(Loop[k]) = this->Dofs.domain().at(parameter);
+      last = parameter;
     }
     this->Shaken = this->Exact;
     const double size = 0.15 / std::sqrt(static_cast<double>(Mesh.vertexCount()));
     for (int v = 0; v < Mesh.vertexCount(); ++v)
     {
-      if (this->Unknowns.memberOf(v) < 0)
+      if (this->Dofs.memberOf(v) < 0)
       {
         this->Shaken.Positions(v, 0) += size * std::sin(17.0 * v);
         this->Shaken.Positions(v, 1) += size * std::cos(29.0 * v);
@@ -53,68 +53,67 @@ protected:
     this->Pass.KeepsOrientation = true;
   }
 
-  double shareOff(const FlatState& state) const
+  double shareOff(const DomainMap& map) const
   {
     const Eigen::ArrayXd ratios =
-      signedFaceAreas(state.Positions, this->Mesh.Faces).array() / this->Pass.Targets.array();
+      signedFaceAreas(map.Positions, this->Mesh.Faces).array() / this->Pass.Targets.array();
     return static_cast<double>(((ratios - 1.0).abs() > 0.02).count()) / this->Mesh.faceCount();
   }
 
   TriangleMesh Mesh;
   VertexFaces FacesOf;
   std::vector<int> Loop;
-  DegreesOfFreedom Unknowns;
+  DegreesOfFreedom Dofs;
   RefinementTerms Terms;
   RefinementPatches Patches;
   RefinementPatches::Pass Pass;
-  FlatState Exact;
-  FlatState Shaken;
+  DomainMap Exact;
+  DomainMap Shaken;
 };
 
 TEST_F(RefinementPatchesOfAMap, LeaveAsTheyAreThoseWhoseFacesAreRight)
 {
-  FlatState state = this->Exact;
-  EXPECT_EQ(this->Patches.run(this->Pass, state, {}), 0);
-  EXPECT_TRUE((state.Positions.array() == this->Exact.Positions.array()).all());
+  DomainMap map = this->Exact;
+  EXPECT_EQ(this->Patches.run(this->Pass, map, {}), 0);
+  EXPECT_TRUE((map.Positions.array() == this->Exact.Positions.array()).all());
 }
 
 TEST_F(RefinementPatchesOfAMap, MakeFacesRightInTwoPasses)
 {
   ASSERT_EQ(countFlippedFaces(this->Shaken.Positions, this->Mesh.Faces), 0);
   ASSERT_GT(this->shareOff(this->Shaken), 0.8);
-  FlatState state = this->Shaken;
-  EXPECT_GT(this->Patches.run(this->Pass, state, {}), 4);
-  const double first = this->shareOff(state); // those between the patches are left
+  DomainMap map = this->Shaken;
+  EXPECT_GT(this->Patches.run(this->Pass, map, {}), 4);
+  const double first = this->shareOff(map); // those between the patches are left
   EXPECT_LT(first, 0.2);
   EXPECT_GT(first, 0.0);
-  this->Patches.run(this->Pass, state, {});
-  EXPECT_LT(this->shareOff(state), 0.1 * first);
-  EXPECT_EQ(countFlippedFaces(state.Positions, this->Mesh.Faces), 0);
+  this->Patches.run(this->Pass, map, {});
+  EXPECT_LT(this->shareOff(map), 0.1 * first);
+  EXPECT_EQ(countFlippedFaces(map.Positions, this->Mesh.Faces), 0);
 }
 
 TEST_F(RefinementPatchesOfAMap, BoundaryVerticesSlideAndACornerStays)
 {
-  FlatState state = this->Shaken;
-  this->Patches.run(this->Pass, state, {});
-  EXPECT_EQ(state.Places[0], this->Shaken.Places[0]);
-  EXPECT_EQ(state.Positions.row(this->Loop[0]), this->Shaken.Positions.row(this->Loop[0]));
+  DomainMap map = this->Shaken;
+  this->Patches.run(this->Pass, map, {});
+  EXPECT_EQ(map.BoundaryParameters[0], this->Shaken.BoundaryParameters[0]);
+  EXPECT_EQ(map.Positions.row(this->Loop[0]), this->Shaken.Positions.row(this->Loop[0]));
   int moved = 0;
   for (std::size_t k = 0; k < this->Loop.size(); ++k)
   {
-    EXPECT_NEAR(state.Positions.row(this->Loop[k]).norm(), 1.0, 1e-14);
-    EXPECT_TRUE(state.Positions.row(this->Loop[k])
+    EXPECT_NEAR(map.Positions.row(this->Loop[k]).norm(), 1.0, 1e-14);
+    EXPECT_TRUE(map.Positions.row(this->Loop[k])
                   .transpose()
-                  .isApprox(this->Unknowns.domain().at(state.Places[k]), 1e-14));
-    moved += state.Places[k] != this->Shaken.Places[k] ? 1 : 0;
+                  .isApprox(this->Dofs.domain().at(map.BoundaryParameters[k]), 1e-14));
+    moved += map.BoundaryParameters[k] != this->Shaken.BoundaryParameters[k] ? 1 : 0;
   }
   EXPECT_GT(moved, static_cast<int>(this->Loop.size()) / 2);
 }
 
 TEST_F(RefinementPatchesOfAMap, CanBeCancelled)
 {
-  FlatState state = this->Shaken;
-  EXPECT_THROW(
-    this->Patches.run(this->Pass, state, [](double, const char*) { return false; }), Cancelled);
+  DomainMap map = this->Shaken;
+  EXPECT_THROW(this->Patches.run(this->Pass, map, [](double, const char*) { return false; }), Cancelled);
 }
 
 } // namespace

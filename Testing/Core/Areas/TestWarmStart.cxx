@@ -48,8 +48,8 @@ struct Bump
 AreaPreservingOptions from(const AreaPreservingMap& former)
 {
   AreaPreservingOptions options;
-  options.Transport.StartWeights = former.PowerWeights;
-  options.StartPositions = former.Positions;
+  options.Start.PowerWeights = former.PowerWeights;
+  options.Start.Positions = former.Positions;
   return options;
 }
 
@@ -76,14 +76,14 @@ TEST(WarmStart, AWeightIsChangedToTheSameAccuracyAsFromTheBeginning)
 {
   const Bump bump;
   AreaPreservingMap former = areaPreservingDiskMap(bump.Mesh, bump.Conformal).Map;
-  EXPECT_FALSE(former.IsContinued);
+  EXPECT_FALSE(former.WarmStarted);
   for (const double factor : { 2.0, 4.0, 0.5, 1.1 })
   {
     const Eigen::VectorXd weights = bump.weights(factor);
     const AreaPreservingMap cold = areaPreservingDiskMap(bump.Mesh, bump.Conformal, weights).Map;
     const AreaPreservingMap warm =
       areaPreservingDiskMap(bump.Mesh, bump.Conformal, weights, from(former)).Map;
-    EXPECT_TRUE(warm.IsContinued);
+    EXPECT_TRUE(warm.WarmStarted);
     EXPECT_TRUE(warm.Bijective);
     EXPECT_EQ(countFlippedFaces(warm.Positions, bump.Mesh.Faces), 0);
     EXPECT_LE(warm.MaxCellError, 1e-6);
@@ -106,7 +106,7 @@ TEST(WarmStart, AWeightIsChangedToTheSameAccuracyAsFromTheBeginning)
   }
 }
 
-// Nothing has changed: nothing is to be done.
+// Nothing has changed, and nothing is to be done.
 TEST(WarmStart, TheSameWeightsKeepTheMap)
 {
   const Bump bump;
@@ -114,7 +114,7 @@ TEST(WarmStart, TheSameWeightsKeepTheMap)
   const AreaPreservingMap former = areaPreservingDiskMap(bump.Mesh, bump.Conformal, weights).Map;
   const AreaPreservingMap again =
     areaPreservingDiskMap(bump.Mesh, bump.Conformal, weights, from(former)).Map;
-  EXPECT_TRUE(again.IsContinued);
+  EXPECT_TRUE(again.WarmStarted);
   EXPECT_EQ(again.NewtonIterations, 0);
   EXPECT_LT((again.Positions - former.Positions).rowwise().norm().maxCoeff(), 1e-3);
 }
@@ -136,14 +136,14 @@ TEST(WarmStart, SameBitsWhateverTheThreads)
   }
 }
 
-// Then the map is the one that the weights alone lead to, in every bit.
-TEST(WarmStart, WhatIsNoMapToTheDomainCountsForNothing)
+// Without usable positions the map is the one that the power weights alone lead to, in every bit.
+TEST(WarmStart, PositionsThatAreNoMapToTheDomainCountForNothing)
 {
   const TriangleMesh mesh = ringMesh(sphericalCap(0.5 * Pi), 2000).Mesh;
   const Points2 conformal = conformalDiskMap(mesh).Positions;
   const AreaPreservingMap former = areaPreservingDiskMap(mesh, conformal).Map;
   AreaPreservingOptions options = from(former);
-  options.StartPositions.resize(0, 2);
+  options.Start.Positions.resize(0, 2);
   const Points2 expected = areaPreservingDiskMap(mesh, conformal, {}, options).Map.Positions;
   const int last = mesh.vertexCount() - 1; // on the boundary
   std::vector<Points2> bad(6, former.Positions);
@@ -155,14 +155,14 @@ TEST(WarmStart, WhatIsNoMapToTheDomainCountsForNothing)
   bad[5].col(0) *= -1.0;                             // mirrored
   for (std::size_t k = 0; k < bad.size(); ++k)
   {
-    options.StartPositions = bad[k];
+    options.Start.Positions = bad[k];
     const AreaPreservingMap map = areaPreservingDiskMap(mesh, conformal, {}, options).Map;
-    EXPECT_FALSE(map.IsContinued) << k;
+    EXPECT_FALSE(map.WarmStarted) << k;
     EXPECT_TRUE((map.Positions.array() == expected.array()).all()) << k;
   }
   options = from(former);
   options.Refinement.AngleWeight = 0.3;
-  EXPECT_FALSE(areaPreservingDiskMap(mesh, conformal, {}, options).Map.IsContinued);
+  EXPECT_FALSE(areaPreservingDiskMap(mesh, conformal, {}, options).Map.WarmStarted);
 }
 
 TEST(WarmStart, PolygonsKeepTheirCorners)
@@ -182,7 +182,7 @@ TEST(WarmStart, PolygonsKeepTheirCorners)
         .Map;
     };
     const AreaPreservingMap warm = map(weights, from(map({}, {})));
-    EXPECT_TRUE(warm.IsContinued);
+    EXPECT_TRUE(warm.WarmStarted);
     EXPECT_TRUE(warm.Bijective);
     EXPECT_GE(
       summariseDistortion(measureDistortion(mesh, warm.Positions, weights)).FacesWithin2Percent, 99.0);
@@ -193,7 +193,7 @@ TEST(WarmStart, PolygonsKeepTheirCorners)
   }
 }
 
-// What carrying is worth: faces inside and outside of the region are nearly right before any refinement.
+// Faces inside and outside of the region are nearly right before any refinement.
 TEST(WarmStart, IsCarriedByTheTransport)
 {
   const Bump bump;
@@ -204,14 +204,11 @@ TEST(WarmStart, IsCarriedByTheTransport)
   const AreaPreservingResult after =
     areaPreservingDiskMap(bump.Mesh, bump.Conformal, weights, from(before.Map));
   const TransportSites sites{ before.Diagram.sites(), before.SiteOfVertex };
-  const auto transported = [&](const AreaPreservingResult& result) -> TransportedSites
-  {
-    const std::vector<double> places = boundaryParameters(result.Diagram, loop, result.SiteOfVertex);
-    return { siteImages(result.Diagram, sites.sums(result.Map.TargetAreas), sites, loop, places),
-      places };
+  const auto transported = [&](const AreaPreservingResult& result) {
+    return siteImages(result.Diagram, sites.sums(result.Map.TargetAreas), sites, { loop, {}, {} });
   };
   const Points2& positions = before.Map.Positions;
-  const TransportedSites start = transported(before);
+  const SiteImages start = transported(before);
   const auto within = [&](const Points2& flat)
   { return summariseDistortion(measureDistortion(bump.Mesh, flat, weights)).FacesWithin2Percent; };
   const Points2 carried = carriedMap(positions, sites, start, transported(after), loop, disk);

@@ -262,8 +262,9 @@ TEST(ConvexPolygon, PlacesAreLengthsAlongTheBoundary)
     EXPECT_LT((domain.at(along + 3.0 * domain.perimeter()) - corner).norm(), 1e-13);
     const Eigen::Vector2d between = 0.3 * corner + 0.7 * following;
     const double place = along + 0.7 * (following - corner).norm();
-    EXPECT_NEAR(domain.placeOf(between), place, 1e-13);
-    EXPECT_NEAR(domain.placeOf(domain.centroid() + 0.4 * (between - domain.centroid())), place, 1e-13);
+    EXPECT_NEAR(domain.parameterOf(between), place, 1e-13);
+    EXPECT_NEAR(
+      domain.parameterOf(domain.centroid() + 0.4 * (between - domain.centroid())), place, 1e-13);
     EXPECT_NEAR(domain.distanceAlong(domain.at(place - 0.2), domain.at(place + 0.3)), 0.5, 1e-13);
     EXPECT_NEAR(domain.distanceAlong(domain.at(place + 0.3), domain.at(place - 0.2)),
       domain.perimeter() - 0.5,

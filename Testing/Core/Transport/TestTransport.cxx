@@ -2,7 +2,7 @@
 #include "Support/AbandonedCall.h"
 #include "Support/SampleSurfaces.h"
 #include "Transport/BoundaryPlacement.h"
-#include "Transport/ConvexPotential.h"
+#include "Transport/InitialWeights.h"
 #include "Transport/Transport.h"
 
 #include <gtest/gtest.h>
@@ -402,7 +402,7 @@ TEST(BoundaryAngles, AreTheMiddlesOfTheArcs)
   siteOfVertex[n] = n;
   PowerDiagram diagram(sites);
   ASSERT_TRUE(diagram.update(PowerDiagram::Weights::Zero(n + 1)));
-  const std::vector<double> angles = boundaryParameters(diagram, loop, siteOfVertex);
+  const std::vector<double> angles = boundaryParameters(diagram, { loop, {}, {} }, siteOfVertex);
   for (int k = 0; k < n; ++k)
   {
     EXPECT_NEAR(std::remainder(angles[k] - diagram.boundaryPart(k).Middle, 2.0 * Pi), 0.0, 1e-13);
@@ -431,7 +431,7 @@ TEST(BoundaryAngles, KeepTheLoopsOrder)
   std::swap(siteOfVertex[7], siteOfVertex[8]);
   siteOfVertex[20] = siteOfVertex[21];
   std::swap(siteOfVertex[0], siteOfVertex[n - 1]);
-  const std::vector<double> angles = boundaryParameters(diagram, loop, siteOfVertex);
+  const std::vector<double> angles = boundaryParameters(diagram, { loop, {}, {} }, siteOfVertex);
   for (int k = 1; k < n; ++k)
   {
     EXPECT_GT(angles[k], angles[k - 1]) << k;
