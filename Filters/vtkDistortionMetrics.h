@@ -35,7 +35,7 @@
  * - point `TCoords` (float x 2, [0, 1]): active texture coordinates, the flat position in the smallest
  *   square around the map with the same centre.
  *
- * In the following, <X> stands for one of `AreaError` (percent), `AreaDistortion` (its magnitude),
+ * X below stands for one of `AreaError` (percent), `AreaDistortion` (its magnitude),
  * `AngleDistortion`, `BeltramiMagnitude`, `StretchL2`, `SymmetricDirichlet` and `AngleError` (degrees).
  *
  * Field data of both ports (one tuple each):
@@ -48,11 +48,11 @@
  *   surface, that are not flipped and whose AreaRatio is within 0.02 of 1.
  * - `RootMeanSquareStretch` (double, dimensionless): root of the area-weighted mean of StretchL2
  *   squared.
- * - `Mean<X>` (double, unit of X): mean over the faces, each counted once.
- * - `AreaWeightedMean<X>` (double, unit of X): mean over the faces, weighted by their surface areas.
- * - `P95<X>` (double, unit of X): value that 5 percent of the faces exceed.
- * - `P99<X>` (double, unit of X): value that 1 percent of the faces exceed.
- * - `Max<X>` (double, unit of X): greatest value of a face.
+ * - `MeanX` (double, unit of X): mean over the faces, each counted once.
+ * - `AreaWeightedMeanX` (double, unit of X): mean over the faces, weighted by their surface areas.
+ * - `P95X` (double, unit of X): value that 5 percent of the faces exceed.
+ * - `P99X` (double, unit of X): value that 1 percent of the faces exceed.
+ * - `MaxX` (double, unit of X): greatest value of a face.
  *
  * Output arrays of port 1:
  * - row `RegionId` (vtkIdType): label of the region; -1 in the row `Total`.
@@ -63,7 +63,7 @@
  * - row `AreaErrorPercent` (double, percent): error of the region's share of the flat area against its
  *   share of the target area.
  * - row `SurfaceArea` (double, input units squared): as in the field data, as are all further columns
- *   (`FlatArea`, `FacesWithin2Percent`, `RootMeanSquareStretch`, `Mean<X>` to `Max<X>`).
+ *   (`FlatArea`, `FacesWithin2Percent`, `RootMeanSquareStretch`, `MeanX` to `MaxX`).
  *
  * An empty input gives empty outputs. The following are errors, each with empty outputs: cells that are
  * not triangles; no array `SurfacePoints`; points that are not finite or not flat; zero total area; a

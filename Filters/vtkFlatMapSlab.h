@@ -19,15 +19,15 @@
  * neighbouring points. A warning is given if samples lie outside the volume.
  *
  * Output arrays of port 0:
- * - point `<array>Slab` (float x depths, as in the volume): samples of the point array <array> of the
+ * - point `XSlab` (float x depths, as in the volume): samples of the point array X of the
  *   volume, one component per depth and named by it; an array with several components has all
  *   components of the first depth first. The value is NaN outside the volume.
  * - point `InVolume` (unsigned char x depths): 1 where the sample lies inside the volume, 0 outside.
  * - point `SurfaceNormals` (double x 3, dimensionless): outward unit normal of the surface.
  *
  * Output arrays of port 1:
- * - point `<array>` (float x components of the array, as in the volume): samples of the point array
- *   <array> of the volume; NaN outside the volume and the map.
+ * - point `X` (float x components of the array, as in the volume): samples of the point array
+ *   X of the volume; NaN outside the volume and the map.
  * - point `InVolume` (unsigned char): 1 where the pixel lies on the map and its sample inside the
  *   volume, 0 elsewhere.
  *

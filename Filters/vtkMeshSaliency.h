@@ -19,7 +19,7 @@
  * - point `Saliency` (double, dimensionless): how much the point stands out, >= 0; the active scalars.
  * - point `SaliencyRegion` (int): number of the region of interest that the point is in, 1 for the one
  *   of the largest area; 0 for none. Only if FindRegions is on.
- * - point `SaliencyScale<n>` (double, one over input units): difference on the scale of n = 2, 3, ...
+ * - point `SaliencyScaleN` (double, one over input units): difference on the scale of N = 2, 3, ...
  *   units. Only if PerScaleArrays is on.
  * - point `MeanCurvature` (double, one over input units): mean curvature, positive where a surface with
  *   outward normals is convex. Only if PerScaleArrays is on.

@@ -176,6 +176,16 @@ def arrays_of(header):
     return found
 
 
+def remarks_of(header):
+    """{title of a list of arrays: the paragraph above it}, for paragraphs between two such lists."""
+    paragraphs = [part.split("\n") for part in "\n".join(class_comment(header)).split("\n\n")]
+    found = {}
+    for before, above, here in zip(paragraphs, paragraphs[1:], paragraphs[2:]):
+        if TITLE.match(before[0]) and TITLE.match(here[0]) and not TITLE.match(above[0]):
+            found[here[0].rstrip(":")] = " ".join(line.strip() for line in above)
+    return found
+
+
 def array_names(header):
     """The names of all arrays in a class comment."""
     heads = [text.split(":")[0] for entries in arrays_of(header).values() for text in entries]
@@ -183,8 +193,11 @@ def array_names(header):
 
 
 def array_lists(header):
+    remarks = remarks_of(header)
     for title, entries in arrays_of(header).items():
         yield f"*{title}*"
+        if title in remarks:
+            yield wrapped(remarks[title])
         yield "\n".join(wrapped(entry, "- ", "  ") for entry in entries)
 
 
@@ -233,7 +246,7 @@ def blocks_section(repository):
     if not arrays_of(header):
         return
     yield "## Composite data sets"
-    yield (
+    yield wrapped(
         "Every filter takes composite data sets, block by block ([composite_data.md](composite_data.md)), and adds to "
         "the field data of the whole:"
     )
