@@ -7,6 +7,7 @@
 #include "Mesh/MeshMeasures.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/SelfIntersections.h"
+#include "Mesh/SliverThresholds.h"
 #include "Remeshing/IsotropicRemeshing.h"
 #include "Remeshing/SelfIntersectionRemoval.h"
 #include "Remeshing/SliverRemoval.h"
@@ -24,10 +25,6 @@ namespace flattening
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
-// The smallest angle along a cut of a remeshed surface, degrees: the default of the option
-// SmallestAngle. Remeshing itself leaves no angle near it, so only faces that the cut made are changed.
-constexpr double RemeshedAngle = 1.0;
 // The area of a circle as long as the longest loop that is filled unasked, as a share of the surface's
 // area. A convention: longer loops are errors, as a patch there would be a large part of the surface.
 constexpr double FilledAreaShare = 0.05;
@@ -129,7 +126,7 @@ public:
     openSurface(this->Disk, this->Ends, this->Options, subrange(progress, 0.75, 0.95));
     if (this->Options.Remesh && this->Disk.Seam.empty())
     {
-      follow(this->Disk.Surface, withoutSmallAngles(this->mesh(), RemeshedAngle));
+      follow(this->Disk.Surface, withoutSmallAngles(this->mesh(), slivers::DiskAngle));
     }
     report(progress, 0.95, "checking the disk");
     this->measure();
@@ -252,7 +249,7 @@ private:
       FilledSurface filled = fillHoles(this->mesh(), loops, { this->fillLengthLimit() }, progress);
       this->Report.FilledHoles = filled.FilledHoles;
       this->Report.FilledArea = filled.FilledArea;
-      this->Pierced |= filled.PiercingPatches > 0;
+      this->Pierced |= filled.IntersectingPatches > 0;
       follow(this->Disk.Surface, std::move(filled.Surface));
     }
   }
@@ -267,8 +264,9 @@ private:
 
   double fillLengthLimit() const
   {
+    constexpr double pi = 3.14159265358979323846;
     return this->Options.FillLengthLimit > 0.0 ? this->Options.FillLengthLimit
-                                               : std::sqrt(4.0 * Pi * FilledAreaShare * this->area());
+                                               : std::sqrt(4.0 * pi * FilledAreaShare * this->area());
   }
 
   void requireHandlesWanted() const

@@ -7,6 +7,7 @@
 #include "Disk/PlaneCut.h"
 #include "Handles/HandleRemoval.h"
 #include "Mesh/DerivedMesh.h"
+#include "Mesh/SliverThresholds.h"
 #include "Mesh/SurfaceComponents.h"
 #include "Repair/SpikeRemoval.h"
 #include "Repair/SurfaceRepair.h"
@@ -65,7 +66,7 @@ struct SurfaceToDiskOptions
   std::vector<char> RegionOfInterest;
   /// Without remeshing, angles below this one are opened by local changes (withoutSmallAngles), because
   /// slivers cannot be flattened well; degrees, 0 (off) to 15. Ignored if handles are kept.
-  double SmallestAngle = 1.0;
+  double SmallestAngle = slivers::DiskAngle;
   bool Remesh = false;
   /// Edge length of remeshing (input units); 0: RelativeEdgeLength times the mean edge length.
   double TargetEdgeLength = 0.0;

@@ -23,21 +23,23 @@ constexpr double CapAltitude = 1e-10;
 constexpr double IntrinsicExcess = 1e-10;
 constexpr double IntrinsicEdge = 1e-7;
 
-/// The face refinement computes the angles of a face as if its altitude over its longest edge were at
-/// least this: cotangents grow without bound as the altitude vanishes.
+/// The face refinement computes the cotangents of a face as if its altitude over its longest edge were
+/// at least this: a guard against dividing by 0.
 constexpr double AngleAltitude = 1e-4;
 
 /// The face refinement lowers the weight of the angles of a face whose altitude over its longest edge is
-/// smaller than this, quadratically: they are worth less than the areas around them.
+/// smaller than this: they are noise, and keeping them would cost area. A choice.
 constexpr double ShapeAltitude = 0.1;
 
-/// Untangling opens its target triangles to this altitude over their longest edge: no map could tell the
-/// shape of a thinner one from a line.
+/// Untangling opens its target triangles to this altitude over their longest edge: a target of no
+/// altitude would have an infinite energy, and a flat map cannot tell thinner shapes from a line. A
+/// choice.
 constexpr double TargetAltitude = 0.02;
 
-/// A surface that was remeshed and then cut keeps angles above this, in degrees, except along the cut:
-/// only the slivers there are opened again.
-constexpr double AngleAfterCut = 1.0;
+/// Surface To Disk opens angles smaller than this, in degrees: on a surface that is not remeshed
+/// everywhere (the default of the option), on a remeshed one along the cut, which alone has any. Below,
+/// maps are less exact; a larger bound changes more of the surface.
+constexpr double DiskAngle = 1.0;
 
 /// Below this angle, in degrees, opening a face counts for more than the shape of the surface around it:
 /// a change may turn faces away from the old surface.

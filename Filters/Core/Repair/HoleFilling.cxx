@@ -231,11 +231,11 @@ FilledSurface fillHoles(const TriangleMesh& mesh,
   PatchedSurface filled = patched(mesh, loops, kinds, subrange(progress, 0.0, 0.4));
   std::vector<int> fewest = filled.intersections();
 
-  const auto pierces = [](int count) { return count > 0; };
+  const auto intersects = [](int count) { return count > 0; };
   double done = 0.4;
   for (const Patch kind : { Patch::Delaunay, Patch::LeastAngle, Patch::Fan })
   {
-    if (std::none_of(fewest.begin(), fewest.end(), pierces))
+    if (std::none_of(fewest.begin(), fewest.end(), intersects))
     {
       break;
     }
@@ -244,7 +244,7 @@ FilledSurface fillHoles(const TriangleMesh& mesh,
     std::vector<Patch> tried = kinds;
     for (int hole = 0; hole < holes; ++hole)
     {
-      tried[hole] = pierces(fewest[hole]) ? kind : kinds[hole];
+      tried[hole] = intersects(fewest[hole]) ? kind : kinds[hole];
     }
     const std::vector<int> counts = patched(mesh, loops, tried, {}).intersections();
     for (int hole = 0; hole < holes; ++hole)
@@ -261,7 +261,7 @@ FilledSurface fillHoles(const TriangleMesh& mesh,
 
   FilledSurface result;
   result.FilledHoles = holes;
-  result.PiercingPatches = static_cast<int>(std::count_if(fewest.begin(), fewest.end(), pierces));
+  result.IntersectingPatches = static_cast<int>(std::count_if(fewest.begin(), fewest.end(), intersects));
   result.Surface = std::move(filled.Surface);
   const TriangleMesh& surface = result.Surface.Mesh;
   const Eigen::VectorXd areas = faceAreas(surface.Vertices, surface.Faces);

@@ -16,7 +16,7 @@ struct FilledSurface
   DerivedMesh Surface;
   int FilledHoles = 0;
   double FilledArea = 0.0; ///< area of all patches, input units squared
-  int PiercingPatches = 0; ///< patches that intersect the surface, each other or themselves
+  int IntersectingPatches = 0; ///< patches that intersect the surface, each other or themselves
 };
 
 /// Covers the listed boundary loops (as in MeshTopology) of an oriented manifold.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Untangling/TargetTriangles.h"
 
+#include "Mesh/SliverThresholds.h"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -10,9 +12,6 @@ namespace flattening
 namespace
 {
 
-// Least altitude of a target, as a share of its longest side. A choice: a target of no altitude would
-// have an infinite energy, and a flat map cannot tell thinner shapes apart from a line anyway.
-constexpr double LeastAltitude = 0.02;
 // Least root of a sum of squared flat lengths, in radii of the unit disk: a guard, for doubles tell
 // points apart to 1e-16. It keeps the logarithm of the scale finite.
 constexpr double LeastLength = 1e-15;
@@ -37,7 +36,7 @@ TargetTriangle openedTriangle(const TriangleMesh& surface, int face)
   Eigen::Vector2d corners[3];
   corners[longest] = Eigen::Vector2d::Zero();
   corners[(longest + 1) % 3] = Eigen::Vector2d(base, 0.0);
-  corners[(longest + 2) % 3] = Eigen::Vector2d(foot, std::max(altitude, LeastAltitude * base));
+  corners[(longest + 2) % 3] = Eigen::Vector2d(foot, std::max(altitude, slivers::TargetAltitude * base));
   return { corners[1] - corners[0], corners[2] - corners[0] };
 }
 

@@ -28,7 +28,7 @@ TEST(HoleFilling, CapsACylinder)
   const TriangleMesh& mesh = filled.Surface.Mesh;
   EXPECT_TRUE(loopsOf(mesh).empty());
   EXPECT_EQ(filled.FilledHoles, 2);
-  EXPECT_EQ(filled.PiercingPatches, 0);
+  EXPECT_EQ(filled.IntersectingPatches, 0);
   const double polygon = 0.5 * 64 * std::sin(2.0 * Pi / 64);
   EXPECT_NEAR(filled.FilledArea, 2.0 * polygon, 1e-12);
   EXPECT_NEAR(enclosedVolume(mesh), 2.0 * polygon, 1e-12);
@@ -57,9 +57,9 @@ TEST(HoleFilling, CountsPatchesThatCutTheSurface)
   const FilledSurface filled = fillHoles(pierced, loopsOf(pierced));
   EXPECT_TRUE(loopsOf(filled.Surface.Mesh).empty());
   EXPECT_FALSE(selfIntersections(filled.Surface.Mesh).empty());
-  EXPECT_EQ(filled.PiercingPatches, 1);
+  EXPECT_EQ(filled.IntersectingPatches, 1);
   const TriangleMesh beside = both(open, moved(spike, 0.0, 0.0, 2.5));
-  EXPECT_EQ(fillHoles(beside, loopsOf(beside)).PiercingPatches, 0);
+  EXPECT_EQ(fillHoles(beside, loopsOf(beside)).IntersectingPatches, 0);
 }
 
 ComponentChoice byIndex(int index)
