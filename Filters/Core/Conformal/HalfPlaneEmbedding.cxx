@@ -106,24 +106,15 @@ ComplexVector embedInHalfPlane(const IntrinsicTriangulation& t,
   const ProgressCallback& progress)
 {
   ComplexVector position(t.vertexCount(), Infinity);
-  std::vector<char> placed = embedBoundary(t, u, firstEdge, position);
-  std::vector<char> hasFace(t.vertexCount(), 0);
+  const std::vector<char> placed = embedBoundary(t, u, firstEdge, position);
+  std::vector<char> fixed(t.vertexCount(), 1);
   for (int h = 0; h < t.halfedgeCount(); ++h)
   {
-    hasFace[t.origin(h)] = 1;
+    const int v = t.origin(h);
+    fixed[v] = placed[v];
+    position[v] = placed[v] ? position[v] : 0.0;
   }
-  for (int v = 0; v < t.vertexCount(); ++v)
-  {
-    if (!placed[v] && hasFace[v])
-    {
-      position[v] = 0.0;
-    }
-    else
-    {
-      placed[v] = 1;
-    }
-  }
-  relaxSprings(cotangentSprings(t, u), placed, position, order, progress);
+  relaxSprings(cotangentSprings(t, u), fixed, position, order, progress);
   return position;
 }
 

@@ -89,21 +89,18 @@ private:
   int flippedFaces(const std::vector<char>& fixed, const ComplexVector& disk) const
   {
     const IntrinsicTriangulation& t = this->Triangulation;
-    std::vector<Eigen::RowVector3i> moved;
+    FaceMatrix moved(t.faceCount(), 3);
+    int count = 0;
     for (int f = 0; f < t.faceCount(); ++f)
     {
       const Eigen::RowVector3i face(t.origin(3 * f), t.origin(3 * f + 1), t.origin(3 * f + 2));
       if (!fixed[face[0]] || !fixed[face[1]] || !fixed[face[2]])
       {
-        moved.push_back(face);
+        moved.row(count++) = face;
       }
     }
-    FaceMatrix faces(moved.size(), 3);
-    for (std::size_t i = 0; i < moved.size(); ++i)
-    {
-      faces.row(i) = moved[i];
-    }
-    return countFlippedFaces(pointsOf(disk), faces);
+    moved.conservativeResize(count, 3);
+    return countFlippedFaces(pointsOf(disk), moved);
   }
 
   const IntrinsicTriangulation& Triangulation;

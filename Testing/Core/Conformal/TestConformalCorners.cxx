@@ -104,7 +104,7 @@ std::complex<double> slitSphereInDisk(const Eigen::RowVector3d& p, double halfAn
   return 1.0 / (std::abs(z + root) > std::abs(z - root) ? z + root : z - root);
 }
 
-// The two sides of a seam lie in the same place, and its ends are corners of 360 degrees.
+// The two sides of a seam coincide, and its ends are corners of 360 degrees.
 TEST(ConformalCorners, SeamOpensIntoTheCircle)
 {
   for (const double halfAngle : { 0.4, 1.5 })

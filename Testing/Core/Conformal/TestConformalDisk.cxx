@@ -32,7 +32,7 @@ double largestDifference(const Points2& a, const Points2& b)
   return (a - b).rowwise().norm().maxCoeff();
 }
 
-// What must hold for every map: the boundary on the circle, everything else within, flat metric to
+// Every map has its boundary on the circle, all other vertices within, and a metric that is flat to
 // rounding.
 void expectConformalDisk(const TriangleMesh& mesh, const ConformalDiskMap& map)
 {
@@ -57,7 +57,7 @@ Eigen::Vector2d areaCentroid(const TriangleMesh& mesh, const Points2& positions)
   return (masses.transpose() * positions).transpose() / masses.sum();
 }
 
-// A surface without symmetries: the bump's rings, bent.
+// A surface without symmetries: the rings of a bump, bent.
 TriangleMesh bentSurface(int vertexCount)
 {
   TriangleMesh mesh = sunflowerMesh(gaussianBump(0.8, 0.4), vertexCount).Mesh;
@@ -92,7 +92,7 @@ struct Case
   SurfaceOfRevolution Surface;
 };
 
-// What the test's name shows.
+// The case in the test's name.
 void PrintTo(const Case& value, std::ostream* stream)
 {
   *stream << value.Name;
@@ -122,7 +122,7 @@ TEST_P(ConformalRadius, ConvergesToTheAnalyticMap)
     std::cout << "RMS error of the radius: " << error << "\n";
   }
   EXPECT_LT(errors[1], 3e-4);
-  // Twice the resolution, nearly a quarter of the error.
+  // Twice the resolution has nearly a quarter of the error.
   EXPECT_LT(errors[1], errors[0] / 3.0);
   EXPECT_LT(errors[2], errors[1] / 3.0);
 }
@@ -174,7 +174,7 @@ TEST(ConformalDisk, ChosenPointsGoWhereAsked)
   }
 }
 
-// Of one surface, two normalisations differ by a Moebius map of the disk: cross ratios agree.
+// Two normalisations of one surface differ by a Moebius map of the disk: cross ratios agree.
 TEST(ConformalDisk, NormalisationsDifferByAMoebiusMap)
 {
   using Complex = std::complex<double>;
@@ -224,7 +224,7 @@ TEST(ConformalDisk, DoesNotDependOnNumbering)
   }
 }
 
-TEST(ConformalDisk, DoesNotDependOnPlaceOrUnit)
+TEST(ConformalDisk, DoesNotDependOnPositionOrUnit)
 {
   const TriangleMesh mesh = bentSurface(3000);
   const Points2 expected = conformalDiskMap(mesh).Positions;
@@ -302,8 +302,8 @@ TEST(ConformalDisk, OpensFacesWithoutArea)
   EXPECT_LT(map.AddedLength, 1e-9);
 }
 
-// Meshes without an interior vertex. What their three or four boundary points can say of a conformal map
-// is their centre of mass: equal masses go to equal angles.
+// Meshes without an interior vertex. Their three or four boundary points determine the centre of mass
+// only: equal masses go to equal angles.
 TEST(ConformalDisk, SmallestMeshes)
 {
   const TriangleMesh triangle =
@@ -319,7 +319,7 @@ TEST(ConformalDisk, SmallestMeshes)
   expectConformalDisk(pair, two);
   EXPECT_LT(areaCentroid(pair, two.Positions).norm(), 1e-12);
 
-  // A regular fan goes to the regular hexagon, two rings to the same about it.
+  // A regular fan goes to the regular hexagon, and so do two rings.
   for (const int n : { 7, 19 })
   {
     const RevolutionMesh fan = ringMesh(flatDisk(), n);
@@ -359,7 +359,7 @@ TEST(ConformalDisk, RefusesWhatIsNoDisk)
 TEST(ConformalDisk, ProgressGrowsAndCancels)
 {
   const TriangleMesh mesh = ringMesh(sphericalCap(1.5), 1000).Mesh;
-  std::vector<double> fractions; // without those repeated while a library is at work
+  std::vector<double> fractions; // without fractions repeated while a library is at work
   conformalDiskMap(mesh,
     {},
     [&fractions](double fraction, const char*)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// No face of a conformal disk is flipped, whatever the surface's triangles are like.
+/// No face of a conformal disk is flipped, for all shapes of the surface's triangles.
 #include "AnalyticSurfaces.h"
 #include "Base/Errors.h"
 #include "Conformal/ConformalDisk.h"
@@ -30,7 +30,7 @@ using namespace flattening;
 using namespace flattening::analytic;
 using namespace flattening::samples;
 
-// Of all seeds some are no disks: this many are enough for 500.
+// Some seeds give surfaces that are no disks: this many give 500 disks.
 constexpr int SurfaceCount = 590;
 constexpr double GreatestCurvatureError = 1e-10;
 
@@ -40,7 +40,7 @@ struct SliverCase
   int Splits;
 };
 
-// What the test's name shows.
+// The case in the test's name.
 void PrintTo(const SliverCase& value, std::ostream* stream)
 {
   *stream << value.Splits << " splits to " << value.LeastAngle << " degrees";
@@ -63,7 +63,7 @@ TEST_P(ConformalSlivers, AreNotFlipped)
             << " edges at most\n";
   EXPECT_EQ(map.FlippedFaces, 0);
   EXPECT_EQ(countFlippedFaces(map.Positions, mesh.Faces), 0);
-  EXPECT_GT(map.Untangling.RepairedFaces, 0) << "the surface is no test of the repair";
+  EXPECT_GT(map.Untangling.RepairedFaces, 0) << "the surface is no test of untangling";
   EXPECT_LT(map.Untangling.MovedVertices, 2 * map.Untangling.RepairedFaces);
   for (const int v : loop)
   {
@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(ConformalFlips,
     SliverCase{ 1e-3, 12000 },
     SliverCase{ 1e-6, 1200 }));
 
-TEST(ConformalFlips, RepairKeepsTheCentreAndTheBits)
+TEST(ConformalFlips, UntanglingKeepsTheCentreAndTheBits)
 {
   const TriangleMesh mesh =
     withRandomSlivers(sunflowerMesh(gaussianBump(1.0, 0.3), 1000).Mesh, 1000, 1e-3, 2);
@@ -97,12 +97,12 @@ struct SurfaceRecord
   bool IsDisk = true;
   std::string Error; // of the map
   double CurvatureError = 0.0;
-  UntanglingReport Repair;
+  UntanglingReport Untangling;
 
   bool failed() const
   {
     return !this->Error.empty() || !(this->CurvatureError <= GreatestCurvatureError) ||
-           this->Repair.FlippedFaces > 0;
+           this->Untangling.FlippedFaces > 0;
   }
 };
 
@@ -111,7 +111,7 @@ void map(const TriangleMesh& disk, SurfaceRecord& record)
   try
   {
     const ConformalDiskMap map = conformalDiskMap(disk);
-    record.Repair = map.Untangling;
+    record.Untangling = map.Untangling;
     record.CurvatureError = map.MaxCurvatureError;
   }
   catch (const FlatteningError& error)
@@ -150,7 +150,7 @@ void mapSlivers(SurfaceRecord& record)
   map(withRandomSlivers(sunflowerMesh(gaussianBump(1.0, 0.3), 4000).Mesh, 4000, 1e-3, 1), record);
 }
 
-// Disks of random shape with random defects, tubes whose ends no double tells apart, and slivers.
+// Disks of random shape with random defects, tubes whose ends doubles do not resolve, and slivers.
 TEST(ConformalFlips, EveryDiskHasAMapWithoutFlippedFaces)
 {
   constexpr std::array<double, 5> capsules = { 3.0, 6.0, 10.0, 14.0, 30.0 };
@@ -189,18 +189,19 @@ TEST(ConformalFlips, EveryDiskHasAMapWithoutFlippedFaces)
   for (const SurfaceRecord& record : records)
   {
     EXPECT_FALSE(record.failed()) << record.Name << ": " << record.Error << ", curvature error "
-                                  << record.CurvatureError << ", flipped " << record.Repair.FlippedFaces;
+                                  << record.CurvatureError << ", flipped "
+                                  << record.Untangling.FlippedFaces;
     disks += record.IsDisk;
     failures += record.failed();
-    before += record.Repair.RepairedFaces + record.Repair.FlippedFaces;
-    after += record.Repair.FlippedFaces;
+    before += record.Untangling.RepairedFaces + record.Untangling.FlippedFaces;
+    after += record.Untangling.FlippedFaces;
     curvatureError = std::max(curvatureError, record.CurvatureError);
   }
   std::cout << disks << " disks, failures: " << failures << "; largest curvature error "
-            << curvatureError << "; " << before << " faces flipped before the repair, " << after
+            << curvatureError << "; " << before << " faces flipped before untangling, " << after
             << " after it\n";
   EXPECT_GE(disks, 506);
-  EXPECT_GT(before, 100) << "the surfaces are no test of the repair";
+  EXPECT_GT(before, 100) << "the surfaces are no test of untangling";
 }
 
 } // namespace

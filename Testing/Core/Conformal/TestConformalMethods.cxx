@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Boundary First and Mean Value, and what all methods for the conformal disk have in common.
+/// Boundary First and Mean Value, and the rules that all methods for the conformal disk share.
 #include "AnalyticSurfaces.h"
 #include "Conformal/ConformalDisk.h"
 #include "Disk/SurfaceToDisk.h"
@@ -166,7 +166,7 @@ TEST_P(ConformalMethods, ShareOneNormalisation)
   EXPECT_LT(std::abs(direction.y()), 1e-12 * far.sum());
 }
 
-// Where the centre lies next to one boundary vertex, that one outweighs all others.
+// If the centre lies next to a boundary vertex, this vertex outweighs all others.
 TEST_P(ConformalMethods, CentreNextToTheBoundary)
 {
   TriangleMesh fan = ringMesh(flatDisk(), 7).Mesh;
@@ -198,7 +198,7 @@ TEST_P(ConformalMethods, SmallestMeshes)
   EXPECT_NEAR((map.Positions.row(0) - map.Positions.row(1)).norm(), std::sqrt(3.0), 1e-12);
 }
 
-TEST_P(ConformalMethods, DoNotDependOnPlaceOrUnitOrNumbering)
+TEST_P(ConformalMethods, DoNotDependOnPositionOrUnitOrNumbering)
 {
   const TriangleMesh mesh = spherePart(3000).Mesh;
   const Points2 expected = conformalDiskMap(mesh, optionsOf(GetParam())).Positions;
@@ -247,7 +247,7 @@ TEST_P(ConformalMethods, SameBitsWhateverTheThreads)
 TEST_P(ConformalMethods, OpenFacesWithoutArea)
 {
   TriangleMesh mesh = ringMesh(flatDisk(), 500).Mesh;
-  // A vertex on the middle of a side, and one on another vertex.
+  // A vertex lies on the middle of a side, and one on another vertex.
   const int m = mesh.vertexCount();
   mesh.Vertices.conservativeResize(m + 2, 3);
   for (const int k : { 0, 1 })
@@ -361,7 +361,7 @@ TEST(ConformalDiskMethods, ReportWhileALibraryIsBusy)
   }
 }
 
-// Without a flat metric there is no curvature error; a number would claim one.
+// Methods without a flat metric report no curvature error.
 TEST(ConformalDiskMethods, CurvatureErrorIsOfRicciFlowAlone)
 {
   const TriangleMesh mesh = spherePart(500).Mesh;
@@ -406,7 +406,7 @@ Errors errorsOnSpherePart(ConformalMethod method)
   return errors;
 }
 
-// Twice the resolution, a quarter of the error, for the boundary as well: it is not a circle here.
+// Twice the resolution has a quarter of the error, also along the boundary, which is not a circle here.
 TEST(BoundaryFirst, ConvergesToTheStereographicProjection)
 {
   const Errors errors = errorsOnSpherePart(ConformalMethod::BoundaryFirst);
@@ -424,7 +424,7 @@ TEST(MeanValue, IsNotConformal)
   EXPECT_GT(errorsOnSpherePart(ConformalMethod::MeanValue).Positions.back(), 0.03);
 }
 
-// Radii of surfaces of revolution, where the boundary is a circle already.
+// The radii of surfaces of revolution, whose boundary is a circle already.
 TEST(BoundaryFirst, ConvergesOnSurfacesOfRevolution)
 {
   for (const SurfaceOfRevolution& surface :
@@ -474,8 +474,8 @@ TEST(BoundaryFirst, KeepsItsAccuracyOnSlivers)
   EXPECT_LT(error(map), 2.0 * error(conformalDiskMap(part.Mesh, options)));
 }
 
-// On a tube of 14 radii the conformal scale falls to 1e-6 of what it is at the boundary: its end is
-// spread where and as the Ricci flow's is.
+// On a tube of 14 radii the conformal scale falls to 1e-6 of its value at the boundary: the tube's end
+// is spread as by the Ricci flow.
 TEST(BoundaryFirst, SpreadsTheEndOfATube)
 {
   const RevolutionMesh tube = ringMesh(capsule(14.0), 10000);
@@ -508,7 +508,7 @@ TEST(BoundaryFirst, TooCoarseASurfaceIsANamedError)
   expectInDisk(needle, conformalDiskMap(needle, optionsOf(ConformalMethod::RicciFlow)));
 }
 
-// Tutte's theorem, on disks of random shape with random defects and at least as many boundary vertices
+// Tutte's theorem on disks of random shape with random defects and at least as many boundary vertices
 // as vtkSurfaceToDiskFilter makes by default.
 TEST(MeanValue, FlipsNoFaceOfRandomDisks)
 {
@@ -523,7 +523,7 @@ TEST(MeanValue, FlipsNoFaceOfRandomDisks)
     }
     catch (const FlatteningError&)
     {
-      continue; // it cannot be repaired, which TestRandomSurfaces is about
+      continue; // it cannot be made a disk, which TestRandomSurfaces is about
     }
     const ConformalDiskMap map = conformalDiskMap(mesh, optionsOf(ConformalMethod::MeanValue));
     EXPECT_EQ(map.FlippedFaces, 0) << "seed " << seed;

@@ -50,7 +50,7 @@ std::vector<int> gridCorners(int columns, int rows)
   return { 0, columns - 1, columns * rows - 1, columns * (rows - 1) };
 }
 
-// Its inner vertices moved at random, its triangles far from Delaunay.
+// The same with inner vertices moved at random and triangles far from Delaunay.
 TriangleMesh unevenGrid(int columns, int rows, double stretch)
 {
   TriangleMesh mesh = grid(columns, rows);
@@ -164,7 +164,7 @@ TEST(ConformalRectangle, ModulusOfADiskWithFourCorners)
   EXPECT_LT(previous, 2e-3);
 }
 
-// Turned in space and numbered otherwise, the surface has the same map.
+// The surface has the same map when it is rotated in space and numbered otherwise.
 TEST(ConformalRectangle, DependsOnTheSurfaceAlone)
 {
   TriangleMesh mesh = grid(25, 13);
@@ -231,7 +231,7 @@ TEST(ConformalRectangle, RefusesCornersThatAreNone)
     "boundary has 3 vertices");
 }
 
-// The smallest of all.
+// The smallest mesh of all.
 TEST(ConformalRectangle, TwoTrianglesAreARectangle)
 {
   const TriangleMesh mesh = samples::meshOf(
