@@ -14,7 +14,7 @@ namespace flattening
 namespace
 {
 
-// Adds an array of the same kind to the attributes, with the same active role.
+// Adds an empty array of the same type, name and active role.
 vtkAbstractArray* addArrayLike(vtkDataSetAttributes* from,
   vtkAbstractArray* array,
   vtkIdType tuples,
@@ -40,15 +40,19 @@ vtkAbstractArray* addArrayLike(vtkDataSetAttributes* from,
   return copy;
 }
 
-template <typename Carry>
-void forEachArray(vtkDataSetAttributes* from, vtkIdType tuples, vtkDataSetAttributes* to, Carry&& carry)
+// Calls @p transfer(array, result) for each array and its counterpart.
+template <typename Transfer>
+void forEachArray(vtkDataSetAttributes* from,
+  vtkIdType tuples,
+  vtkDataSetAttributes* to,
+  Transfer&& transfer)
 {
   for (int i = 0; i < from->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = from->GetAbstractArray(i);
     if (array != from->GetGlobalIds())
     {
-      carry(array, addArrayLike(from, array, tuples, to));
+      transfer(array, addArrayLike(from, array, tuples, to));
     }
   }
 }
@@ -89,7 +93,7 @@ void transferPointData(vtkPointData* from, const VertexOrigins& origins, vtkPoin
 
   vtkNew<vtkIdList> ids;
   std::vector<double> weights;
-  const auto carry = [&](vtkAbstractArray* array, vtkAbstractArray* result)
+  const auto transfer = [&](vtkAbstractArray* array, vtkAbstractArray* result)
   {
     const bool interpolates = isFloatingPoint(array);
     for (int v = 0; v < origins.rows(); ++v)
@@ -111,17 +115,17 @@ void transferPointData(vtkPointData* from, const VertexOrigins& origins, vtkPoin
       }
       else
       {
-        result->SetTuple(v, nearest[v], array); // bit for bit, where a sum might round
+        result->SetTuple(v, nearest[v], array); // exactly, as a sum of one term might be rounded
       }
     }
   };
-  forEachArray(from, origins.rows(), to, carry);
+  forEachArray(from, origins.rows(), to, transfer);
 }
 
 void transferCellData(vtkCellData* from, const std::vector<vtkIdType>& origins, vtkCellData* to)
 {
   const auto cells = static_cast<vtkIdType>(origins.size());
-  const auto carry = [&](vtkAbstractArray* array, vtkAbstractArray* result)
+  const auto transfer = [&](vtkAbstractArray* array, vtkAbstractArray* result)
   {
     for (vtkIdType cell = 0; cell < cells; ++cell)
     {
@@ -135,7 +139,7 @@ void transferCellData(vtkCellData* from, const std::vector<vtkIdType>& origins, 
       }
     }
   };
-  forEachArray(from, cells, to, carry);
+  forEachArray(from, cells, to, transfer);
 }
 
 } // namespace flattening

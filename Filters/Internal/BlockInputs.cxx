@@ -42,7 +42,7 @@ std::string nameIn(vtkInformation* metaData)
   return name && *name ? '"' + std::string(name) + '"' : std::string();
 }
 
-// Walks the tree in the order of the flat indices.
+// Names the leaves of a tree in the order of their flat indices.
 class LeafNaming
 {
 public:
@@ -98,7 +98,7 @@ private:
   unsigned int Index = 0;
 };
 
-// What a block may be.
+// The types of data that a block may have.
 std::vector<std::string> leafTypes(vtkInformation* port)
 {
   vtkInformationStringVectorKey* key = vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE();
@@ -123,7 +123,7 @@ std::string wordFor(const std::string& type)
                                   : "a " + type;
 }
 
-// The nodes that were made for this block, and those made for none.
+// The selection nodes that were made for this block or for no block.
 vtkSmartPointer<vtkSelection> selectionIn(unsigned int flatIndex, vtkSelection* selection)
 {
   auto result = vtkSmartPointer<vtkSelection>::New();
@@ -143,8 +143,9 @@ vtkSmartPointer<vtkSelection> selectionIn(unsigned int flatIndex, vtkSelection* 
   }
   if (result->GetNumberOfNodes() == 0 && selection->GetNumberOfNodes() > 0)
   {
-    throw InvalidInput("the selection has nothing of this block: select in it too, or take the other "
-                       "blocks alone (Extract Block)");
+    throw InvalidInput(
+      "the selection has no points or cells of this block: select some, or pass the other "
+      "blocks alone (Extract Block)");
   }
   return result;
 }
@@ -224,10 +225,10 @@ vtkDataObject* BlockInputs::dataOf(int port, vtkCompositeDataIterator* leaf) con
   auto* composite = vtkCompositeDataSet::SafeDownCast(this->Data[port]);
   if (!composite)
   {
-    return this->Data[port]; // serves every block; null if there is none
+    return this->Data[port]; // used for every block; null if the port has no data
   }
-  // The structures may differ, such as multiblock and partitioned: the blocks go together by their
-  // order.
+  // The blocks are paired in order, as the structures may differ: one may be multiblock and the other
+  // partitioned.
   auto other = leavesOf(composite);
   auto lead = leavesOf(leaf->GetDataSet());
   other->InitTraversal();
@@ -246,7 +247,7 @@ void BlockInputs::requireType(int port, vtkDataObject* data) const
   if (!data)
   {
     throw InvalidInput("input " + std::to_string(port + 1) +
-                       " has nothing for this block: fill or remove the block there");
+                       " has no data for this block: fill or remove the block there");
   }
   const std::vector<std::string> taken = leafTypes(this->Filter->GetInputPortInformation(port));
   if (std::none_of(

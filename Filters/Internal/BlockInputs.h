@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The inputs of a filter, taken apart into those of one block of a composite data set at a time.
+/// The inputs of a filter for one block of its composite inputs at a time.
 #pragma once
 
 #include <vtkDataObject.h>
@@ -17,25 +17,26 @@ class vtkCompositeDataSet;
 namespace flattening
 {
 
-/// The first port that brings a composite data set; -1 if there is none.
+/// The first port with a composite data set; -1 if there is none.
 int leadingPort(vtkInformationVector** inputs, int portCount);
 
-/// An iterator over all leaves, the empty ones too.
+/// An iterator over all leaves, including empty ones.
 vtkSmartPointer<vtkCompositeDataIterator> leavesOf(vtkCompositeDataSet* data);
 
-/// What users call the leaves, by flat index: `"left"`, `"left", piece 2` or `3`, the flat index itself,
-/// if neither the leaf nor a block above it has a name.
+/// The names of the leaves in messages, by flat index: `"left"`, `"left", piece 2`, or the flat index,
+/// such as `3`, if neither the leaf nor a block above it has a name.
 std::map<unsigned int, std::string> leafNames(vtkCompositeDataSet* data);
 
-/// What the ports of a filter have for one leaf after the other of the leading port.
+/// Pairs each leaf of the leading port with the data of the other ports.
 class BlockInputs
 {
 public:
-  /// @throws InvalidInput if another composite input has another number of leaves.
+  /// @throws InvalidInput if another composite input has a different number of leaves.
   BlockInputs(vtkAlgorithm* filter, vtkInformationVector** inputs, int leadingPort);
 
-  /// Valid until the next call.
-  /// @throws InvalidInput if a port has nothing for this leaf, or not what the filter takes.
+  /// The inputs for a leaf, valid until the next call.
+  /// @throws InvalidInput if a port has no data for this leaf, or data of a type that the filter does
+  /// not take.
   vtkInformationVector** of(vtkCompositeDataIterator* leaf);
 
 private:

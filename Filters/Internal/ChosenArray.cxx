@@ -48,7 +48,7 @@ ChosenArray chosenArray(vtkAlgorithm* filter, vtkPolyData* data, const std::stri
   const std::string called = what + (chosen.empty() ? "" : " " + chosen);
   if (!result.Array || result.Array->GetNumberOfComponents() != 1)
   {
-    throw InvalidInput(called + " is not a point or cell array of one number each: choose another");
+    throw InvalidInput(called + " is not a point or cell array of one component: choose another");
   }
   const vtkIdType expected = result.OnCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
   if (result.Array->GetNumberOfTuples() != expected)

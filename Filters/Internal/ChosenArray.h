@@ -13,14 +13,15 @@ namespace flattening
 
 struct ChosenArray
 {
-  vtkDataArray* Array = nullptr; ///< nullptr: none is chosen
-  bool OnCells = false;          ///< else on points
+  vtkDataArray* Array = nullptr; ///< nullptr if none is chosen
+  bool OnCells = false;          ///< whether it is a cell array, else a point array
 };
 
-/// The point or cell array of @p data, of one number each, that was set as input array to process 0 of
-/// the filter (SetInputArrayToProcess). None if nothing was set, an empty name or "None".
-/// @param what names the array in the message, such as "the region array".
-/// @throws InvalidInput if the data have no such array, or of another number of components or tuples.
+/// The point or cell array of one component that was set as input array to process 0 of the filter
+/// (SetInputArrayToProcess). None if nothing, an empty name or "None" was set.
+/// @param what name of the array in messages, such as "the region array".
+/// @throws InvalidInput if the data have no such array, or if it has several components or the wrong
+/// number of tuples.
 ChosenArray chosenArray(vtkAlgorithm* filter, vtkPolyData* data, const std::string& what = "the array");
 
 } // namespace flattening

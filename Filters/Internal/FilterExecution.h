@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What every filter of this module does around its mathematics: progress, abort, and exceptions that
-/// never leave RequestData. All guards for VTK versions are here.
+/// Progress, abort and error handling that all filters share, so that no exception leaves RequestData.
+/// All guards for VTK versions are here.
 #pragma once
 
 #include "Core/Base/Errors.h"
@@ -29,7 +29,7 @@ inline bool abortRequested(vtkAlgorithm* filter)
 #endif
 }
 
-/// A Core progress callback that drives the filter's own progress and abort.
+/// A progress callback for Core that reports to the filter and reads its abort flag.
 inline ProgressCallback progressOf(vtkAlgorithm* filter)
 {
   return [filter](double fraction, const char* stage)
@@ -52,8 +52,7 @@ inline void emptyOutputs(vtkInformationVector* outputs)
   }
 }
 
-/// Reports an error of the filter; while it works on a block of a composite data set, with the block's
-/// name.
+/// Reports an error of the filter, with the name of the current block of a composite data set, if any.
 inline void reportError(vtkAlgorithm* filter, const std::string& message)
 {
   std::string text = message;
@@ -66,10 +65,10 @@ inline void reportError(vtkAlgorithm* filter, const std::string& message)
   vtkErrorWithObjectMacro(filter, << text);
 }
 
-/// Runs the body of RequestData. A failure is reported once as an error of the filter, with word for
-/// word the exception's message, and leaves empty outputs; so does an abort, without an error.
-/// Returns what RequestData returns: 1, after a failure too. With 0 the pipeline would not go on to what
-/// is downstream, and a view would keep showing the result from before.
+/// Runs the body of RequestData. An exception is reported once as an error of the filter, with exactly
+/// its message, and leaves empty outputs; an abort leaves empty outputs without an error.
+/// @return the return value of RequestData: 1, even after a failure. With 0 the pipeline would not
+/// update the filters downstream, and a view would keep showing the previous result.
 template <typename Body>
 int runFilter(vtkAlgorithm* filter, vtkInformationVector* outputs, Body&& body)
 {

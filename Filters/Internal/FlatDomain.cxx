@@ -17,10 +17,12 @@ namespace flattening
 namespace
 {
 
-// Of the extent: how far from the sides of a rectangle a boundary may lie, and how far from flat.
+// The distance from the sides of a rectangle, or from a plane, that is rounding, as a share of the
+// extent: above the rounding of single precision, about 1e-7, and far below the distance of a circle
+// from the sides of its bounding box.
 constexpr double Tolerance = 1e-6;
 
-// Radius of the disk that the boundary loop lies on.
+// The mean distance of the boundary vertices from the origin: the radius of the disk.
 double diskRadius(const Points2& positions, const std::vector<int>& loop)
 {
   double sum = 0.0;
@@ -36,7 +38,7 @@ double diskRadius(const Points2& positions, const std::vector<int>& loop)
   return radius;
 }
 
-// The points of the only polygon or closed line.
+// Finds the points of the only polygon or line.
 void outlinePoints(vtkPolyData* data, vtkIdList* ids)
 {
   const vtkIdType polygons = data->GetNumberOfPolys();

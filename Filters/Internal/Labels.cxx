@@ -14,7 +14,7 @@ namespace flattening
 namespace
 {
 
-constexpr double LargestLabel = 9007199254740992.0; // 2^53, to where doubles hold every whole number
+constexpr double LargestLabel = 9007199254740992.0; // 2^53: a double holds all whole numbers up to it
 
 std::string notALabel(const ChosenArray& chosen, const std::string& what, vtkIdType i, double value)
 {

@@ -10,12 +10,12 @@
 namespace flattening
 {
 
-/// The values of an array of one number each.
-/// @param what names the array in the message, such as "the region array".
-/// @throws InvalidInput if one is no number, no whole number or too large to be told from the next.
+/// The labels in an array of one component.
+/// @param what name of the array in messages, such as "the label array".
+/// @throws InvalidInput if a value is not a whole number of at most 2^53 in magnitude.
 std::vector<long long> labelsOf(const ChosenArray& chosen, const std::string& what = "the label array");
 
-/// The different labels, ascending, as a text: at most twenty of them.
+/// The distinct labels as text in ascending order, at most twenty of them.
 std::string listed(const std::vector<long long>& labels);
 
 } // namespace flattening

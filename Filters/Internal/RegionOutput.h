@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A part of a surface as polydata, in space or flattened, with the arrays of the surface.
+/// A part of a surface, in space or flattened, as polydata with the arrays of the surface.
 #pragma once
 
 #include "Core/Mesh/DerivedMesh.h"
@@ -9,13 +9,12 @@ class vtkPolyData;
 namespace flattening
 {
 
-/// Fills @p output with @p part: all arrays of @p original, the point array vtkOriginalPointIds (-1 for
-/// new points), the cell array vtkOriginalCellIds.
+/// Fills @p output with @p part, all arrays of @p original, the point array vtkOriginalPointIds (-1 for
+/// new points) and the cell array vtkOriginalCellIds.
 void setRegion(vtkPolyData* output, vtkPolyData* original, const DerivedMesh& part);
 
-/// Fills @p output with @p part at @p positions (n x 2, z = 0): all arrays of @p original, the point
-/// arrays SurfacePoints, TCoords and vtkOriginalPointIds (-1 for new points), the cell array
-/// vtkOriginalCellIds. An array TCoords of @p original is called SurfaceTCoords.
+/// Does the same with the points at @p positions (n x 2, z = 0), and adds the point arrays SurfacePoints
+/// and TCoords. An array TCoords of @p original is renamed SurfaceTCoords.
 void setFlatRegion(vtkPolyData* output,
   vtkPolyData* original,
   const DerivedMesh& part,

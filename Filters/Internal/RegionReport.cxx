@@ -28,6 +28,7 @@ struct NamedCurve
   const SurfaceCurve* Curve;
 };
 
+// The curves with the names of their measures.
 std::vector<NamedCurve> curvesOf(const RegionReport& measures)
 {
   return { { "GreatestDiameter", &measures.Extent.Diameter },
@@ -35,7 +36,7 @@ std::vector<NamedCurve> curvesOf(const RegionReport& measures)
     { "Perimeter", &measures.Extent.Outline } };
 }
 
-// By the vertices of the mesh that the region is a part of.
+// Replaces the vertices of the region by those of the disk that it is a part of.
 void renumber(SurfaceCurve& curve, const VertexOrigins& origins)
 {
   const auto original = [&origins](int v)
@@ -54,6 +55,7 @@ auto positionOn(const Positions& positions, const EdgePoint& point)
     .eval();
 }
 
+// The vertices of a closed outline.
 std::vector<int> loopOf(const SurfaceCurve& outline)
 {
   std::vector<int> loop;
@@ -89,7 +91,8 @@ RegionReport measureRegion(const RegionDisk& region,
   {
     renumber(*curve, part.Vertices);
   }
-  // The boundary is uniformly distributed over an edge's length, at each edge by itself.
+  // The boundary is taken as uniformly distributed over the length of an edge, independently at each
+  // edge.
   const double edge = measures.Extent.EdgeLength;
   const double edges = measures.Extent.Outline.Length / edge;
   measures.AreaError = edge * edge * std::sqrt(edges / 12.0);
@@ -106,7 +109,7 @@ RegionReport measureRegion(const RegionDisk& region,
 void fillMeasures(vtkTable* table,
   const RegionReport& measures,
   const std::string& unit,
-  vtkFieldData* figures)
+  vtkFieldData* data)
 {
   vtkNew<vtkStringArray> names;
   names->SetName("Measure");
@@ -126,14 +129,14 @@ void fillMeasures(vtkTable* table,
     onMap->InsertNextValue(flat);
     errors->InsertNextValue(error);
     units->InsertNextValue(itsUnit);
-    setDatum(figures, name, value);
+    setDatum(data, name, value);
   };
   const RegionExtent& extent = measures.Extent;
   add("Area", measures.Area, measures.AreaError, measures.FlatArea, unit + "^2");
   add("GreatestDiameter", extent.Diameter.Length, measures.LengthError, measures.FlatDiameter, unit);
   add("ExtentAcross", extent.Across.Length, measures.LengthError, measures.FlatAcross, unit);
   add("Perimeter", extent.Perimeter, extent.PerimeterError, measures.FlatPerimeter, unit);
-  setDatum(figures, "FlatArea", measures.FlatArea);
+  setDatum(data, "FlatArea", measures.FlatArea);
   for (vtkAbstractArray* column : std::initializer_list<vtkAbstractArray*>{
          names.Get(), onSurface.Get(), errors.Get(), onMap.Get(), units.Get() })
   {

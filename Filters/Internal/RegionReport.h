@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What is measured of a flattened region: as numbers, as a table and as curves.
+/// The measures of a flattened region as numbers, as a table and as curves.
 #pragma once
 
 #include "Core/Base/Progress.h"
@@ -17,29 +17,30 @@ namespace flattening
 
 struct RegionReport
 {
-  double Area = 0.0;     ///< in space (input units squared)
-  double FlatArea = 0.0; ///< on the map
-  double AreaError = 0.0;
-  double LengthError = 0.0;  ///< of the two diameters
-  double FlatDiameter = 0.0; ///< on the map, of the curve of the diameter
-  double FlatAcross = 0.0;
-  double FlatPerimeter = 0.0; ///< of the outline, smoothed as in space
-  RegionExtent Extent;        ///< its curves by the vertices of the whole disk
+  double Area = 0.0;          ///< area in space (input units squared)
+  double FlatArea = 0.0;      ///< area on the map (input units squared)
+  double AreaError = 0.0;     ///< standard deviation of Area
+  double LengthError = 0.0;   ///< standard deviation of the lengths of the two diameters (input units)
+  double FlatDiameter = 0.0;  ///< length on the map of the curve of the diameter
+  double FlatAcross = 0.0;    ///< length on the map of the curve across
+  double FlatPerimeter = 0.0; ///< length of the outline on the map, smoothed as in space
+  RegionExtent Extent;        ///< its curves refer to the vertices of the whole disk
 };
 
-/// @param positions n x 2, the flat positions of the disk's vertices.
-/// @throws as regionExtent.
+/// Measures the region in space and on the map.
+/// @param positions the flat positions of the vertices of the disk (n x 2).
+/// @throws TopologyError, InvalidInput, ConvergenceError as regionExtent does.
 RegionReport measureRegion(const RegionDisk& region,
   const Points2& positions,
   const ProgressCallback& progress);
 
-/// A row per measure, and one-tuple arrays in @p figures.
+/// Writes a row per measure to the table and an array of one tuple per measure to the field data.
 void fillMeasures(vtkTable* table,
   const RegionReport& measures,
   const std::string& unit,
-  vtkFieldData* figures);
+  vtkFieldData* data);
 
-/// The two diameters and the outline as polylines on the map.
+/// Writes the two diameters and the outline as polylines on the map.
 void fillCurves(vtkPolyData* output,
   const RegionReport& measures,
   const TriangleMesh& disk,

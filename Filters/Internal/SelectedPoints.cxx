@@ -43,7 +43,7 @@ void requireEvaluable(vtkSelection* selection)
   }
 }
 
-// The data with what vtkExtractSelection says of its points or cells; null if it says nothing.
+// The data with the insidedness array of vtkExtractSelection; null if there is none.
 vtkSmartPointer<vtkDataSet> marked(vtkPolyData* data, vtkSelection* selection)
 {
   requireEvaluable(selection);
@@ -55,7 +55,7 @@ vtkSmartPointer<vtkDataSet> marked(vtkPolyData* data, vtkSelection* selection)
   return vtkDataSet::SafeDownCast(extract->GetOutputDataObject(0));
 }
 
-// None if there is no such array.
+// The flags of the insidedness array; empty if there is none.
 std::vector<char> insidedness(vtkDataSetAttributes* attributes)
 {
   vtkDataArray* array = attributes->GetArray(InsidednessName);

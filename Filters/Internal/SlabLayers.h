@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A volume's values in layers at several depths, as arrays of points and as a stack of images.
+/// The values of a volume in layers at several depths, as point arrays and as a stack of images.
 #pragma once
 
 #include "Core/Base/Progress.h"
@@ -14,26 +14,27 @@ class vtkPolyData;
 namespace flattening
 {
 
-/// One entry per depth, each with one per array of the volume.
+/// One entry per depth, each with one entry per array of the volume.
 using Layers = std::vector<std::vector<VolumeSamples>>;
 
-/// The volume at @p points + depth @p inward (n x 3, unit vectors) for each depth (input units).
+/// Samples the volume at points + depth * inward for each depth (input units).
+/// @param inward unit vectors (n x 3).
 Layers sampleLayers(const VolumeSampling& volume,
   const Points3& points,
   const Points3& inward,
   const std::vector<double>& depths,
   const ProgressCallback& progress);
 
-/// A depth in a message and as the name of a component.
+/// The text of a depth for messages and component names.
 std::string depthText(double depth);
 
-/// Adds a point array `<array>Slab` per array of the volume, with the layers side by side.
+/// Adds a point array `<array>Slab` for each array of the volume, with the layers as components.
 void addSlabArrays(vtkPolyData* output, const Layers& layers, const std::vector<double>& depths);
 
-/// Adds the point array `InVolume`, a component per layer. Returns how many samples are outside.
+/// Adds the point array `InVolume` with a component per layer. Returns the number of samples outside.
 long long addMask(vtkPolyData* output, const Layers& layers);
 
-/// Fills @p stack with the layers over the image @p pixels; z is depth if the depths are at equal steps.
+/// Fills @p stack with the layers over the image @p pixels; z is the depth if depths are equally spaced.
 void fillStack(vtkImageData* stack,
   vtkImageData* pixels,
   const Layers& layers,

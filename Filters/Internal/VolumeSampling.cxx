@@ -21,7 +21,8 @@ namespace flattening
 namespace
 {
 
-// Between two reports of progress.
+// The numbers of voxels and of samples between two reports of progress, at which an abort is
+// noticed.
 constexpr vtkIdType Batch = 1 << 20;
 constexpr Eigen::Index SampleBatch = 1 << 18;
 
@@ -39,7 +40,7 @@ vtkSmartPointer<vtkFloatArray> inFloatingPoint(vtkDataArray* array, const Progre
   return values;
 }
 
-// The centre of the voxel that a point within the volume is in.
+// Moves a point within the volume to the centre of its voxel.
 void moveToVoxel(vtkImageData* volume, Eigen::RowVector3d& point)
 {
   double index[3];
@@ -51,14 +52,14 @@ void moveToVoxel(vtkImageData* volume, Eigen::RowVector3d& point)
     const int high = volume->GetExtent()[2 * k + 1];
     if (!(index[k] >= low && index[k] <= high))
     {
-      return; // outside, where it must stay
+      return; // a point outside must stay outside
     }
     voxel[k] = static_cast<int>(std::lround(index[k]));
   }
   volume->TransformIndexToPhysicalPoint(voxel, point.data());
 }
 
-// In the centres of @p voxels, if there are any.
+// A data set of the points, moved to the centres of @p voxels if these are given.
 vtkSmartPointer<vtkPolyData> pointsOnly(const Points3& points, vtkImageData* voxels)
 {
   vtkNew<vtkPoints> positions;
@@ -66,7 +67,7 @@ vtkSmartPointer<vtkPolyData> pointsOnly(const Points3& points, vtkImageData* vox
   positions->SetNumberOfPoints(points.rows());
   for (Eigen::Index i = 0; i < points.rows(); ++i)
   {
-    // What is not finite would make VTK look in a cell that does not exist.
+    // A coordinate that is not finite would make VTK look into a cell that does not exist.
     Eigen::RowVector3d point = points.row(i).allFinite()
                                  ? Eigen::RowVector3d(points.row(i))
                                  : Eigen::RowVector3d::Constant(std::numeric_limits<float>::max());
@@ -132,13 +133,13 @@ std::vector<VolumeSamples> VolumeSampling::at(const Points3& points,
   return samples;
 }
 
-// Of the @p points, into the rows from @p first on.
+// Writes the samples of the points to the tuples from @p first on.
 void VolumeSampling::sample(const Points3& points,
   vtkIdType first,
   std::vector<VolumeSamples>& samples) const
 {
   vtkNew<vtkProbeFilter> probe;
-  // vtkProbeFilter's own CategoricalData is for one array, the active scalars.
+  // CategoricalData of vtkProbeFilter concerns one array only, the active scalars.
   probe->SetInputData(pointsOnly(points, this->Nearest ? this->Volume.Get() : nullptr));
   probe->SetSourceData(this->Volume);
   probe->Update();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The values of a volume at points in space.
+/// Sampling of a volume at points in space.
 #pragma once
 
 #include "Core/Base/Progress.h"
@@ -16,32 +16,34 @@ class vtkImageData;
 namespace flattening
 {
 
-/// A volume's point array with the values at given points.
+/// The values of one array of a volume at given points.
 struct VolumeSamples
 {
-  vtkSmartPointer<vtkFloatArray> Values; ///< of the array's name and components; NaN outside
-  std::vector<char> Inside;              ///< per point: whether it is in the volume
+  vtkSmartPointer<vtkFloatArray> Values; ///< with the name and components of the array; NaN outside
+  std::vector<char> Inside;              ///< one flag per point: 1 in the volume
 };
 
-/// Samples every numeric point array of a volume; holds a copy of them in floating point, for VTK rounds
-/// what it interpolates of integers.
+/// Samples every numeric point array of a volume. It holds copies of the arrays in floating point, as
+/// VTK rounds interpolated integers.
 class VolumeSampling
 {
 public:
-  /// @p nearest: the value of the nearest voxel, for labels; else linear between the voxels.
+  /// @param nearest whether to take the value of the nearest voxel, as labels need it, instead of
+  /// interpolating linearly.
   /// @throws InvalidInput if the volume has no numeric point array.
   VolumeSampling(vtkImageData* volume, bool nearest, const ProgressCallback& progress = {});
   ~VolumeSampling();
 
-  /// One per array, in the volume's order. Points that are not finite are outside.
+  /// The samples at the points (n x 3), one entry per array in the order of the volume. Points that are
+  /// not finite are outside.
   std::vector<VolumeSamples> at(const Points3& points, const ProgressCallback& progress = {}) const;
 
 private:
   void sample(const Points3& points, vtkIdType first, std::vector<VolumeSamples>& samples) const;
 
-  vtkSmartPointer<vtkImageData>
-    Volume;                       ///< arrays by number: the probe's own has a name that may be theirs
-  std::vector<std::string> Names; ///< of the arrays
+  vtkSmartPointer<vtkImageData> Volume; ///< its arrays are named by number, as the probe adds an array
+                                        ///< whose name may be one of theirs
+  std::vector<std::string> Names;       ///< names of the arrays in the volume
   bool Nearest;
 };
 

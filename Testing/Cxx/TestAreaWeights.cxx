@@ -395,7 +395,7 @@ TEST(AreaWeights, ReportsWhatIsWrong)
   expectWords("no point has the label 3.5");
   filter->SetWeightsFromScalars();
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Nothing");
-  expectWords("Nothing is not a point or cell array of one number each");
+  expectWords("Nothing is not a point or cell array of one component");
   filter->SetWeightsFromSelection();
   expectWords("there is no selection");
   filter->SetInputData(1, selectionOf(vtkSelectionNode::POINT, { 100000 }));

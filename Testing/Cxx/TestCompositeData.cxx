@@ -356,7 +356,7 @@ TEST(CompositeData, TwoInputs)
   transfer->SetInputDataObject(1, blocks(left, nullptr, nullptr));
   transfer->Update();
   ASSERT_EQ(errors.messages().size(), 2u);
-  EXPECT_NE(errors.messages().back().find("block \"right\": input 2 has nothing for this block"),
+  EXPECT_NE(errors.messages().back().find("block \"right\": input 2 has no data for this block"),
     std::string::npos)
     << errors.messages().back();
 
@@ -392,7 +392,7 @@ TEST(CompositeData, SelectionOfABlock)
   ErrorLog errors(weights);
   weights->Update();
   ASSERT_EQ(errors.messages().size(), 1u);
-  EXPECT_NE(errors.messages().front().find("block \"right\": the selection has nothing of this block"),
+  EXPECT_NE(errors.messages().front().find("block \"right\": the selection has no points or cells of this block"),
     std::string::npos)
     << errors.messages().front();
   const std::vector<vtkDataObject*> found = leaves(weights->GetOutputDataObject(0));

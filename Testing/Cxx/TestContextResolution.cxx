@@ -167,7 +167,7 @@ TEST(ContextResolution, ReportsWhatIsWrong)
   choose(filter, "None");
   expectMessage("no array of regions is chosen");
   choose(filter, "Missing");
-  expectMessage("Missing is not a point or cell array of one number each");
+  expectMessage("Missing is not a point or cell array of one component");
   choose(filter, "Region");
   filter->SetContextFaces(0);
   expectMessage("positive number");

@@ -215,7 +215,7 @@ TEST(SurfaceToDiskErrors, RegionsOfInterest)
   vectors->SetNumberOfTuples(input->GetNumberOfPoints());
   input->GetPointData()->AddArray(vectors);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Vectors");
-  expectError(filter, input, "Vectors is not a point or cell array of one number each");
+  expectError(filter, input, "Vectors is not a point or cell array of one component");
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Region");
 
   region->SetNumberOfTuples(input->GetNumberOfPoints());

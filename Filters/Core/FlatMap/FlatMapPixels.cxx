@@ -10,7 +10,7 @@ namespace flattening
 namespace
 {
 
-// The number of rows between two reports of progress: some milliseconds of work for all threads.
+// The number of rows between two reports of progress, at which an abort is noticed.
 constexpr int RowsPerReport = 64;
 
 // The number of pixels after one at a given distance from the map that must be beyond @p reach, too:

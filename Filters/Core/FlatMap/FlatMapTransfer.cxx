@@ -30,7 +30,7 @@ constexpr double BeyondBoundary = 1e-6;
 // guard: the rounds end as soon as no vertex is found.
 constexpr int GreatestRounds = 100;
 
-// The number of vertices or faces between two reports of progress: some milliseconds of work.
+// The number of vertices or faces between two reports of progress, at which an abort is noticed.
 constexpr int Batch = 1 << 14;
 
 constexpr const char* Stage = "Transferring the map";

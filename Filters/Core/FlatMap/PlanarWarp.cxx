@@ -19,7 +19,7 @@ namespace
 // single precision, about 1e-7; a surface in space exceeds it by far.
 constexpr double Planarity = 1e-6;
 
-// The number of points between two reports of progress, some milliseconds of work.
+// The number of points between two reports of progress, at which an abort is noticed.
 constexpr Eigen::Index Batch = 1 << 14;
 
 double heightOf(const TriangleMesh& mesh)

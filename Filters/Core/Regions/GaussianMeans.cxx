@@ -24,29 +24,36 @@ namespace flattening
 namespace
 {
 
-// Bins are a little wider than the deviation, so that a ball and the cells on its rim touch two of them
-// on each side; cells are a whole fraction of a bin.
-constexpr double BinWidth = 1.1;          // deviations
-constexpr int Reach = 2;                  // bins
-constexpr std::int64_t MaxBins = 1 << 18; // per axis, so that the number of a cell fits into 64 bits
-constexpr int MaxCells = 16;              // per axis of a bin
-constexpr int ManyPoints = 48;            // in a bin: its octants are looked at one by one
+// The width of a bin in deviations. A bin is a little wider than the deviation, so that a ball of radius
+// two deviations and the cells on its rim reach into two bins on each side; cells are a whole fraction
+// of a bin.
+constexpr double BinWidth = 1.1;
+// The number of bins on each side that a ball reaches into; follows from BinWidth.
+constexpr int Reach = 2;
+// The greatest number of bins per axis, so that the number of a bin fits into 64 bits.
+constexpr std::int64_t MaxBins = 1 << 18;
+// The greatest number of cells per axis of a bin; a smaller spacing gets cells of a sixteenth of a bin.
+constexpr int MaxCells = 16;
+// In a bin with more points the octants are evaluated one by one, each with fewer neighbours; concerns
+// speed alone.
+constexpr int ManyPoints = 48;
 
+// A point, or the points of a cell taken together.
 struct Sample
 {
-  Eigen::RowVector3d Position;
+  Eigen::RowVector3d Position; // centre of mass
   double Mass;
   double Integral;
-  bool IsPoint; // not several together
+  bool IsPoint; // whether it is a single point
 };
 
-// The samples around, in single precision relative to a centre nearby.
+// The samples around a point, in single precision relative to a centre nearby.
 struct Neighbours
 {
   Eigen::ArrayXf X, Y, Z, Mass, Integral;
-  Eigen::ArrayXf Slope;  // of the share of the sample that is in the ball, over the squared distance
-  Eigen::ArrayXf Share;  // in the ball of the last query
-  Eigen::ArrayXf Weight; // in the last query
+  Eigen::ArrayXf Slope;  // slope of the share of the sample in a ball over the squared distance
+  Eigen::ArrayXf Share;  // share of the sample in the ball of the last query
+  Eigen::ArrayXf Weight; // Gaussian of the last query
 
   void reserve(Eigen::Index count)
   {
@@ -68,8 +75,8 @@ struct Neighbours
     this->Weight.resize(count);
   }
 
-  // The Gaussian at distances from @p x below twice the deviation, 0 beyond; a plain loop without
-  // branches, which the compiler vectorises.
+  // Sets Weight to the Gaussian at distances from @p x below twice the deviation, and to 0 beyond. The
+  // loop has no branches, so that the compiler vectorises it.
   void weigh(const Eigen::RowVector3f& x, float deviation)
   {
     const float radius2 = 4.0f * deviation * deviation;
@@ -127,7 +134,7 @@ public:
 
   int binCount() const { return static_cast<int>(this->Bins.size()); }
 
-  // The means at the points of a bin.
+  // Computes the means at the points of a bin.
   void evaluate(int bin, Neighbours& around, Eigen::VectorXd& means) const
   {
     const auto first = this->Order.begin() + this->PointStarts[bin];
@@ -218,8 +225,8 @@ private:
       const int end = this->PointStarts[bin + 1];
       for (int first = this->PointStarts[bin], next = first; first < end; first = next)
       {
-        for (next = first + 1;
-             together && next < end && this->CellOfOrder[next] == this->CellOfOrder[first];)
+        next = first + 1;
+        while (together && next < end && this->CellOfOrder[next] == this->CellOfOrder[first])
         {
           ++next;
         }
@@ -247,7 +254,7 @@ private:
     }
   }
 
-  // As ranges of samples; bins along z follow each other.
+  // The samples in the bins around a bin as ranges; bins along z follow each other.
   std::vector<std::pair<int, int>> samplesAround(std::int64_t bin) const
   {
     std::vector<std::pair<int, int>> ranges;
@@ -285,7 +292,7 @@ private:
     }
   }
 
-  // The samples that can be in the ball around one of the points.
+  // Copies the samples that can be in the ball around one of the points.
   void gatherNeighbours(const std::vector<int>& points,
     const std::vector<std::pair<int, int>>& ranges,
     const Eigen::RowVector3d& centre,
@@ -300,7 +307,7 @@ private:
     // point is in it or not.
     const auto ramp = static_cast<float>(this->Ramp);
     const float step = 1e30f;
-    const double reach2 = this->Rim2 * (1.0 + 1e-5); // single precision decides
+    const double reach2 = this->Rim2 * (1.0 + 1e-5); // a margin for the rounding of single precision
     Eigen::Index count = 0;
     for (const auto& [first, last] : ranges)
     {
@@ -333,14 +340,14 @@ private:
   double Deviation;
   Eigen::RowVector3d Low;
   int CellsPerBin;
-  double Cell;            // width
-  double Ramp;            // slope of the share of a cell that is in the ball, over the squared distance
-  double Rim2;            // squared distance beyond which it is 0
-  std::vector<int> Order; // of the points, by bin and cell
-  std::vector<int> CellOfOrder;   // within the bin
-  std::vector<std::int64_t> Bins; // their numbers, ascending
-  std::vector<int> PointStarts;   // of each bin in Order
-  std::vector<int> SampleStarts;  // of each bin in Samples
+  double Cell;                    // width of a cell
+  double Ramp;                    // slope of the share of a cell in a ball over the squared distance
+  double Rim2;                    // squared distance beyond which that share is 0
+  std::vector<int> Order;         // the points, sorted by bin and cell
+  std::vector<int> CellOfOrder;   // the cell of each of them within its bin
+  std::vector<std::int64_t> Bins; // numbers of the bins that have points, ascending
+  std::vector<int> PointStarts;   // first point of each bin in Order
+  std::vector<int> SampleStarts;  // first sample of each bin in Samples
   std::vector<Sample> Samples;
 };
 
@@ -357,7 +364,7 @@ Eigen::VectorXd gaussianMeans(const WeightedPoints& points,
     return means;
   }
   const BinnedSamples samples(points, deviation, spacing);
-  constexpr int rounds = 10; // reports come from the calling thread, between them
+  constexpr int rounds = 10; // progress is reported between them, from the calling thread
   for (int round = 0; round < rounds; ++round)
   {
     report(progress, static_cast<double>(round) / rounds, "Averaging");

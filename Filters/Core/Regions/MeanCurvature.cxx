@@ -19,7 +19,7 @@ namespace flattening
 namespace
 {
 
-// Half of an edge: the side @p Side of @p Face, between vertices Low < High.
+// A side of a face, between the vertices Low < High.
 struct Side
 {
   int Low;
@@ -72,7 +72,8 @@ Eigen::VectorXd integratedMeanCurvature(const TriangleMesh& mesh)
   const std::vector<Side> sides = sortedSides(mesh.Faces);
   for (std::size_t first = 0, end = 0; first < sides.size(); first = end)
   {
-    for (end = first + 1; end < sides.size() && sides[end].sameEdge(sides[first]);)
+    end = first + 1;
+    while (end < sides.size() && sides[end].sameEdge(sides[first]))
     {
       ++end;
     }
@@ -90,7 +91,7 @@ Eigen::VectorXd integratedMeanCurvature(const TriangleMesh& mesh)
     {
       continue;
     }
-    // Positive on a convex edge.
+    // The angle is positive at a convex edge.
     const double angle = std::atan2(n.cross(m).dot(edge) / length, n.dot(m));
     measure[left.Low] += 0.25 * length * angle;
     measure[left.High] += 0.25 * length * angle;

@@ -19,8 +19,11 @@ namespace flattening
 namespace
 {
 
-constexpr double DefaultUnit = 0.003; // of the diagonal
+// The default unit of the scales as a share of the diagonal of the bounding box, from the paper.
+constexpr double DefaultUnit = 0.003;
+// The greatest number of scales: a guard against a mistyped number, as each scale takes time and memory.
 constexpr int MaxScales = 20;
+// The standard deviation of the first scale in units, from the paper.
 constexpr int FirstScale = 2;
 
 double diagonalOf(const TriangleMesh& mesh)
@@ -69,7 +72,7 @@ WeightedPoints samplesOf(const TriangleMesh& mesh, const Eigen::VectorXd& areas,
   return points;
 }
 
-// The mean of the local maxima but the greatest; 0 if there is no other.
+// The mean of the local maxima other than the greatest; 0 if there is no other.
 double meanOfOtherMaxima(const FaceMatrix& faces, const Eigen::VectorXd& values)
 {
   std::vector<char> isMaximum(values.size(), 0);
@@ -102,10 +105,10 @@ double meanOfOtherMaxima(const FaceMatrix& faces, const Eigen::VectorXd& values)
   return count > 0 ? sum / count : 0.0;
 }
 
-// Suppresses a scale of many peaks alike (Itti, Koch, Niebur 1998).
+// Scales the saliency down the more the scale has peaks of similar height (Itti, Koch, Niebur 1998).
 Eigen::VectorXd suppressed(const FaceMatrix& faces, const Eigen::VectorXd& saliency, double curvature)
 {
-  constexpr double rounding = 1e-5; // of the means
+  constexpr double rounding = 1e-5; // relative error of gaussianMeans
   const double greatest = saliency.maxCoeff();
   if (greatest <= rounding * curvature)
   {

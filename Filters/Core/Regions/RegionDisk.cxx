@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 #include <string>
 
@@ -18,6 +19,7 @@ namespace flattening
 namespace
 {
 
+// The indices of the flags that are set.
 std::vector<int> flagged(const std::vector<char>& flags)
 {
   std::vector<int> indices;
@@ -31,6 +33,7 @@ std::vector<int> flagged(const std::vector<char>& flags)
   return indices;
 }
 
+// One flag per vertex: 1 for the corners of the flagged faces.
 std::vector<char> cornersOf(const TriangleMesh& mesh, const std::vector<char>& faces)
 {
   std::vector<char> corners(mesh.vertexCount(), 0);
@@ -44,6 +47,7 @@ std::vector<char> cornersOf(const TriangleMesh& mesh, const std::vector<char>& f
   return corners;
 }
 
+// A set of faces that is turned into a disk.
 class GrowingRegion
 {
 public:
@@ -68,12 +72,9 @@ public:
 
   double area() const
   {
-    double sum = 0.0;
-    for (const int f : flagged(this->Inside))
-    {
-      sum += this->Areas[f];
-    }
-    return sum;
+    const std::vector<int> faces = flagged(this->Inside);
+    return std::accumulate(
+      faces.begin(), faces.end(), 0.0, [this](double sum, int f) { return sum + this->Areas[f]; });
   }
 
   void keepLargestPiece(RegionDisk& report)
@@ -111,7 +112,7 @@ public:
     }
   }
 
-  // Fills the parts of the rest that the region surrounds; returns how many.
+  // Adds the parts of the rest that the region surrounds. Returns their number.
   int fillHoles(double largest, double& filledArea)
   {
     std::vector<char> outside(this->Inside.size());
@@ -125,7 +126,7 @@ public:
     const DerivedMesh rest = extractFaces(this->Mesh, faces);
     const SurfaceComponents parts = connectedComponents(rest.Mesh);
     const Eigen::VectorXd areas = componentAreas(rest.Mesh, parts);
-    std::vector<char> isOpen(parts.Count, 0); // it reaches the boundary of the surface
+    std::vector<char> isOpen(parts.Count, 0); // whether the part reaches the boundary of the surface
     for (std::size_t f = 0; f < faces.size(); ++f)
     {
       for (int k = 0; k < 3; ++k)
@@ -160,6 +161,7 @@ public:
     return holes;
   }
 
+  // Adds the faces whose corners are within a distance of the region along edges.
   void grow(double margin)
   {
     const std::vector<char> corners = cornersOf(this->Mesh, this->Inside);
@@ -173,11 +175,11 @@ public:
   }
 
 private:
-  // Groups of the region's faces around a vertex that share no edge there.
+  // The number of fans of faces of the region around a vertex: groups that share no edge there.
   int fansAt(int v) const
   {
     int faces = 0;
-    int shared = 0; // sides between two of them
+    int shared = 0; // edges at the vertex between two of these faces
     for (const int f : this->Around[v])
     {
       if (!this->Inside[f])
@@ -208,7 +210,7 @@ private:
   const TriangleMesh& Mesh;
   VertexFaces Around;
   std::vector<char> Inside;
-  std::vector<char> OnBoundary; // of the whole surface
+  std::vector<char> OnBoundary; // one flag per vertex: 1 on the boundary of the whole surface
   Eigen::VectorXd Areas;
 };
 

@@ -17,10 +17,18 @@ namespace flattening
 namespace
 {
 
-constexpr int Starts = 4;          // of the search for the diameter
-constexpr int Sweeps = 4;          // each to the farthest point
-constexpr int Levels = 15;         // along the diameter, at which the extent across is measured
-constexpr int SmoothingSteps = 12; // of the boundary
+// The number of boundary points from which the search for the diameter starts. With fewer, the search
+// may end at a diameter that is not the greatest.
+constexpr int Starts = 4;
+// The greatest number of steps to the farthest point from each start. A guard: the search stops as soon
+// as the distance no longer grows.
+constexpr int Sweeps = 4;
+// The number of parts of the diameter between which the extent across is measured, before the best level
+// is refined. With fewer, a narrow bulge may be missed.
+constexpr int Levels = 15;
+// The number of smoothing steps of the boundary: waves of up to four edges vanish, those of ten or more
+// stay. PerimeterError measures what more steps would change.
+constexpr int SmoothingSteps = 12;
 
 constexpr const char* DiameterStage = "Greatest diameter";
 constexpr const char* AcrossStage = "Greatest extent across";
@@ -46,8 +54,9 @@ SurfaceCurve curveOf(const SurfaceMesh& mesh, const GeodesicPath& path)
   return curve;
 }
 
-// The boundary without the teeth that the triangles give it: waves of up to four edges go, those of ten
-// or more stay, and it does not shrink (Taubin 1995, "Curve and surface smoothing without shrinkage").
+// The boundary without the teeth of its triangles: waves of up to four edges vanish, those of ten or
+// more stay, and the curve does not shrink (Taubin 1995, "Curve and surface smoothing without
+// shrinkage").
 Points3 smoothed(const Points3& vertices, const std::vector<int>& loop, int steps)
 {
   Points3 points = vertices(loop, Eigen::all);
@@ -81,8 +90,8 @@ Eigen::RowVector3d positionOf(const Points3& vertices, const EdgePoint& point)
   return (1.0 - point.Fraction) * vertices.row(point.From) + point.Fraction * vertices.row(point.To);
 }
 
-// How far both ends of a curve are beyond the smoothed boundary, in the curve's direction.
-// @param amid the vertices, those of the boundary where the smoothed one is.
+// The sum of the lengths by which the two ends of a curve exceed the smoothed boundary.
+// @param amid the vertices (n x 3), where those of the boundary lie on the smoothed boundary.
 double overhang(const Points3& vertices, const Points3& amid, const SurfaceCurve& curve)
 {
   const std::size_t last = curve.Points.size() - 1;
@@ -105,6 +114,7 @@ Points3 withSmoothed(const Points3& vertices, const std::vector<int>& loop)
   return amid;
 }
 
+// Measures the geodesics of a region.
 class Calliper
 {
 public:
@@ -116,7 +126,7 @@ public:
   {
   }
 
-  // The geodesic, with the length that it has between the ends of the smoothed boundary.
+  // The geodesic between two vertices, with its length up to the smoothed boundary.
   SurfaceCurve path(int from, int to, const ProgressCallback& progress) const
   {
     SurfaceCurve curve = curveOf(this->Mesh,
@@ -128,6 +138,7 @@ public:
     return curve;
   }
 
+  // The longest geodesic that is found; stores its ends.
   SurfaceCurve diameter(const ProgressCallback& progress)
   {
     std::set<std::pair<int, int>> pairs;
@@ -164,15 +175,15 @@ public:
     return this->lengthened(std::move(longest), subrange(progress, 0.4, 1.0));
   }
 
-  // After the diameter.
+  // The longest geodesic across the diameter, which must have been found before.
   SurfaceCurve across(const ProgressCallback& progress) const
   {
     const ProgressCallback atFirst = atFraction(progress, 0.0, AcrossStage);
     const Eigen::VectorXd fromFirst = geodesicDistances(this->Region, this->Ends.first, atFirst);
     const Eigen::VectorXd fromSecond = geodesicDistances(this->Region, this->Ends.second, atFirst);
     const Eigen::VectorXd along = fromFirst - fromSecond;
-    const std::size_t first = this->placeNearest(fromFirst);
-    const std::size_t second = this->placeNearest(fromSecond);
+    const std::size_t first = this->nearestOnLoop(fromFirst);
+    const std::size_t second = this->nearestOnLoop(fromSecond);
     const std::array<std::vector<int>, 2> sides{ this->between(first, second),
       this->between(second, first) };
     SurfaceCurve longest;
@@ -180,7 +191,7 @@ public:
     {
       return longest;
     }
-    // @param level from -1 at one end of the diameter to 1 at the other
+    // @param level from -1 at one end of the diameter to 1 at the other.
     const auto tryLevel = [&](double level, double done)
     {
       const double value = level * fromFirst[this->Ends.second];
@@ -213,7 +224,7 @@ public:
   }
 
 private:
-  // The diameter after moving its ends along the boundary, as far as it gets longer by that.
+  // The diameter after moving its ends along the boundary as long as it grows.
   SurfaceCurve lengthened(SurfaceCurve longest, const ProgressCallback& progress)
   {
     int tries = 0;
@@ -229,9 +240,9 @@ private:
           const auto place = std::find(this->Loop.begin(), this->Loop.end(), *end);
           if (place == this->Loop.end())
           {
-            continue; // within the region
+            continue; // the end is an interior vertex
           }
-          const double done = 1.0 - 1.0 / (1.0 + tries++); // how many there will be is not known
+          const double done = 1.0 - 1.0 / (1.0 + tries++); // the number of tries is not known
           const int before = *end;
           *end = this->Loop[(place - this->Loop.begin() + move) % size];
           SurfaceCurve curve =
@@ -253,8 +264,8 @@ private:
     return longest;
   }
 
-  // On the boundary.
-  std::size_t placeNearest(const Eigen::VectorXd& distance) const
+  // The index of the boundary vertex of the smallest distance.
+  std::size_t nearestOnLoop(const Eigen::VectorXd& distance) const
   {
     return std::min_element(this->Loop.begin(),
              this->Loop.end(),
@@ -262,6 +273,7 @@ private:
            this->Loop.begin();
   }
 
+  // The boundary vertices strictly between two indices.
   std::vector<int> between(std::size_t from, std::size_t to) const
   {
     std::vector<int> side;
@@ -275,7 +287,7 @@ private:
   const TriangleMesh& Region;
   std::vector<int> Loop;
   SurfaceMesh Mesh;
-  Points3 Amid; // the vertices, those of the boundary where the smoothed one is
+  Points3 Amid; // the vertices, where those of the boundary lie on the smoothed boundary
   std::pair<int, int> Ends{ 0, 0 };
 };
 

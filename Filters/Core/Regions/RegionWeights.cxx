@@ -74,7 +74,8 @@ std::vector<int> borderOf(const TriangleMesh& mesh, const std::vector<char>& ins
   return border;
 }
 
-// 1 in the region, falling to 0 over the width around it.
+// The share of the region in the weight of each vertex (n): 1 in the region, falling to 0 over the
+// width.
 Eigen::VectorXd softShare(const TriangleMesh& mesh,
   const std::vector<char>& inside,
   double width,
@@ -123,18 +124,19 @@ AffineWeights blend(const TriangleMesh& mesh,
     {
       if (taken[v])
       {
-        continue; // a region has its factor everywhere, whatever fades out next to it
+        continue; // inside a region only its own factor counts, not the soft edges of its neighbours
       }
       taken[v] = region.Inside[v];
       fixed[v] = taken[v] ? region.Factor : fixed[v] + share[v] * region.Factor;
       shares[v] = taken[v] ? 1.0 : shares[v] + share[v];
     }
   }
-  // Where the edges of several regions overlap, their shares count in proportion.
+  // Where the soft edges of several regions overlap, their shares are scaled to the sum 1.
   const Eigen::ArrayXd whole = shares.array().max(1.0);
   return { fixed.array() / whole, 1.0 - shares.array() / whole };
 }
 
+// The weight of the rest that keeps the sum of weight times area.
 double restMakingRoom(const Eigen::VectorXd& areas, const AffineWeights& weights)
 {
   const double room = areas.sum();

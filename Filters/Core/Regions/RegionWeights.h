@@ -21,25 +21,26 @@ struct WeightedRegion
   double Factor = 1.0;      ///< > 0
 };
 
-/// What the factor of a region compares.
+/// The meaning of the factor of a region.
 enum class FactorMeaning
 {
-  RelativeToRest, ///< its areas against those of the rest
-  Magnification   ///< its areas with the weights against those without: the rest makes room
+  RelativeToRest, ///< the region grows by the factor relative to the rest of the surface
+  Magnification   ///< the region grows by the factor on the map; the rest shrinks to make room
 };
 
 struct RegionWeights
 {
   Eigen::VectorXd Weights; ///< n, > 0
-  double RestWeight = 1.0; ///< of the vertices far from all regions
+  double RestWeight = 1.0; ///< weight of the vertices far from all regions
 };
 
-/// The weights of the vertices. A vertex of a region has the region's factor (the first one's that it is
-/// in), one far from all regions has RestWeight: 1 or, for a magnification, what keeps the sum of weight
-/// times area. Outside a region its weight fades from the factor to the rest's over @p edgeWidth
-/// (geodesic, input units), by the cubic 3 t^2 - 2 t^3; 0: a sharp edge, the weights change from one
-/// vertex to the next.
-/// @param areas n, what the vertices' areas are without these weights, in any unit.
+/// Computes the weights of the vertices. A vertex of a region has the factor of the region (of the first
+/// one, if it is in several). A vertex far from all regions has RestWeight: 1 or, for a magnification,
+/// the weight that keeps the sum of weight times area. Between these the weight fades by the cubic 3 t^2
+/// - 2 t^3 of the distance to the region.
+/// @param areas the areas of the vertices without these weights (n, any unit).
+/// @param edgeWidth geodesic width over which the weight fades, input units, >= 0; 0: a sharp edge,
+/// where the weights change from one vertex to the next.
 /// @throws InvalidInput if a region is empty or a factor not a positive number; if one region, or
 /// several magnified ones, cover the whole surface, or there is no room for the magnified ones; if the
 /// width is not finite and >= 0, or is not 0 and the surface not connected; TopologyError if it is not 0
@@ -51,8 +52,7 @@ RegionWeights regionWeights(const TriangleMesh& mesh,
   double edgeWidth,
   const ProgressCallback& progress = {});
 
-/// The smallest and greatest magnification, over all vertices, of weights w: w_v sum(areas) / sum(w
-/// areas).
+/// The smallest and greatest magnification of a vertex by weights w: w_v sum(areas) / sum(w areas).
 struct MagnificationRange
 {
   double Smallest = 1.0;
@@ -60,8 +60,9 @@ struct MagnificationRange
 };
 MagnificationRange magnificationRange(const Eigen::VectorXd& areas, const Eigen::VectorXd& weights);
 
-/// The label that covers most of the area around each vertex, of one label per face (m); of equal areas
-/// the smallest. Vertices without faces get @p none.
+/// The label that covers most of the area around each vertex (n); the smallest of several with the same
+/// area. Vertices without faces get @p none.
+/// @param faceLabels one label per face (m).
 std::vector<long long> vertexLabels(const TriangleMesh& mesh,
   const std::vector<long long>& faceLabels,
   long long none);
