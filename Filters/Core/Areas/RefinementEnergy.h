@@ -31,7 +31,8 @@ public:
   void setEpsilon(double epsilon);
   /// Scales the targets to the area that the boundary of @p map encloses.
   void setEnclosed(const DomainMap& map);
-  double targetOf(int face) const { return this->Scale * this->Targets[face]; }
+  /// The scaled targets (m).
+  Eigen::VectorXd targets() const { return this->Scale * this->Targets; }
 
   double value(const DomainMap& map) const;
   /// Computes the @p gradient by the degrees of freedom and returns the value.

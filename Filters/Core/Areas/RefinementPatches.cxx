@@ -16,12 +16,15 @@ namespace flattening
 namespace
 {
 
+// Rounds in a patch per pass. A choice: the next pass gains more, since it frees the vertices in
+// between.
 constexpr int LargestRounds = 2;
-// Between the lines of one pass and the next, in radians.
+// The angle between the dividing lines of one pass and the next, in radians. A convention: an irrational
+// share of a turn, so that lines never return.
 constexpr double Turn = 1.0;
-// A patch with fewer faces that are not right is left as it is.
+// A patch with at most this share of faces that are not right is skipped: 4 faces of 4000.
 constexpr double EnoughPatchShare = 0.001;
-// Of the energy, in a round.
+// A round that lowers the energy of a patch by a smaller share is its last one in the pass.
 constexpr double LeastGain = 0.1;
 
 } // namespace
@@ -29,7 +32,7 @@ constexpr double LeastGain = 0.1;
 class RefinementPatches::Patch
 {
 public:
-  /// @p partOf says of each vertex which part it is in.
+  // @p partOf holds the part of each vertex.
   Patch(const RefinementPatches& whole,
     const Pass& pass,
     const std::vector<int>& part,
@@ -51,7 +54,7 @@ public:
     this->Rows.erase(std::unique(this->Rows.begin(), this->Rows.end()), this->Rows.end());
   }
 
-  // Whether the patch was worked on.
+  // Returns whether the patch needed it.
   bool refine(const DomainMap& before, DomainMap& after)
   {
     if (this->Free == 0 || this->offShare(before) <= EnoughPatchShare)
@@ -113,7 +116,7 @@ public:
   }
 
 private:
-  // Of two neighbours in different parts the one in the later part stays.
+  // A vertex stays if it has a neighbour in an earlier part.
   bool moves(int vertex, const std::vector<int>& partOf) const
   {
     for (const int f : this->Whole.FacesOf[vertex])
@@ -251,7 +254,7 @@ int RefinementPatches::run(const Pass& pass, DomainMap& map, const ProgressCallb
       partOf[v] = static_cast<int>(p);
     }
   }
-  // What moves in one patch is not looked at by another.
+  // Patches may run at the same time: no patch reads a vertex that another one moves.
   std::atomic<int> worked = 0;
   std::atomic<int> done = 0;
   const std::thread::id caller = std::this_thread::get_id();

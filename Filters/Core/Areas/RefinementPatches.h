@@ -12,17 +12,17 @@
 namespace flattening
 {
 
-/// Additive Schwarz iteration: the mesh is divided into patches of some thousand vertices, of which
-/// those between two patches stay; in each patch the energy is minimised on its own. What is wrong
-/// with a map that came out of a transport is so at the scale of the faces, and a patch costs little:
-/// time grows as the number of vertices, and patches are independent of each other. The next pass
-/// divides the mesh along other lines.
+/// A domain decomposition (Schwarz iteration): each pass divides the mesh into patches of about two
+/// thousand vertices along other lines, and minimises the energy in every patch while the vertices
+/// between patches stay. Most errors of a transported map are local, so that patches are enough; they
+/// are independent of each other, and the time grows linearly with the number of vertices.
 class RefinementPatches
 {
 public:
-  /// Vertices: factors of systems of this size fit into a cache.
+  /// Most vertices of a patch: factors of systems of this size fit into a cache.
   static constexpr int LargestPatch = 2000;
-  /// Of its target: a face is right if its area is off by no more.
+  /// A face is right if its area is off by at most this share of its target: the limit that users see in
+  /// "faces within 2 %".
   static constexpr double AreaTolerance = 0.02;
 
   /// The arguments must live as long as this does.
@@ -30,15 +30,16 @@ public:
     const VertexFaces& facesOf,
     const DegreesOfFreedom& dofs);
 
+  /// The energy of one pass.
   struct Pass
   {
-    Eigen::VectorXd Targets;      ///< per face, in sum what the boundary encloses
-    double Epsilon = 0.0;         ///< FaceAreaEnergy
-    double ShapeFactor = 1.0;     ///< times the terms' shape weights
-    bool KeepsOrientation = true; ///< RefinementDescent
+    Eigen::VectorXd Targets;      ///< per face (m), with the area that the boundary encloses as sum
+    double Epsilon = 0.0;         ///< see FaceAreaEnergy
+    double ShapeFactor = 1.0;     ///< factor of the terms' shape weights
+    bool KeepsOrientation = true; ///< whether faces may not flip (RefinementDescent)
   };
 
-  /// In patches where too many faces are not right. Returns how many patches that were.
+  /// Minimises the energy in the patches where too many faces are not right; returns their number.
   int run(const Pass& pass, DomainMap& map, const ProgressCallback& progress);
 
 private:

@@ -92,24 +92,14 @@ RefinementRounds::WrongFaces RefinementRounds::wrongFaces(const DomainMap& map)
   return wrong;
 }
 
-Eigen::VectorXd RefinementRounds::presentTargets(const DomainMap& map)
+// The largest relative error of a region's area.
+double RefinementRounds::imbalance(const DomainMap& map)
 {
   this->Energy.setEnclosed(map);
-  Eigen::VectorXd targets(this->Surface.faceCount());
-  for (int f = 0; f < this->Surface.faceCount(); ++f)
-  {
-    targets[f] = this->Energy.targetOf(f);
-  }
-  return targets;
-}
-
-// The largest relative error of a region's area.
-double RefinementRounds::imbalance(const DomainMap& map, const Eigen::VectorXd& targets) const
-{
   const FaceMatrix& faces = this->Surface.Faces;
   const int n = this->Surface.vertexCount();
   const Eigen::VectorXd areas = vertexAreas(faces, signedFaceAreas(map.Positions, faces), n);
-  const Eigen::VectorXd wanted = vertexAreas(faces, targets, n);
+  const Eigen::VectorXd wanted = vertexAreas(faces, this->Energy.targets(), n);
   double largest = 0.0;
   for (const std::vector<int>& region :
     recursiveBisection(map.Positions, RefinementPatches::LargestPatch, RegionAngle))
@@ -128,7 +118,7 @@ double RefinementRounds::imbalance(const DomainMap& map, const Eigen::VectorXd& 
 
 void RefinementRounds::balance(DomainMap& map, double tolerance, const ProgressCallback& progress)
 {
-  if (this->imbalance(map, this->presentTargets(map)) < tolerance)
+  if (this->imbalance(map) < tolerance)
   {
     return;
   }
@@ -159,7 +149,8 @@ void RefinementRounds::run(DomainMap& map, int most, Until until, const Progress
       this->balance(map, RegionTolerance, subrange(progress, begin, middle));
     }
     RefinementPatches::Pass pass;
-    pass.Targets = this->presentTargets(map);
+    this->Energy.setEnclosed(map);
+    pass.Targets = this->Energy.targets();
     pass.Epsilon = this->Epsilon;
     pass.KeepsOrientation = this->Epsilon == 0.0;
     pass.ShapeFactor = this->Count <= this->LastShapeRound ? FirstShapeFactor : 1.0;

@@ -59,8 +59,7 @@ public:
 private:
   struct WrongFaces;
   WrongFaces wrongFaces(const DomainMap& map);
-  Eigen::VectorXd presentTargets(const DomainMap& map);
-  double imbalance(const DomainMap& map, const Eigen::VectorXd& targets) const;
+  double imbalance(const DomainMap& map);
 
   const TriangleMesh& Surface;
   const DegreesOfFreedom& Dofs;

@@ -8,9 +8,16 @@ namespace flattening
 namespace
 {
 
+// Up to this angle the Taylor series is more accurate than the plain formula; at it the relative error
+// of both is 3e-13.
+constexpr double SmallAngle = 0.05;
+// Negative angles down to this one are rounding errors of 0. A guard: with 0 an empty arc could become
+// the whole circle.
+constexpr double LeastAngle = -1e-9;
+
 double angleMinusSine(double angle)
 {
-  if (angle > 0.05)
+  if (angle > SmallAngle)
   {
     return angle - std::sin(angle);
   }
@@ -23,7 +30,7 @@ double angleMinusSine(double angle)
 double arcAngle(const Eigen::Vector2d& p, const Eigen::Vector2d& q)
 {
   const double angle = std::atan2(cross(p, q), p.dot(q));
-  return angle >= 0.0 ? angle : angle > -1e-9 ? 0.0 : angle + 2.0 * EIGEN_PI;
+  return angle >= 0.0 ? angle : angle > LeastAngle ? 0.0 : angle + 2.0 * EIGEN_PI;
 }
 
 void ArcPolygonMoments::addSide(const Eigen::Vector2d& from, const Eigen::Vector2d& to)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Area and centroid of a region whose boundary is straight sides and arcs of the unit circle.
+/// The area and centroid of a region bounded by straight sides and arcs of the unit circle.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,21 +7,21 @@
 namespace flattening
 {
 
-/// z component of the cross product.
+/// The z component of the cross product.
 inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Counter-clockwise angle from @p p to @p q, both on the unit circle, in [0, 2 pi). An arc that
-/// rounding turned around is an empty one, not the whole circle.
+/// The counter-clockwise angle from @p p to @p q, both on the unit circle, in [0, 2 pi); 0 if rounding
+/// exchanged two nearly equal points, never the whole circle.
 double arcAngle(const Eigen::Vector2d& p, const Eigen::Vector2d& q);
 
-/// Sums up the pieces of a region's boundary, counter-clockwise and closed, exactly but for rounding.
+/// Sums over the pieces of a region's closed boundary, counter-clockwise; exact up to rounding.
 class ArcPolygonMoments
 {
 public:
-  /// All is summed relative to @p origin: a point of the region, or digits cancel.
+  /// Sums are relative to @p origin, which should be a point of the region, or digits cancel.
   explicit ArcPolygonMoments(const Eigen::Vector2d& origin)
     : Origin(origin)
   {
@@ -30,7 +30,7 @@ public:
   void addArc(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
 
   double area() const { return this->Area; }
-  /// Meaningless if the area is 0.
+  /// Undefined if the area is 0.
   Eigen::Vector2d centroid() const { return this->Origin + this->Moment / this->Area; }
 
 private:

@@ -15,8 +15,13 @@ namespace flattening
 namespace
 {
 
+// The sine of the angle at a point below which the point is no corner, the area of an outline over its
+// squared size below which it has none. A guard far
+// above the rounding of coordinates; with 0 the corners of ConvexPolygon would not all be strictly
+// convex.
 constexpr double OnTheLine = 1e-9;
-// Of the largest coordinate: outlines that are smaller have lost their shape to rounding.
+// The least size of an outline over its largest coordinate. A guard: smaller ones have lost their shape
+// to rounding.
 constexpr double LeastSize = 1e-9;
 
 void requireCoordinates(const Points2& outline, double size)
@@ -37,7 +42,7 @@ void requireCoordinates(const Points2& outline, double size)
   }
 }
 
-// Without those points that are no corners: a point goes if the path over it is straight.
+// The points without those at which the outline goes straight on.
 std::vector<Eigen::Vector2d> cornersOf(const Points2& outline, double size)
 {
   std::vector<Eigen::Vector2d> corners(outline.rows());
@@ -108,7 +113,7 @@ DomainPolygon domainPolygon(const Points2& outline)
   {
     polygon.Corners.row(k) = corners[area > 0.0 ? k : corners.size() - 1 - k];
   }
-  // Near the origin, where areas lose no digits.
+  // Moved to the origin, where areas lose no digits.
   const Eigen::RowVector2d near = polygon.Corners.row(0);
   polygon.Corners.rowwise() -= near;
   const ConvexPolygon convex = convexPolygon(polygon.Corners, remedy);

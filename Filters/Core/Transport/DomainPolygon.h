@@ -7,17 +7,20 @@
 namespace flattening
 {
 
+/// The polygon at a standard size and place, and how to return to the outline's.
 struct DomainPolygon
 {
   Points2 Corners;          ///< k x 2, counter-clockwise, with area pi and the centroid at 0
-  double Scale = 1.0;       ///< of the outline over that
-  Eigen::Vector2d Centroid; ///< of the outline
+  double Scale = 1.0;       ///< length in the outline over length in Corners
+  Eigen::Vector2d Centroid; ///< centroid of the outline
 };
 
-/// Of the polygon with corners @p outline (k x 2) in either direction. Points that repeat the one before
-/// or lie on the line from it to the next, to 1e-9 of their distances, are no corners and are left out.
-/// @throws InvalidInput if one is not finite, or if the rest is not a convex polygon of three corners at
-/// least, of a size that doubles resolve at its place.
+/// Standardises the polygon with corners @p outline (k x 2), in either direction. Points that repeat the
+/// previous point or lie on the line from it to the next, up to 1e-9 of their distances, are no corners
+/// and are left out.
+/// @throws InvalidInput if a point is not finite, if the others do not form a convex polygon with at
+/// least three corners, or if the polygon is too small for double precision at its distance from the
+/// origin.
 DomainPolygon domainPolygon(const Points2& outline);
 
 } // namespace flattening

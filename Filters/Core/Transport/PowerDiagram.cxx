@@ -77,7 +77,7 @@ bool PowerDiagram::triangulate(int largestHidden)
     const auto vertex = triangulation.insert(
       WeightedSite(this->Sites(i, 0), this->Sites(i, 1), this->SiteWeights[i]), hint);
     vertex->info() = static_cast<int>(i);
-    // A site once hidden stays so: further sites only take from its place.
+    // A hidden site stays hidden: further sites only make the cells smaller.
     if (static_cast<int>(triangulation.number_of_hidden_vertices()) > largestHidden)
     {
       return false;
@@ -146,7 +146,7 @@ void PowerDiagram::placeCentres()
     faces,
     [this](int f)
     {
-      // From an end of the shortest side, whose own vector has no rounding then.
+      // Relative to an end of the shortest side, whose vector then has no rounding error.
       int shortest = 3 * f;
       for (const int h : { 3 * f + 1, 3 * f + 2 })
       {
@@ -166,7 +166,7 @@ void PowerDiagram::placeCentres()
     });
 }
 
-// At the point of equal power of the face that covers it a hidden site comes nearest to a cell.
+// A hidden site is nearest to having a cell at the point of equal power of the face that covers it.
 void PowerDiagram::measureHidden()
 {
   for (std::size_t k = 0; k < this->HiddenSites.size(); ++k)
@@ -195,7 +195,8 @@ void PowerDiagram::clipSides()
       {
         return;
       }
-      // Of the cell of h's origin: from the centre of the face on the right of h to the one on the left.
+      // The side of the cell of h's origin runs from the centre of the face on the right of h to the one
+      // of the face on the left.
       Segment& side = this->Segments[h];
       constexpr double far = std::numeric_limits<double>::infinity();
       const Eigen::Vector2d& left = this->Centres[h / 3];
@@ -293,7 +294,7 @@ void PowerDiagram::sidesOf(int site, std::vector<Segment>& sides) const
 
 bool PowerDiagram::coversDomain(int site) const
 {
-  // No side crosses the domain, so one point of it decides.
+  // No side crosses the domain, so that any of its points decides.
   const Eigen::RowVector2d point = this->Domain->centroid();
   const auto power = [this, &point](int i)
   { return DoubleDouble((this->Sites.row(i) - point).squaredNorm()) - this->SiteWeights[i]; };

@@ -13,14 +13,14 @@ namespace flattening
 {
 
 /// Cells W_i = { x in domain : |x - y_i|^2 - w_i <= |x - y_j|^2 - w_j for all j } of sites y_i with
-/// weights w_i (paper, equations 3 and 4; w_i = 2 h_i + |y_i|^2). Their sides are straight, the rest of
-/// a cell's boundary is that of the domain; areas, centroids and side lengths count both exactly.
+/// weights w_i (paper, equations 3 and 4; w_i = 2 h_i + |y_i|^2). A cell is bounded by straight sides
+/// and parts of the domain's boundary; areas, centroids and side lengths take both into account exactly.
 ///
-/// Weights have twice the precision of double because cells depend on their differences divided by the
-/// distance of the sites, which in the horns of a surface is 1e-15 and less. The triangulation behind
-/// the cells is exact for them.
+/// Weights have twice the precision of double because cells depend on differences of weights divided by
+/// the distance of the sites, which is 1e-15 and less in protrusions of a surface. The triangulation
+/// behind the cells is exact for such weights.
 ///
-/// The sites stay, the weights change: what depends on the sites alone is done once.
+/// The sites stay while the weights change: what depends on the sites alone is computed once.
 class PowerDiagram
 {
 public:
@@ -30,18 +30,18 @@ public:
   explicit PowerDiagram(const Points2& sites,
     std::shared_ptr<const ConvexDomain> domain = std::make_shared<UnitDisk>());
 
-  /// Computes the cells for @p weights (n, same unit as squared lengths). Returns false, and leaves the
-  /// cells undefined, if more than @p largestHidden sites have no cell in the plane; theirs have area 0.
+  /// Computes the cells for @p weights (n, squared lengths). A site that has no cell in the plane is
+  /// hidden; its area is 0. Returns false, and leaves the cells undefined, if more than @p largestHidden
+  /// sites are.
   bool update(const Weights& weights, int largestHidden = 0);
 
   int siteCount() const { return static_cast<int>(this->Sites.rows()); }
   const Points2& sites() const { return this->Sites; }
   const ConvexDomain& domain() const { return *this->Domain; }
-  /// Diagrams computed so far, failed ones included.
+  /// The number of diagrams computed so far, failed ones included.
   int updates() const { return this->Updates; }
 
-  /// The sites without a cell in the plane, and by how much their weight would have to be larger to have
-  /// one.
+  /// A site without a cell in the plane, and the increase of its weight with which it would get one.
   struct HiddenSite
   {
     int Site;
@@ -49,9 +49,9 @@ public:
   };
   const std::vector<HiddenSite>& hiddenSites() const { return this->HiddenSites; }
 
-  /// Area of every cell in the domain (n). Zero for a cell outside.
+  /// The area of every cell inside the domain (n); 0 for a cell outside.
   const Eigen::VectorXd& areas() const { return this->Areas; }
-  /// Centroid of every cell in the disk (n x 2); the site itself for a cell without area.
+  /// The centroid of every cell inside the domain (n x 2); the site itself for a cell without area.
   const Points2& centroids() const { return this->Centroids; }
 
   /// A common side of two cells: its length inside the domain and the distance of the sites.
@@ -66,28 +66,27 @@ public:
   };
   const std::vector<CommonSide>& commonSides() const { return this->Sides; }
 
-  /// The middle of the part of the domain's boundary that a cell has, as a place (ConvexDomain.h), and
-  /// its length; length 0 if the cell does not reach the boundary. With several parts: the longest.
+  /// The longest part of the domain's boundary that belongs to a cell.
   struct BoundaryPart
   {
-    double Middle = 0.0;
-    double Length = 0.0;
+    double Middle = 0.0; ///< boundary parameter (ConvexDomain.h)
+    double Length = 0.0; ///< 0 if the cell does not reach the boundary
   };
   BoundaryPart boundaryPart(int site) const;
 
-  /// Outline of a cell, counter-clockwise, arcs as polylines with steps of at most @p maximumStep
-  /// radians. Empty for a cell outside the domain.
+  /// The outline of a cell, counter-clockwise, with arcs as polylines of at most @p maximumStep radians
+  /// a step. Empty for a cell outside the domain.
   std::vector<Eigen::Vector2d> outline(int site, double maximumStep) const;
 
 private:
-  // Half-edges 3 f + k of the regular triangulation's finite faces, as in IntrinsicTriangulation.
+  // A side of a cell, cut to the domain.
   struct Segment
   {
     Eigen::Vector2d From;
     Eigen::Vector2d To;
     bool FromOnBoundary;
     bool ToOnBoundary;
-    bool Inside; ///< false: no part in the domain
+    bool Inside; // whether any part lies in the domain
   };
 
   bool triangulate(int largestHidden);
@@ -103,17 +102,18 @@ private:
 
   std::shared_ptr<const ConvexDomain> Domain;
   Points2 Sites;
-  std::vector<std::size_t> Order; ///< space-filling order for insertion
+  std::vector<std::size_t> Order; // of insertion, along a space-filling curve
   Weights SiteWeights;
   int Updates = 0;
 
-  std::vector<int> Origins;
-  std::vector<int> Twins;    ///< -1 on the convex hull
-  std::vector<int> Outgoing; ///< per site; the hull's half-edge where there is one, -1 without a cell
-  std::vector<Eigen::Vector2d> Centres; ///< per face: the point of equal power
+  // Side k of face f of the regular triangulation is the half-edge 3 f + k.
+  std::vector<int> Origins;  // per half-edge: the site where it begins
+  std::vector<int> Twins;    // per half-edge: the opposite one, -1 on the convex hull
+  std::vector<int> Outgoing; // per site: a half-edge, on the hull if it lies there; -1 if it is hidden
+  std::vector<Eigen::Vector2d> Centres; // per face: the point of equal power
   std::vector<HiddenSite> HiddenSites;
-  std::vector<int> HiddenIn;     ///< per hidden site: the face that covers it
-  std::vector<Segment> Segments; ///< per half-edge that stands for its edge (the lower of the two)
+  std::vector<int> HiddenIn;     // per hidden site: the face that covers it
+  std::vector<Segment> Segments; // per edge, at the lower of its two half-edges
   std::vector<CommonSide> Sides;
   Eigen::VectorXd Areas;
   Points2 Centroids;

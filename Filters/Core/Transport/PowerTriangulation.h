@@ -17,7 +17,8 @@ namespace flattening
 
 using SiteKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// A site with its weight; the kernel's own weighted point has the weight rounded to double.
+/// A site with its weight. The kernel's weighted point, from which it is derived, has the weight rounded
+/// to double.
 class WeightedSite : public SiteKernel::Weighted_point_2
 {
 public:
@@ -33,8 +34,8 @@ private:
   double WeightRemainder = 0.0;
 };
 
-/// CGAL's predicate on such sites, exact: by intervals, and where these leave it open by rationals. The
-/// last site is the origin, as the others' differences from it cancel less.
+/// CGAL's power test on such sites, exact: evaluated in intervals, and if these do not decide in
+/// rational numbers. Coordinates are relative to the last site, which keeps the intervals narrow.
 class PowerSideOfSites
 {
 public:

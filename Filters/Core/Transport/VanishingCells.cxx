@@ -6,11 +6,16 @@ namespace flattening
 namespace
 {
 
+// Rounds of raising weights. A choice: each costs a power diagram, and shorter steps cost no more.
 constexpr int LargestRounds = 8;
-constexpr double FirstGain = 10.0; // of area, in units of the least, were there no other change
+// The first raise gains so many least areas in the linear model, and each further raise is so many times
+// as large: a raise that is too small costs a round, one that is too large takes area from neighbours.
+constexpr double FirstGain = 10.0;
 constexpr double Growth = 4.0;
+// The largest share of cells that may vanish. A choice: with more, the raised cells change the others.
 constexpr double LargestShare = 0.02;
-// Rounds that may leave no fewer cells starved than the one before; of more, feeding does not end.
+// Rounds that leave no fewer vanishing cells than the one before. A guard: after two, raising does not
+// end.
 constexpr int LargestSetbacks = 1;
 
 } // namespace
@@ -36,27 +41,27 @@ bool feedVanishingCells(PowerDiagram& diagram,
     {
       weights[hidden.Site] += hidden.Lacking;
     }
-    int starved = 0;
+    int vanishing = 0;
     for (int i = 0; i < diagram.siteCount(); ++i)
     {
       if (!(diagram.areas()[i] >= least[i]))
       {
-        ++starved;
+        ++vanishing;
         weights[i] += raises[i];
         raises[i] *= Growth;
       }
     }
-    if (starved == 0)
+    if (vanishing == 0)
     {
       return true;
     }
-    setbacks += starved >= before;
-    before = starved;
-    if (starved > largest || setbacks > LargestSetbacks || round == LargestRounds)
+    setbacks += vanishing >= before;
+    before = vanishing;
+    if (vanishing > largest || setbacks > LargestSetbacks || round == LargestRounds)
     {
       return false;
     }
-    report(progress, 0.0, "Feeding starved cells");
+    report(progress, 0.0, "Raising the weights of vanishing cells");
     if (!diagram.update(weights, largest))
     {
       return false;

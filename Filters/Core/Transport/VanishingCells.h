@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The few cells that would hold every other one's step back.
+/// Vanishing cells: the few cells that would make the step of all others short.
 #pragma once
 
 #include "Base/Progress.h"
@@ -8,21 +8,20 @@
 namespace flattening
 {
 
-/// How many of @p sites cells may be starved: of more, the step was too long.
+/// How many of @p sites cells may vanish in a step; with more, the step is too long.
 int largestVanishing(int sites);
 
-/// Along the circle, and in horns, cells may be much thinner than a good step moves their sides, and a
-/// step that leaves none of them empty would have to be as short as the thinnest. Instead the weights of
-/// the cells whose area is below @p least (n, > 0) are raised, and of these alone, until none is: a few
-/// small cells take little from their neighbours. Hidden sites get what they lack for a cell, and all
-/// then a raise. A first would gain ten times @p least at @p slopes (n, how fast areas grew with their
-/// own weights before the step), each further one is four times as large.
-/// @param diagram  just updated with @p weights, up to largestVanishing sites hidden; with the new ones
-/// afterwards
+/// Raises the weights of the cells whose area is below @p least (n, > 0), and of these alone, until no
+/// cell is. Along the circle and in protrusions, cells may be much thinner than a good step moves their
+/// sides, and a step that leaves none of them empty would have to be very short; a few small cells take
+/// little from their neighbours. Hidden sites first get the weight that they lack for a cell. Then every
+/// vanishing cell gets a raise that would gain ten times @p least by @p slopes (ownSlopes() before the
+/// step), and in each further round four times as much.
+/// @param diagram  updated with @p weights, with at most largestVanishing() hidden sites; afterwards
+/// updated with the raised weights
 /// @param weights  n, raised in place
-/// @param progress  told nothing new before every further diagram
-/// @returns whether no cell is below; false if that took too many cells or rounds, or did not get
-/// better.
+/// @param progress  reports before every further diagram
+/// @returns false if too many cells vanish, or if some still do after the last round.
 /// @throws Cancelled.
 bool feedVanishingCells(PowerDiagram& diagram,
   PowerDiagram::Weights& weights,
@@ -30,8 +29,8 @@ bool feedVanishingCells(PowerDiagram& diagram,
   const Eigen::VectorXd& slopes,
   const ProgressCallback& progress);
 
-/// How fast the area of every cell grows with its own weight (n): half the sum of its sides' lengths
-/// over their sites' distances.
+/// The derivative of every cell's area by its own weight (n): half the sum of its sides' lengths over
+/// the distances of their sites.
 Eigen::VectorXd ownSlopes(const PowerDiagram& diagram);
 
 } // namespace flattening
