@@ -44,7 +44,7 @@ function (surfaceflattening_help variable)
   file(GLOB_RECURSE docs CONFIGURE_DEPENDS "${repository}/docs/*.md" "${repository}/docs/*.png")
   add_custom_command(
     OUTPUT "${pages}/index.html"
-    COMMAND "${Python3_EXECUTABLE}" "${script}" "${pages}" "${repository}" ${xmls}
+    COMMAND "${Python3_EXECUTABLE}" -B "${script}" "${pages}" "${repository}" ${xmls}
     DEPENDS "${script}" "${repository}/Utilities/docs/reference.py" "${repository}/README.md" ${xmls} ${docs}
     COMMENT "Writing the pages of ParaView's help"
     VERBATIM)
