@@ -18,7 +18,7 @@ namespace flattening
 namespace
 {
 
-constexpr const char* Stage = "Distances on the surface";
+constexpr const char* DistanceStage = "Distances on the surface";
 
 // The corners of a face in ascending order of their values.
 std::array<int, 3> ascending(const FaceMatrix& faces, Eigen::Index f, const Eigen::VectorXd& values)
@@ -129,7 +129,7 @@ public:
     const Eigen::VectorXd& rightSide,
     const ProgressCallback& progress)
   {
-    this->Factor.compute(std::move(matrix), progress, 0.0, Stage);
+    this->Factor.compute(std::move(matrix), progress, 0.0, DistanceStage);
     Eigen::VectorXd solution;
     if (this->Factor.info() == Eigen::Success)
     {
@@ -153,7 +153,7 @@ Eigen::VectorXd distancesByHeat(const TriangleMesh& mesh,
   const std::vector<int>& sources,
   const ProgressCallback& progress)
 {
-  report(progress, 0.0, Stage);
+  report(progress, 0.0, DistanceStage);
   // Scaled to unit size by a power of two, so that no decision depends on the unit of length.
   int exponent = 0;
   std::frexp(
@@ -161,11 +161,11 @@ Eigen::VectorXd distancesByHeat(const TriangleMesh& mesh,
   TriangleMesh unit = mesh;
   unit.Vertices *= std::ldexp(1.0, -exponent);
   IntrinsicTriangulation surface(unit);
-  report(progress, 0.1, Stage);
+  report(progress, 0.1, DistanceStage);
   surface.flipToDelaunay();
-  report(progress, 0.2, Stage);
+  report(progress, 0.2, DistanceStage);
   const HeatFaces faces(surface);
-  report(progress, 0.3, Stage);
+  report(progress, 0.3, DistanceStage);
 
   // Heat that has spread from the sources for a short time, the square of the mean edge length.
   SparseMatrix heat = faces.Laplacian * (faces.MeanEdge * faces.MeanEdge);
@@ -177,7 +177,7 @@ Eigen::VectorXd distancesByHeat(const TriangleMesh& mesh,
     impulse[source] = 1.0;
   }
   const Eigen::VectorXd spread = solver.solve(std::move(heat), impulse, subrange(progress, 0.3, 0.7));
-  report(progress, 0.7, Stage);
+  report(progress, 0.7, DistanceStage);
 
   // The function whose gradient has length 1 and points against that of the heat.
   SparseMatrix poisson = faces.Laplacian;
@@ -185,7 +185,7 @@ Eigen::VectorXd distancesByHeat(const TriangleMesh& mesh,
   poisson.coeffRef(sources.front(), sources.front()) += 1.0;
   const Eigen::VectorXd divergence = faces.divergenceOfDirection(spread);
   Eigen::VectorXd distance = solver.solve(std::move(poisson), divergence, subrange(progress, 0.8, 1.0));
-  report(progress, 1.0, Stage);
+  report(progress, 1.0, DistanceStage);
   return distance * std::ldexp(1.0, exponent);
 }
 

@@ -31,7 +31,7 @@ using ShortestPath =
 constexpr int FirstRings = 4;
 constexpr int MoreRings = 2;
 
-constexpr const char* Stage = "looking for the geodesic";
+constexpr const char* PathStage = "looking for the geodesic";
 
 Vertex numberIn(const std::vector<Vertex>& sorted, Vertex v)
 {
@@ -227,11 +227,11 @@ GeodesicPath geodesicPath(const SurfaceMesh& mesh,
   Vertex to,
   const ProgressCallback& progress)
 {
-  report(progress, 0.0, Stage);
+  report(progress, 0.0, PathStage);
   std::vector<Vertex> middle = shortestEdgePath(mesh, from, to);
   for (int rings = FirstRings;; rings += MoreRings)
   {
-    report(progress, 0.5, Stage);
+    report(progress, 0.5, PathStage);
     Strip strip(mesh, middle);
     const bool isPart = strip.widen(rings);
     std::vector<Vertex> original;
@@ -239,7 +239,7 @@ GeodesicPath geodesicPath(const SurfaceMesh& mesh,
     geodesic->Strip = strip.mesh(original);
     geodesic->From = numberIn(original, from);
     geodesic->To = numberIn(original, to);
-    callInterruptibly([geodesic]() { geodesic->find(); }, progress, 0.5, Stage);
+    callInterruptibly([geodesic]() { geodesic->find(); }, progress, 0.5, PathStage);
     const SurfaceMesh& part = geodesic->Strip;
     GeodesicPath path = std::move(geodesic->Path);
     const bool isWhole = path.Points.size() > 1;

@@ -17,7 +17,7 @@ using namespace flattening;
 
 const ProgressCallback GoOn = [](double, const char*) { return true; };
 
-// Ends when it is let go.
+// Work that waits for Open lasts until the test sets Opened.
 struct Gate
 {
   std::promise<void> Opened;
@@ -56,7 +56,7 @@ TEST(InterruptibleCall, ReportsWhileItWorksFromTheCallingThread)
   EXPECT_EQ(fractions, std::vector<double>(fractions.size(), 0.25));
 }
 
-// Waiting for the work would wait for ever: it goes on when the abort is over only.
+// A caller that waited for the work would wait forever, because the work ends only after the abort.
 TEST(InterruptibleCall, AnAbortDoesNotWaitForTheWorkAndTheNextCallDoes)
 {
   Gate gate;
@@ -72,7 +72,7 @@ TEST(InterruptibleCall, AnAbortDoesNotWaitForTheWorkAndTheNextCallDoes)
                  0.0,
                  "work"),
     Cancelled);
-  // One that is aborted while it waits never starts.
+  // A call that is aborted while it waits for the abandoned one never starts.
   reports = 0;
   bool hasStarted = false;
   EXPECT_THROW(callInterruptibly([&hasStarted]() { hasStarted = true; },

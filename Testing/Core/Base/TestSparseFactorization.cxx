@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Base/SparseFactorization.h"
 
+#include "Base/InterruptibleCall.h"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -52,7 +54,7 @@ SparseMatrix laplacian(int side, int extraEdges)
   return matrix;
 }
 
-// A matrix without symmetry, and without it in its pattern.
+// A matrix that is not symmetric, nor is its pattern.
 Eigen::MatrixXd unsymmetric(int n)
 {
   std::mt19937 random(11);
@@ -76,7 +78,7 @@ double residual(SparseCholesky& cholesky, const SparseMatrix& matrix)
   return (matrix.selfadjointView<Eigen::Lower>() * x - right).lpNorm<Eigen::Infinity>();
 }
 
-// Few more edges keep the order, very many do not, nor does another size.
+// A few more edges keep the order of elimination; very many more, or another size, do not.
 TEST(SparseFactorization, SolvesEverySystemOfASequence)
 {
   SparseCholesky cholesky;
@@ -87,7 +89,7 @@ TEST(SparseFactorization, SolvesEverySystemOfASequence)
   }
 }
 
-// One that serves is kept, one that fills the factor is not.
+// An order that serves is kept, one that makes the factor too large is not.
 TEST(SparseFactorization, BeginsWithAGivenOrder)
 {
   const SparseMatrix matrix = laplacian(60, 0);
@@ -108,7 +110,8 @@ TEST(SparseFactorization, BeginsWithAGivenOrder)
   EXPECT_EQ(kept.order().Unknowns, similar);
 }
 
-// With BLAS libraries that do not lock their buffers, some of these factorizations fail.
+// Without the lock, some of these factorizations fail with BLAS libraries that do not lock their
+// buffers.
 TEST(SparseFactorization, MayBeUsedInSeveralThreadsAtOnce)
 {
   const SparseMatrix matrix = laplacian(60, 300);
@@ -124,7 +127,7 @@ TEST(SparseFactorization, MayBeUsedInSeveralThreadsAtOnce)
   }
 }
 
-// CHOLMOD's OpenMP would have four threads wait for each other at every supernode.
+// With OpenMP, CHOLMOD would let four threads wait for each other at every supernode.
 TEST(SparseFactorization, StartsNoThreads)
 {
   const std::filesystem::path tasks = "/proc/self/task"; // Linux only
@@ -154,7 +157,8 @@ TEST(SparseFactorization, AConstantPatternIsAnalysedOnce)
   EXPECT_EQ(cholesky.order().Unknowns, order.Unknowns);
 }
 
-// It is aborted in the middle, and its objects are gone before it has come to its end.
+// The calls are aborted in the middle, and their objects are destroyed before the abandoned work has
+// ended.
 TEST(SparseFactorization, AnAbortLeavesNothingBroken)
 {
   const SparseMatrix matrix = laplacian(300, 0);
@@ -178,6 +182,7 @@ TEST(SparseFactorization, AnAbortLeavesNothingBroken)
     catch (const Cancelled&)
     {
     }
+    callInterruptibly([]() {}, [](double, const char*) { return true; }, 0.0, "waiting for its end");
   };
   attempt([&]() { SparseCholesky().compute(matrix, stopAtSecondReport(), 0.25, "factor"); });
   attempt([&]() { SparseLu(matrix, stopAtSecondReport(), 0.25, "factor"); });

@@ -96,7 +96,7 @@ void expectConsistent(const IntrinsicTriangulation& t)
   }
 }
 
-// No edge has opposite angles of more than pi in sum.
+// Requires that no edge has opposite angles whose sum exceeds pi.
 void expectDelaunay(const IntrinsicTriangulation& t, const Factors& u)
 {
   const auto opposite = [&](int h)
@@ -195,7 +195,7 @@ TEST(IntrinsicTriangulation, APartIsFlippedAlone)
   expectConsistent(t);
   EXPECT_EQ(t.part(faces).Triangulation.flipToDelaunay(none), 0) << "the part's flips are here";
   EXPECT_GT(t.flipToDelaunay(Factors::Zero(t.vertexCount())), 100) << "none were made elsewhere";
-  // Ptolemy's flips keep no curvature; next to no flip it stays.
+  // Flips by Ptolemy's relation change the curvature; vertices away from all flips keep theirs.
   std::vector<char> inPart(t.vertexCount(), 0);
   for (const int v : part.Vertices)
   {
@@ -213,8 +213,8 @@ TEST(IntrinsicTriangulation, APartIsFlippedAlone)
   }
 }
 
-// Length cross ratios (il lm / (lj jk ...)) are what a discrete conformal class is. Ptolemy's relation
-// says what a flip makes of them: flips there and back restore all lengths.
+// The length cross ratios of all edges define a discrete conformal class. Ptolemy's relation tells how a
+// flip changes lengths within the class: flips there and back restore all lengths.
 TEST(IntrinsicTriangulation, PtolemaicFlipsKeepTheConformalClass)
 {
   const TriangleMesh mesh = sunflowerMesh(gaussianBump(0.5, 0.3), 1000).Mesh;
@@ -291,8 +291,8 @@ TriangleMesh doubled(const TriangleMesh& mesh)
   return both;
 }
 
-// What mirror cells stand for: the Delaunay triangulation of the closed double, where a boundary edge is
-// flipped like any other.
+// Mirror cells represent the Delaunay triangulation of the closed double, where a boundary edge is
+// flipped like any other edge.
 TEST(IntrinsicTriangulation, MirrorCellsAreHalfOfTheDouble)
 {
   for (const double spread : { 0.3, 2.0, 6.0 })

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A library's call that outlives an abort.
+/// A call that an abort has left behind.
 #pragma once
 
 #include "Base/InterruptibleCall.h"
@@ -10,7 +10,8 @@
 namespace flattening::samples
 {
 
-/// Until it ends, the next interruptible call waits for it, with reports.
+/// A call that runs on after its abort until end() or the destructor lets it end. Until then the next
+/// interruptible call waits for it and reports meanwhile, so that a test can count on reports.
 class AbandonedCall
 {
 public:
