@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Which boundary loop of a surface becomes that of the disk.
+/// The choice of the boundary loop of a surface that becomes the boundary of the disk.
 #pragma once
 
 #include "Mesh/TriangleMesh.h"
@@ -23,17 +23,18 @@ struct BoundaryChoice
   Eigen::Vector3d Point = Eigen::Vector3d::Zero(); ///< for ClosestToPoint, input units
 };
 
-/// The number of the chosen loop (loops as in MeshTopology), -1 for none. Equal ones: the first.
+/// The number of the chosen loop (loops as in MeshTopology), the first one if several are equal; -1 for
+/// none.
 /// @throws InvalidInput if the point is not finite.
 int chooseBoundary(const Points3& vertices,
   const std::vector<std::vector<int>>& loops,
   const BoundaryChoice& choice);
 
-/// Whether a loop is shorter than a circle around this share of the area of the surface: a defect or a
-/// puncture, of too few edges to become the boundary of the flat disk.
+/// Whether a loop is a puncture: shorter than a circle around the share @p areaFraction (0 to 1) of the
+/// surface's area. So short a loop has too few edges to become the boundary of the flat disk.
 bool isPuncture(const TriangleMesh& mesh, const std::vector<int>& loop, double areaFraction);
 
-/// Mean of the loop's vertices.
+/// The mean of the loop's vertices, input units.
 Eigen::Vector3d centreOfLoop(const Points3& vertices, const std::vector<int>& loop);
 
 } // namespace flattening

@@ -41,7 +41,7 @@ std::vector<MeshEdge> edgesOf(const std::vector<std::vector<int>>& loops)
   return edges;
 }
 
-// The topology of the surface once it is cut along the loops.
+// Checks that the surface is planar once it is cut along the loops, and returns its topology.
 MeshTopology requirePlanar(const TriangleMesh& opened)
 {
   MeshTopology topology = analyseTopology(opened.Faces, opened.vertexCount());
@@ -64,7 +64,7 @@ MeshTopology requirePlanar(const TriangleMesh& opened)
   return topology;
 }
 
-// The boundary loop nearest to every vertex, and the way there.
+// The boundary loop nearest to every vertex, and the shortest edge path to it.
 class BoundaryRegions
 {
 public:
@@ -112,7 +112,7 @@ public:
 
   double distance(Vertex v) const { return this->Distance[v]; }
   int loop(Vertex v) const { return this->Loop[v]; }
-  /// Itself on a boundary.
+  /// The next vertex on the way to the boundary; the vertex itself on a boundary.
   Vertex parent(Vertex v) const { return this->Parent[v]; }
 
 private:
@@ -152,7 +152,7 @@ std::vector<Crossing> crossingsByLength(const SurfaceMesh& mesh, const BoundaryR
   return crossings;
 }
 
-// Edges of the paths of a minimum spanning tree between the boundary loops.
+// The edges of a minimum spanning tree of paths between the boundary loops (Kruskal's algorithm).
 std::vector<MeshEdge> joinBoundaries(const TriangleMesh& opened,
   const std::vector<std::vector<int>>& boundaryLoops)
 {

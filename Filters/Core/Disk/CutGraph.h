@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A short set of edges along which a surface with handles opens into a disk.
+/// A short set of edges, the cut graph, along which a surface with handles opens into a disk.
 #pragma once
 
 #include "Base/Progress.h"
@@ -12,11 +12,11 @@ namespace flattening
 {
 
 /// Completes @p loops to a cut graph: edges of the mesh such that cutAlongEdges along all of them leaves
-/// one disk. The boundaries of the surface that is cut along the loops, old ones and both sides of every
-/// loop, are joined by a minimum spanning tree of shortest edge paths over their Voronoi regions
-/// (Mehlhorn 1988, "A faster approximation algorithm for the Steiner problem in graphs"): at most twice
-/// as long as the shortest set of edges that joins them. The paths run along trees of one search, so
-/// that they may merge but never cross, and no edge of the result is a dead end.
+/// one disk. Cut along the loops alone, the surface has several boundaries: its own, and both sides of
+/// every loop. A minimum spanning tree of shortest edge paths joins them (Mehlhorn 1988, "A faster
+/// approximation algorithm for the Steiner problem in graphs"); it is at most twice as long as the
+/// shortest set of edges that joins them. All paths belong to one search, so they may merge but never
+/// cross, and no edge of the result is a dead end.
 /// @param mesh connected oriented manifold, with or without boundary.
 /// @param loops closed vertex loops along edges that leave a connected surface of genus 0 if it is cut
 /// along all of them, as handleLoops finds; none for a surface of genus 0 with boundary.

@@ -15,11 +15,11 @@ namespace flattening
 namespace
 {
 
-// A corner of a face and one of the two edges that it lies between.
+// A corner of a face and one of the two edges between which it lies.
 struct CornerSide
 {
   int Vertex;
-  int Other;  // end of the edge
+  int Other;  // the other end of the edge
   int Corner; // 3 face + position
 
   bool sameEdge(const CornerSide& side) const
@@ -33,7 +33,7 @@ struct CornerSide
   }
 };
 
-// The seam with both directions of every edge, sorted.
+// Both directions of every edge of the seam, sorted.
 std::vector<MeshEdge> directedEdges(const std::vector<MeshEdge>& seam, int vertexCount)
 {
   std::vector<MeshEdge> directed;
@@ -88,6 +88,59 @@ void requireEdges(const std::vector<MeshEdge>& directed, const std::vector<Corne
   }
 }
 
+using Sectors = boost::disjoint_sets_with_storage<>;
+
+// Joins the corners of faces (3 face + position) into sectors: corners on either side of an edge that is
+// not cut share their vertex.
+Sectors sectorsOf(const std::vector<MeshEdge>& directed,
+  const std::vector<CornerSide>& sides,
+  std::size_t cornerCount)
+{
+  Sectors sectors(cornerCount);
+  for (std::size_t s = 0; s + 1 < sides.size(); ++s)
+  {
+    const MeshEdge edge{ sides[s].Vertex, sides[s].Other };
+    if (sides[s].sameEdge(sides[s + 1]) && !std::binary_search(directed.begin(), directed.end(), edge))
+    {
+      sectors.union_set(sides[s].Corner, sides[s + 1].Corner);
+    }
+  }
+  return sectors;
+}
+
+// Gives every sector a vertex: the first sector of a vertex keeps it, the others get copies. Returns the
+// original vertex of each vertex.
+std::vector<int> separateSectors(FaceMatrix& faces, const std::vector<char>& onSeam, Sectors& sectors)
+{
+  std::vector<int> original(onSeam.size());
+  std::iota(original.begin(), original.end(), 0);
+  std::vector<int> vertexOfSector(faces.size(), -1);
+  std::vector<char> taken(onSeam.size(), 0);
+  for (int f = 0; f < faces.rows(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int v = faces(f, k);
+      if (!onSeam[v])
+      {
+        continue;
+      }
+      int& vertex = vertexOfSector[sectors.find_set(3 * f + k)];
+      if (vertex < 0)
+      {
+        vertex = taken[v] ? static_cast<int>(original.size()) : v;
+        if (taken[v])
+        {
+          original.push_back(v);
+        }
+        taken[v] = 1;
+      }
+      faces(f, k) = vertex;
+    }
+  }
+  return original;
+}
+
 } // namespace
 
 CutSurface cutAlongEdges(const TriangleMesh& mesh, const std::vector<MeshEdge>& seam)
@@ -102,56 +155,15 @@ CutSurface cutAlongEdges(const TriangleMesh& mesh, const std::vector<MeshEdge>& 
   const std::vector<CornerSide> sides = cornersAtSeam(mesh.Faces, cut.OnSeam);
   requireEdges(directed, sides);
 
-  // Corners on either side of an edge that is not cut share their vertex.
-  boost::disjoint_sets_with_storage<> sectors(3 * static_cast<std::size_t>(mesh.faceCount()));
-  for (std::size_t s = 0; s + 1 < sides.size(); ++s)
-  {
-    if (sides[s].sameEdge(sides[s + 1]) &&
-        !std::binary_search(
-          directed.begin(), directed.end(), MeshEdge{ sides[s].Vertex, sides[s].Other }))
-    {
-      sectors.union_set(sides[s].Corner, sides[s + 1].Corner);
-    }
-  }
-
-  std::vector<int> original(mesh.vertexCount());
-  std::iota(original.begin(), original.end(), 0);
-  std::vector<int> vertexOfSector(3 * mesh.faceCount(), -1);
-  std::vector<char> taken(mesh.vertexCount(), 0);
-  TriangleMesh opened = mesh;
-  for (int f = 0; f < mesh.faceCount(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const int v = mesh.Faces(f, k);
-      if (!cut.OnSeam[v])
-      {
-        continue;
-      }
-      int& vertex = vertexOfSector[sectors.find_set(3 * f + k)];
-      if (vertex < 0)
-      {
-        vertex = taken[v] ? static_cast<int>(original.size()) : v;
-        if (taken[v])
-        {
-          original.push_back(v);
-        }
-        taken[v] = 1;
-      }
-      opened.Faces(f, k) = vertex;
-    }
-  }
-
-  opened.Vertices.conservativeResize(static_cast<Eigen::Index>(original.size()), 3);
-  for (std::size_t v = mesh.vertexCount(); v < original.size(); ++v)
-  {
-    opened.Vertices.row(v) = mesh.Vertices.row(original[v]);
-  }
+  Sectors sectors = sectorsOf(directed, sides, mesh.Faces.size());
+  TriangleMesh& opened = cut.Surface.Mesh;
+  opened.Faces = mesh.Faces;
+  const std::vector<int> original = separateSectors(opened.Faces, cut.OnSeam, sectors);
+  opened.Vertices = mesh.Vertices(original, Eigen::all);
   cut.OnSeam.resize(original.size(), 1);
   cut.Surface.Vertices = keptVertices(original, mesh.vertexCount());
   cut.Surface.Faces.resize(mesh.faceCount());
   std::iota(cut.Surface.Faces.begin(), cut.Surface.Faces.end(), 0);
-  cut.Surface.Mesh = std::move(opened);
   return cut;
 }
 

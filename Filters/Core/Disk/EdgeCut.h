@@ -18,13 +18,13 @@ struct CutSurface
   /// Every face of the original, in its order. Vertices keep their index; the copies that the cut makes
   /// follow them, made of the original alone (weight 1).
   DerivedMesh Surface;
-  std::vector<char> OnSeam; ///< per vertex: 1 where an edge of the seam ends, ends of the seam included
+  std::vector<char>
+    OnSeam; ///< per vertex: 1 where an edge of the seam ends, also at the ends of the seam
 };
 
-/// Opens the seam: around each of its vertices, every sector of faces between two edges of the seam (or
-/// the boundary) gets a vertex of its own. Coordinates and areas stay as they are, bit for bit. A seam
-/// that ends inside the surface leaves its last vertex whole; edges of the boundary in it change
-/// nothing.
+/// Around each vertex of the seam, every sector of faces between two edges of the seam (or the boundary)
+/// gets a vertex of its own. Coordinates and areas stay as they are, bit for bit. A seam that ends
+/// inside the surface leaves its last vertex whole; edges of the seam on the boundary change nothing.
 /// @throws InvalidInput if the seam names a vertex or an edge that the mesh does not have.
 CutSurface cutAlongEdges(const TriangleMesh& mesh, const std::vector<MeshEdge>& seam);
 

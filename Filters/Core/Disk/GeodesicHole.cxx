@@ -29,26 +29,28 @@ using Halfedge = EditableSurface::Halfedge;
 using Face = EditableSurface::Face;
 
 constexpr double Pi = 3.14159265358979323846;
-// Longest edge that the curve may cross, in units of the spacing asked for. A curve crosses more than
-// two edges per edge length, so that enough points are left after the short edges are collapsed.
+// The longest edge that the isoline may cross, in mean distances of the boundary vertices asked for.
+// Derived: an isoline crosses more than two edges per edge length, so enough vertices are left after
+// short edges are collapsed. Smaller values refine more, larger ones need more rounds.
 constexpr double EdgePerSpacing = 1.25;
-// If it crosses too few all the same.
-constexpr double Refinement = 0.7;
-// Edges up to this much longer do not start another round.
-constexpr double Slack = 1.1;
-// The mesh is refined this many spacings to either side of the curve, as its place still changes a
-// little.
+// The factor on that length if the isoline still crosses too few edges. A convention: between 0 and 1,
+// small factors overshoot and factors near 1 need many rounds.
+constexpr double HoleRefinement = 0.7;
+// A guard against endless refinement: so many rounds make edges shorter by a factor of 40,000 at least.
+constexpr int MostHoleRounds = 30;
+// The mesh is refined this many spacings to either side of the isoline, which still moves a little from
+// round to round. A convention: with less, more rounds are needed.
 constexpr double RingSpacings = 4.0;
-// A first refinement, to find the curve at all: a ball of this many radii, this many edges a radius.
+// The first refinement, which makes a mesh fine enough to find the isoline at all: a ball of this many
+// radii, with this many edges per radius. Conventions.
 constexpr double BallRadii = 1.25;
 constexpr double BallEdges = 16.0;
-// The distance is computed on a neighbourhood of this many times the hole's area: its edge is then more
-// than twice the radius away, where it has no influence on the curve.
+// The distance is computed on a neighbourhood of this many times the hole's area. Derived: its border is
+// then more than twice the radius away, where it has no influence on the isoline.
 constexpr double NeighbourhoodAreas = 6.0;
-constexpr int MostRefinements = 30;
-// Distance of the centre from the region to avoid, in radii of a flat hole: paths along edges are up to
-// 1.4 times as long as straight ones, the curve is not quite a circle, and a strip stays between.
-constexpr double Clearance = 2.0;
+// Distance of the centre from the region to be avoided, in radii of a flat hole. Derived: paths along
+// edges are up to 1.4 times as long as straight ones, and the isoline is not quite a circle.
+constexpr double HoleClearance = 2.0;
 
 class HoleCutter
 {
@@ -70,7 +72,7 @@ public:
     this->refineBall();
     this->refineAlongCurve(subrange(progress, 0.5, 0.9));
     report(progress, 0.9, "cutting the hole");
-    splitAtLevel(this->Surface, this->Distance, this->Radius);
+    splitAtIsoline(this->Surface, this->Distance, this->Radius);
     this->removeInside();
 
     OpenedSurface opened;
@@ -97,7 +99,7 @@ private:
     }
     else
     {
-      const double clearance = Clearance * std::sqrt(this->HoleArea / Pi);
+      const double clearance = HoleClearance * std::sqrt(this->HoleArea / Pi);
       const int centre = geodesicCentre(this->Closed, this->Options.Avoided, clearance, progress);
       this->Centre = this->Closed.Vertices.row(centre);
       this->CentreFace = static_cast<int>(this->Mesh.face(this->Mesh.halfedge(Vertex(centre))).idx());
@@ -111,8 +113,8 @@ private:
 
   Face faceAtCentre() const { return partAt(this->Surface, this->CentreFace, this->centrePoint()); }
 
-  // As if the surface were flat here; halved edge by edge so that big faces are refined near the hole
-  // only.
+  // Refines a ball around the centre whose radius is that of a flat hole. The longest edges are halved
+  // round by round: big faces are refined near the hole only.
   void refineBall()
   {
     const double radius = std::sqrt(this->HoleArea / Pi);
@@ -131,30 +133,31 @@ private:
     }
   }
 
-  // Until the level curve of the distance crosses enough edges, all of them short.
+  // Refines until the isoline of the distance crosses enough edges, all of them short.
   void refineAlongCurve(const ProgressCallback& progress)
   {
     double edgePerSpacing = EdgePerSpacing;
-    for (int round = 0; round < MostRefinements; ++round)
+    for (int round = 0; round < MostHoleRounds; ++round)
     {
       report(progress, std::min(1.0, 0.25 * round), "measuring distances around the hole");
       this->measure();
-      if (this->facesAtCurve(0.0, Slack * edgePerSpacing * this->Spacing).empty())
+      if (this->facesAtIsoline(0.0, EdgeLengthSlack * edgePerSpacing * this->Spacing).empty())
       {
-        if (static_cast<int>(edgesAcrossLevel(this->Mesh, this->Distance, this->Radius).size()) >=
+        if (static_cast<int>(edgesAcrossIsoline(this->Mesh, this->Distance, this->Radius).size()) >=
             this->Options.BoundaryVertices)
         {
           return;
         }
-        edgePerSpacing *= Refinement;
+        edgePerSpacing *= HoleRefinement;
       }
       const double longest = edgePerSpacing * this->Spacing;
-      bisectLongEdges(this->Surface, this->facesAtCurve(RingSpacings * this->Spacing, longest), longest);
+      bisectLongEdges(
+        this->Surface, this->facesAtIsoline(RingSpacings * this->Spacing, longest), longest);
     }
-    this->refuse();
+    this->throwNoHole();
   }
 
-  [[noreturn]] void refuse() const
+  [[noreturn]] void throwNoHole() const
   {
     throw TopologyError("no round hole of share " + std::to_string(this->Options.AreaFraction) +
                         " of the area can be cut there: choose another hole point or area");
@@ -203,53 +206,33 @@ private:
       levelCurveLength(part.Mesh, distances, this->Radius) / this->Options.BoundaryVertices;
     if (!(this->Spacing > 0.0))
     {
-      this->refuse();
+      this->throwNoHole();
     }
     this->Distance.assign(this->Mesh.num_vertices(), HUGE_VAL);
     for (int v = 0; v < part.Mesh.vertexCount(); ++v)
     {
       this->Distance[original[v]] = distances[v];
     }
-    offLevel(this->Distance, this->Radius);
+    raiseValuesAt(this->Distance, this->Radius);
   }
 
-  // Faces that come within this distance of the curve and have an edge longer than allowed.
-  std::vector<Face> facesAtCurve(double distance, double longest) const
+  std::vector<Face> facesAtIsoline(double distance, double longest) const
   {
-    std::vector<Face> faces;
-    for (const Face face : this->Mesh.faces())
-    {
-      double low = HUGE_VAL;
-      double high = 0.0;
-      for (const Vertex v : this->Mesh.vertices_around_face(this->Mesh.halfedge(face)))
-      {
-        low = std::min(low, this->Distance[v]);
-        high = std::max(high, this->Distance[v]);
-      }
-      if (low <= this->Radius + distance && high >= this->Radius - distance &&
-          this->Surface.longestEdge(face) > longest)
-      {
-        faces.push_back(face);
-      }
-    }
-    return faces;
+    return longFacesAtIsoline(this->Surface, this->Distance, this->Radius, distance, longest);
   }
 
   bool isInside(Vertex v) const { return this->Distance[v] < this->Radius; }
 
+  bool reachesInside(Face face) const
+  {
+    const auto corners = this->Mesh.vertices_around_face(this->Mesh.halfedge(face));
+    return std::any_of(corners.begin(), corners.end(), [this](Vertex v) { return this->isInside(v); });
+  }
+
+  // Removes the faces inside the isoline that are connected to the centre, and the parts of the surface
+  // that these separated from the largest one.
   void removeInside()
   {
-    const auto inside = [this](Face face)
-    {
-      for (const Vertex v : this->Mesh.vertices_around_face(this->Mesh.halfedge(face)))
-      {
-        if (this->isInside(v))
-        {
-          return true;
-        }
-      }
-      return false;
-    };
     std::vector<Face> hole{ this->faceAtCentre() };
     std::vector<char> visited(this->Mesh.num_faces(), 0);
     visited[hole.front()] = 1;
@@ -257,7 +240,7 @@ private:
     {
       for (const Face next : this->Mesh.faces_around_face(this->Mesh.halfedge(hole[i])))
       {
-        if (!visited[next] && inside(next))
+        if (!visited[next] && this->reachesInside(next))
         {
           visited[next] = 1;
           hole.push_back(next);
@@ -297,10 +280,10 @@ private:
   double TotalArea;
   double HoleArea;
   Eigen::Vector3d Centre;
-  int CentreFace = -1;          // of Closed
-  std::vector<double> Distance; // of every vertex from the centre; infinite beyond the neighbourhood
+  int CentreFace = -1;          // the face of Closed that the centre lies on
+  std::vector<double> Distance; // per vertex, from the centre; infinite beyond the neighbourhood
   double Radius = 0.0;
-  double Spacing = 0.0; // of the boundary vertices asked for
+  double Spacing = 0.0; // mean distance of the boundary vertices asked for
 };
 
 } // namespace

@@ -25,10 +25,12 @@ using Vertex = EditableSurface::Vertex;
 using Halfedge = EditableSurface::Halfedge;
 using Face = EditableSurface::Face;
 
-// If the seam crosses too few edges all the same.
-constexpr double Refinement = 0.7;
-constexpr int MostRefinements = 30;
-// Of the surface's diagonal: points closer to each other would take refinement down to rounding.
+// The factor on the edge length wanted if the seam still crosses too few edges. A convention: between 0
+// and 1, small factors overshoot and factors near 1 need many rounds.
+constexpr double SeamRefinement = 0.7;
+constexpr int MostSeamRounds = 30; // a guard: as many halvings take edges to a billionth
+// The least distance of consecutive points, as a share of the surface's diagonal. A guard: refinement
+// between closer points would go down to rounding.
 constexpr double SmallestStep = 1e-6;
 
 SurfacePoint cornerOf(const TriangleMesh& mesh, int face, int vertex)
@@ -84,7 +86,7 @@ public:
   }
 
 private:
-  // Edges that the seam must have so that the boundary has the vertices asked for.
+  // The number of edges of the seam with which the boundary has the vertices asked for.
   std::size_t edgesWanted() const
   {
     std::size_t boundary = 0;
@@ -153,8 +155,8 @@ private:
            " of the seam coincide: a seam needs two points or more, apart from each other";
   }
 
-  // Moves the first point onto the boundary if it is near, and the last one if it is near to a loop that
-  // the seam does not start on.
+  // Moves the first point onto the boundary if it is near to it, and the last one if it is near to a
+  // loop on which the seam does not start.
   void startOnBoundary(std::vector<SurfacePoint>& picked)
   {
     int taken = -1;
@@ -178,7 +180,7 @@ private:
     }
   }
 
-  // The boundary's vertex; where the boundary is coarse, a seam from there serves as well.
+  // The nearest vertex of the boundary.
   SurfacePoint nearestOnBoundary(const Eigen::Vector3d& position, int& loopNumber) const
   {
     int nearest = -1;
@@ -201,11 +203,11 @@ private:
     return cornerOf(this->Original, static_cast<int>(face.idx()), nearest);
   }
 
-  // Until the geodesics cross enough edges.
+  // Refines the mesh until the geodesics cross enough edges.
   void refineAlongSeam(const ProgressCallback& progress)
   {
     double refinement = 1.0;
-    for (int round = 0; round < MostRefinements; ++round)
+    for (int round = 0; round < MostSeamRounds; ++round)
     {
       std::vector<Face> faces;
       double length = 0.0;
@@ -226,24 +228,12 @@ private:
         }
         this->addFaces(path.Points, faces);
       }
-      // Halved round by round, so that big faces are refined near the seam only.
       const double wanted = refinement * length / static_cast<double>(this->edgesWanted());
-      const double halved = 0.5 * this->longestEdge(faces);
-      bisectLongEdges(this->Surface, faces, std::max(wanted, halved));
-      refinement *= halved > wanted ? 1.0 : Refinement;
+      const bool isCoarse = halveLongEdges(this->Surface, faces, wanted) > wanted;
+      refinement *= isCoarse ? 1.0 : SeamRefinement;
     }
     throw TopologyError("the seam crosses too few edges of the surface, however it is refined: remesh "
                         "the surface");
-  }
-
-  double longestEdge(const std::vector<Face>& faces) const
-  {
-    double longest = 0.0;
-    for (const Face face : faces)
-    {
-      longest = std::max(longest, this->Surface.longestEdge(face));
-    }
-    return longest;
   }
 
   void addFaces(const std::vector<PathPoint>& path, std::vector<Face>& faces) const
@@ -282,21 +272,22 @@ private:
                                                  this->WayPoints[leg + 1],
                                                  subrange(progress, done / legs, (done + 1.0) / legs))
                                                  .Points;
-      this->PlaceInSeam.assign(this->Mesh.num_vertices(), -1);
+      this->NumberInSeam.assign(this->Mesh.num_vertices(), -1);
       for (std::size_t i = 0; i < this->Seam.size(); ++i)
       {
-        this->PlaceInSeam[this->Seam[i]] = static_cast<int>(i);
+        this->NumberInSeam[this->Seam[i]] = static_cast<int>(i);
       }
       snapToVertices(this->Mesh,
         path,
-        [this](Vertex v) { return this->Mesh.is_border(v) || this->PlaceInSeam[v] >= 0; });
+        [this](Vertex v) { return this->Mesh.is_border(v) || this->NumberInSeam[v] >= 0; });
       this->requireFree(path, leg);
       const std::vector<Vertex> vertices = insertPath(this->Surface, path);
       this->Seam.insert(this->Seam.end(), vertices.begin() + 1, vertices.end());
     }
   }
 
-  // A leg may meet the seam before it at its start only, the boundary where the seam begins or ends.
+  // Checks that a leg meets earlier legs only at its start, and the boundary only where the seam begins
+  // or ends.
   void requireFree(const std::vector<PathPoint>& path, std::size_t leg) const
   {
     const std::string between =
@@ -336,10 +327,10 @@ private:
   {
     if (point.isVertex())
     {
-      return this->PlaceInSeam[point.Vertex] >= 0;
+      return this->NumberInSeam[point.Vertex] >= 0;
     }
-    const int source = this->PlaceInSeam[this->Mesh.source(point.Edge)];
-    const int target = this->PlaceInSeam[this->Mesh.target(point.Edge)];
+    const int source = this->NumberInSeam[this->Mesh.source(point.Edge)];
+    const int target = this->NumberInSeam[this->Mesh.target(point.Edge)];
     return source >= 0 && target >= 0 && std::abs(source - target) == 1;
   }
 
@@ -349,10 +340,10 @@ private:
   EditableSurface Surface;
   SurfaceMesh& Mesh;
   std::vector<Vertex> WayPoints;
-  std::vector<std::size_t> BoundaryPoints; // those that lie on the boundary: one, or both ends
+  std::vector<std::size_t> BoundaryPoints; // numbers of the way points on the boundary: one or both ends
   std::vector<PathPoint> FirstLeg;
   std::vector<Vertex> Seam;
-  std::vector<int> PlaceInSeam; // per vertex; -1 off the seam
+  std::vector<int> NumberInSeam; // per vertex: its position along the seam, or -1
 };
 
 } // namespace

@@ -17,6 +17,8 @@ namespace flattening
 namespace
 {
 
+// The number of points from which distances are averaged. A convention: each costs a search over the
+// whole surface, and eight tell the middle of a surface from its protrusions.
 constexpr int Samples = 8;
 
 using Vertex = SurfaceMesh::Vertex_index;
@@ -48,7 +50,8 @@ int geodesicCentre(const TriangleMesh& mesh,
   const Eigen::VectorXd area =
     vertexAreas(mesh.Faces, faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount());
 
-  // Farthest-point samples; each stands for the area that is nearest to it.
+  // Each sample is the vertex farthest from those before it, and stands for the area that is nearest to
+  // it.
   Eigen::MatrixXd squared(mesh.vertexCount(), Samples);
   Eigen::VectorXd nearest = Eigen::VectorXd::Constant(mesh.vertexCount(), HUGE_VAL);
   std::vector<int> nearestSample(mesh.vertexCount(), 0);

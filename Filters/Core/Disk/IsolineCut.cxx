@@ -17,13 +17,17 @@ namespace
 using Vertex = SurfaceMesh::Vertex_index;
 using Halfedge = SurfaceMesh::Halfedge_index;
 
-constexpr double SnapShare = 0.2;    // of an edge
-constexpr double SmallestTilt = 0.5; // cosine of 60 degrees
+// A vertex moves onto the isoline if that crosses one of its edges within this share of the edge. A
+// convention: with a smaller share there are more slivers to remove afterwards, a larger one moves more
+// of the surface.
+constexpr double SnapShare = 0.2;
+// Cosine of the largest tilt of a face, 60 degrees. A guard against folds: any angle below 90 works.
+constexpr double LeastCosine = 0.5;
 
-class LevelSnapping
+class IsolineSnapping
 {
 public:
-  LevelSnapping(EditableSurface& surface, std::vector<double>& values, double level)
+  IsolineSnapping(EditableSurface& surface, std::vector<double>& values, double level)
     : Surface(surface)
     , Mesh(surface.mesh())
     , Values(values)
@@ -50,7 +54,8 @@ private:
     return value < this->Level ? -1 : value > this->Level ? 1 : 0;
   }
 
-  // The half-edge out of the vertex that the curve crosses next to it, and where.
+  // The half-edge from the vertex that the isoline crosses nearest to it, and the share of the edge up
+  // to there.
   std::pair<Halfedge, double> nearestCrossing(Vertex v) const
   {
     std::pair<Halfedge, double> nearest{ SurfaceMesh::null_halfedge(), 1.0 };
@@ -84,7 +89,7 @@ private:
       const auto old = CGAL::cross_product(p - this->Mesh.point(v), q - this->Mesh.point(v));
       const auto now = CGAL::cross_product(p - position, q - position);
       if ((this->side(a) == 0 && this->side(b) == 0) ||
-          !(old * now > SmallestTilt * std::sqrt(old.squared_length() * now.squared_length())))
+          !(old * now > LeastCosine * std::sqrt(old.squared_length() * now.squared_length())))
       {
         return false;
       }
@@ -100,7 +105,7 @@ private:
     return manifold;
   }
 
-  // Into how many fans the part above the level falls around an inner vertex on it.
+  // The number of fans of faces above the level around an inner vertex at the level.
   int partsAbove(Vertex v) const
   {
     int above = 0;
@@ -110,10 +115,10 @@ private:
       const int here = this->side(this->Mesh.target(h));
       const int next = this->side(this->Mesh.target(this->Mesh.next(h)));
       const int before = this->side(this->Mesh.target(this->Mesh.next(this->Mesh.opposite(h))));
-      const bool isAbove = here > 0 || next > 0;    // of the face on the left
-      const bool wasAbove = here > 0 || before > 0; // and on the right
-      above += isAbove ? 1 : 0;
-      joints += isAbove && wasAbove && here >= 0 ? 1 : 0;
+      const bool leftIsAbove = here > 0 || next > 0;
+      const bool rightIsAbove = here > 0 || before > 0;
+      above += leftIsAbove ? 1 : 0;
+      joints += leftIsAbove && rightIsAbove && here >= 0 ? 1 : 0;
     }
     return above - joints;
   }
@@ -143,12 +148,12 @@ private:
 
 } // namespace
 
-void snapToLevel(EditableSurface& surface, std::vector<double>& values, double level)
+void snapToIsoline(EditableSurface& surface, std::vector<double>& values, double level)
 {
-  LevelSnapping(surface, values, level).run();
+  IsolineSnapping(surface, values, level).run();
 }
 
-void offLevel(std::vector<double>& values, double level)
+void raiseValuesAt(std::vector<double>& values, double level)
 {
   for (double& value : values)
   {
@@ -156,7 +161,7 @@ void offLevel(std::vector<double>& values, double level)
   }
 }
 
-std::vector<Halfedge> edgesAcrossLevel(const SurfaceMesh& mesh,
+std::vector<Halfedge> edgesAcrossIsoline(const SurfaceMesh& mesh,
   const std::vector<double>& values,
   double level)
 {
@@ -173,11 +178,36 @@ std::vector<Halfedge> edgesAcrossLevel(const SurfaceMesh& mesh,
   return crossed;
 }
 
-void splitAtLevel(EditableSurface& surface, std::vector<double>& values, double level)
+std::vector<EditableSurface::Face> longFacesAtIsoline(const EditableSurface& surface,
+  const std::vector<double>& values,
+  double level,
+  double distance,
+  double longestEdge)
 {
-  constexpr double closest = 1e-6; // to an end, as share of the edge
   const SurfaceMesh& mesh = surface.mesh();
-  for (const Halfedge h : edgesAcrossLevel(mesh, values, level))
+  std::vector<EditableSurface::Face> faces;
+  for (const auto face : mesh.faces())
+  {
+    double low = HUGE_VAL;
+    double high = -HUGE_VAL;
+    for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(face)))
+    {
+      low = std::min(low, values[v]);
+      high = std::max(high, values[v]);
+    }
+    if (low <= level + distance && high >= level - distance && surface.longestEdge(face) > longestEdge)
+    {
+      faces.push_back(face);
+    }
+  }
+  return faces;
+}
+
+void splitAtIsoline(EditableSurface& surface, std::vector<double>& values, double level)
+{
+  constexpr double closest = 1e-6; // share of an edge; a guard against edges of length zero by rounding
+  const SurfaceMesh& mesh = surface.mesh();
+  for (const Halfedge h : edgesAcrossIsoline(mesh, values, level))
   {
     const double from = values[mesh.source(h)];
     const double to = values[mesh.target(h)];

@@ -17,16 +17,19 @@ using Vertex = EditableSurface::Vertex;
 using Halfedge = EditableSurface::Halfedge;
 using Face = EditableSurface::Face;
 
-constexpr double SnapShare = 0.2; // of an edge, or of a barycentric coordinate
-constexpr int StraighteningSweeps = 20;
+// A path goes through a vertex or along an edge that is closer than this share of an edge, or of a
+// barycentric coordinate. A convention: with a smaller share the path cuts thinner slivers off, with a
+// larger one it is less straight.
+constexpr double ShareAtVertex = 0.2;
+constexpr int StraighteningSweeps = 20; // a convention; the path changes little after the first sweeps
 
 double keptOffEnds(double fraction)
 {
-  return std::clamp(fraction, SnapShare, 1.0 - SnapShare);
+  return std::clamp(fraction, ShareAtVertex, 1.0 - ShareAtVertex);
 }
 
-// Barycentric coordinates of the corners that the half-edges of the face end in, the first one being
-// mesh.halfedge(face).
+// Barycentric coordinates of a position, in the order of the targets of the face's half-edges from
+// mesh.halfedge(face) on.
 std::array<double, 3> weightsOf(const SurfaceMesh& mesh, Face face, const Eigen::Vector3d& position)
 {
   TriangleMesh triangle;
@@ -47,7 +50,7 @@ bool ends(const SurfaceMesh& mesh, Halfedge edge, Vertex v)
   return mesh.source(edge) == v || mesh.target(edge) == v;
 }
 
-// Whether the path gets from the point before to the one after over one face without this one.
+// Whether one face joins the points before and after this one, so that the path does not need it.
 bool isDetour(const SurfaceMesh& mesh,
   const PathPoint& before,
   const PathPoint& point,
@@ -76,7 +79,7 @@ bool isDetour(const SurfaceMesh& mesh,
   return isCorner(direct) || isCorner(mesh.opposite(direct));
 }
 
-Kernel::Point_3 positionOf(const SurfaceMesh& mesh, const PathPoint& point)
+Kernel::Point_3 pointAt(const SurfaceMesh& mesh, const PathPoint& point)
 {
   if (point.isVertex())
   {
@@ -86,8 +89,8 @@ Kernel::Point_3 positionOf(const SurfaceMesh& mesh, const PathPoint& point)
   return source + point.Fraction * (mesh.point(mesh.target(point.Edge)) - source);
 }
 
-// Where the straight line between two points crosses an edge when the faces on both of its sides are
-// laid out flat.
+// The fraction of an edge at which the straight line between two points crosses it if the faces on both
+// sides are laid out flat.
 double straightFraction(const SurfaceMesh& mesh,
   Halfedge edge,
   const Kernel::Point_3& before,
@@ -103,7 +106,7 @@ double straightFraction(const SurfaceMesh& mesh,
   return (left * rightHeight + right * leftHeight) / (leftHeight + rightHeight);
 }
 
-// Shortens the path by points that slide along their edges.
+// Shortens the path: its points slide along their edges.
 void straighten(const SurfaceMesh& mesh, std::vector<PathPoint>& path)
 {
   for (int sweep = 0; sweep < StraighteningSweeps; ++sweep)
@@ -112,8 +115,8 @@ void straighten(const SurfaceMesh& mesh, std::vector<PathPoint>& path)
     {
       if (!path[i].isVertex())
       {
-        const double fraction = straightFraction(
-          mesh, path[i].Edge, positionOf(mesh, path[i - 1]), positionOf(mesh, path[i + 1]));
+        const double fraction =
+          straightFraction(mesh, path[i].Edge, pointAt(mesh, path[i - 1]), pointAt(mesh, path[i + 1]));
         path[i].Fraction = std::isfinite(fraction) ? keptOffEnds(fraction) : path[i].Fraction;
       }
     }
@@ -127,11 +130,11 @@ Vertex insertPoint(EditableSurface& surface, const SurfacePoint& point, double l
   const SurfaceMesh& mesh = surface.mesh();
   const Kernel::Point_3 position{ point.Position.x(), point.Position.y(), point.Position.z() };
   Face face = partAt(surface, point.Face, position);
-  // As long as there is anything to bisect: an edge longer than the limit by rounding only is kept.
+  // Until nothing changes: an edge that is longer than the limit by rounding alone is not split.
   for (SurfaceMesh::size_type before = 0; before < mesh.number_of_faces();)
   {
     before = mesh.number_of_faces();
-    bisectLongEdges(surface, { face }, std::max(longestEdge, 0.5 * surface.longestEdge(face)));
+    halveLongEdges(surface, { face }, longestEdge);
     face = partAt(surface, point.Face, position);
   }
 
@@ -145,11 +148,11 @@ Vertex insertPoint(EditableSurface& surface, const SurfacePoint& point, double l
   const auto nearest = std::max_element(weights.begin(), weights.end()) - weights.begin();
   const auto farthest = std::min_element(weights.begin(), weights.end()) - weights.begin();
   const Vertex corner = mesh.target(toCorner[nearest]);
-  if (weights[nearest] > 1.0 - SnapShare)
+  if (weights[nearest] > 1.0 - ShareAtVertex)
   {
     return corner;
   }
-  // The side opposite to a corner is split where the line from there through the point meets it.
+  // Splits the side opposite to a corner where the line from the corner through the point meets it.
   const auto splitOpposite = [&](std::ptrdiff_t k)
   {
     const double toSource = weights[(k + 1) % 3];
@@ -157,7 +160,7 @@ Vertex insertPoint(EditableSurface& surface, const SurfacePoint& point, double l
     return surface.splitEdge(mesh.prev(toCorner[k]), keptOffEnds(toTarget / (toSource + toTarget)))
       .Middle;
   };
-  if (weights[farthest] < SnapShare)
+  if (weights[farthest] < ShareAtVertex)
   {
     return splitOpposite(farthest);
   }

@@ -20,9 +20,6 @@ namespace flattening
 namespace
 {
 
-// Edges up to this much longer than wanted do not start another round.
-constexpr double Slack = 1.1;
-
 void requireValid(const CuttingPlane& plane, int boundaryVertices)
 {
   if (!plane.Origin.allFinite() || !plane.Normal.allFinite())
@@ -67,38 +64,15 @@ void requireBothSides(const std::vector<double>& heights)
   throw InvalidInput(message.str());
 }
 
-std::vector<EditableSurface::Face> longFacesAcross(const EditableSurface& surface,
-  const std::vector<double>& heights,
-  double longestEdge)
-{
-  const SurfaceMesh& mesh = surface.mesh();
-  std::vector<EditableSurface::Face> faces;
-  for (const auto face : mesh.faces())
-  {
-    double low = HUGE_VAL;
-    double high = -HUGE_VAL;
-    for (const auto v : mesh.vertices_around_face(mesh.halfedge(face)))
-    {
-      low = std::min(low, heights[v]);
-      high = std::max(high, heights[v]);
-    }
-    if (low <= 0.0 && high >= 0.0 && surface.longestEdge(face) > longestEdge)
-    {
-      faces.push_back(face);
-    }
-  }
-  return faces;
-}
-
-// Where the plane crosses too few edges for the boundary wanted, the faces along it are refined, so that
-// conditioning need not move much. Halved edge by edge, so that big faces are refined near the plane
-// only.
+// Refines the faces along the plane if it crosses too few edges for the boundary wanted, so that
+// conditioning moves vertices little. The longest edges are halved round by round: big faces are refined
+// near the plane only.
 void refineAlongPlane(EditableSurface& surface,
   std::vector<double>& heights,
   const CuttingPlane& plane,
   int boundaryVertices)
 {
-  if (static_cast<int>(edgesAcrossLevel(surface.mesh(), heights, 0.0).size()) >= boundaryVertices)
+  if (static_cast<int>(edgesAcrossIsoline(surface.mesh(), heights, 0.0).size()) >= boundaryVertices)
   {
     return;
   }
@@ -109,19 +83,14 @@ void refineAlongPlane(EditableSurface& surface,
     boundaryVertices;
   for (;;)
   {
-    const auto faces = longFacesAcross(surface, heights, Slack * wanted);
+    const auto faces = longFacesAtIsoline(surface, heights, 0.0, 0.0, EdgeLengthSlack * wanted);
     if (faces.empty())
     {
       return;
     }
-    double longest = 0.0;
-    for (const auto face : faces)
-    {
-      longest = std::max(longest, surface.longestEdge(face));
-    }
-    bisectLongEdges(surface, faces, std::max(wanted, 0.5 * longest));
+    halveLongEdges(surface, faces, wanted);
     heights = heightsOver(plane, toTriangleMesh(surface.mesh()).Vertices);
-    offLevel(heights, 0.0);
+    raiseValuesAt(heights, 0.0);
   }
 }
 
@@ -140,12 +109,12 @@ std::vector<int> facesAbove(const TriangleMesh& mesh, const std::vector<double>&
   return faces;
 }
 
-// Removes slivers along the cut; the last rounding off the plane too.
+// Removes the slivers along the cut, and puts its vertices back into the plane exactly.
 DerivedMesh conditioned(const TriangleMesh& part,
   const std::vector<char>& onCut,
   const CuttingPlane& plane)
 {
-  constexpr int smallestLoop = 3; // it is refined afterwards
+  constexpr int smallestLoop = 3; // the boundary is refined afterwards
   EditableSurface surface(part);
   conditionCut(surface, onCut, smallestLoop);
   const Eigen::Vector3d normal = plane.Normal.stableNormalized();
@@ -176,10 +145,10 @@ PlaneCutSurface cutAtPlane(const TriangleMesh& mesh,
 
   PlaneCutSurface cut;
   EditableSurface surface(mesh);
-  offLevel(heights, 0.0);
+  raiseValuesAt(heights, 0.0);
   refineAlongPlane(surface, heights, plane, boundaryVertices);
-  snapToLevel(surface, heights, 0.0);
-  splitAtLevel(surface, heights, 0.0);
+  snapToIsoline(surface, heights, 0.0);
+  splitAtIsoline(surface, heights, 0.0);
   cut.Surface = surface.derived();
 
   report(progress, 0.4, "cutting at the plane");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Cuts a surface off along a plane, for example to one hemisphere of a brain.
+/// Keeps the part of a surface on one side of a plane, for example one hemisphere of a brain.
 #pragma once
 
 #include "Base/Progress.h"
@@ -13,7 +13,7 @@ namespace flattening
 struct CuttingPlane
 {
   Eigen::Vector3d Origin = Eigen::Vector3d::Zero();  ///< any point of the plane, input units
-  Eigen::Vector3d Normal = Eigen::Vector3d::UnitX(); ///< towards the part that stays; any length
+  Eigen::Vector3d Normal = Eigen::Vector3d::UnitX(); ///< points to the part that is kept; any length
 };
 
 struct PlaneCutSurface
@@ -23,14 +23,14 @@ struct PlaneCutSurface
 };
 
 /// Keeps the part of an oriented manifold, of any topology, on the side of the plane that the normal
-/// points to. Faces are cut along the plane, after longest-edge bisection if they are too coarse. Where
-/// it passes close to vertices they move onto it, and short edges along the cut are collapsed
-/// (snapToLevel, conditionCut), so that no slivers are left: the surface changes by no more than the
-/// faces along the cut, which stays in the plane; boundaries that the surface had before stay. Then the
-/// longest boundary loop is refined (refineBoundary).
-/// @param boundaryVertices that the longest boundary loop gets at least (>= 3).
-/// @throws InvalidInput if the origin or normal is not finite, the normal is zero, or the plane misses:
-/// all of the surface lies on one side.
+/// points to. Faces are cut along the plane, after longest-edge bisection if they are too coarse.
+/// Vertices near to the plane move onto it, and short edges along the cut are collapsed (snapToIsoline,
+/// conditionCut), so that no slivers are left. Only faces along the cut change their shape; the cut
+/// stays in the plane, and earlier boundaries stay as they are. Then the longest boundary loop is
+/// refined (refineBoundary).
+/// @param boundaryVertices the least number of vertices of the longest boundary loop (>= 3).
+/// @throws InvalidInput if the origin or normal is not finite, the normal is zero, or the whole surface
+/// lies on one side of the plane; Cancelled.
 PlaneCutSurface cutAtPlane(const TriangleMesh& mesh,
   const CuttingPlane& plane,
   int boundaryVertices = 128,

@@ -17,9 +17,11 @@ namespace
 
 using Vertex = SurfaceMesh::Vertex_index;
 
-// In units of the square root of the surface's area: what the seam keeps from the region, where there is
-// room, and its own length at least.
-constexpr double Clearance = 0.02;
+// The least distance of the seam from the region to be avoided, where there is room, and the least
+// length of the seam, in square roots of the surface's area. Conventions: with a larger clearance there
+// is no seam on small surfaces, with none the seam may touch the region; a shorter seam is hardly a
+// boundary.
+constexpr double SeamClearance = 0.02;
 constexpr double ShortestSeam = 0.02;
 
 struct Stretch
@@ -42,7 +44,7 @@ public:
   std::vector<Eigen::Vector3d> place(const ProgressCallback& progress)
   {
     report(progress, 0.0, "placing the seam");
-    for (const double clearance : { Clearance, 0.5 * Clearance, 0.0 })
+    for (const double clearance : { SeamClearance, 0.5 * SeamClearance, 0.0 })
     {
       this->Blocked.resize(this->Surface.number_of_vertices());
       std::transform(this->DistanceFromAvoided.begin(),
@@ -55,7 +57,7 @@ public:
       Stretch best = this->longestFreeStretch(from, to, subrange(progress, 0.3, 0.6));
       if (!this->mayBeAnywhere())
       {
-        // Two ends at the border of the region may have it between them.
+        // The geodesic between two ends at the border of the region may run through the region.
         for (const Vertex end : { from, to })
         {
           const Stretch half = this->longestFreeStretch(middle, end, subrange(progress, 0.6, 1.0));
@@ -77,7 +79,7 @@ private:
     return Vertex(static_cast<SurfaceMesh::size_type>(indexOfLargest(distances)));
   }
 
-  // -1 where no way leads.
+  // Distances along edges; -1 for vertices that no free path reaches.
   Eigen::VectorXd distancesFrom(Vertex source) const
   {
     const Eigen::VectorXd distances = DijkstraDistances(this->Surface, this->Blocked).from({ source });
@@ -86,7 +88,7 @@ private:
 
   bool mayBeAnywhere() const { return !std::isfinite(this->DistanceFromAvoided[0]); }
 
-  // The part of the geodesic that is longest without a blocked vertex beside it.
+  // The longest part of the geodesic that has no blocked vertex beside it.
   Stretch longestFreeStretch(Vertex from, Vertex to, const ProgressCallback& progress) const
   {
     Stretch longest;
@@ -99,7 +101,7 @@ private:
     bool isFree = false;
     for (const PathPoint& point : path.Points)
     {
-      const Eigen::Vector3d position = this->positionOf(point);
+      const Eigen::Vector3d position = positionOf(this->Surface, point);
       const bool starts = !isFree;
       isFree = !this->isBlocked(point);
       if (!isFree || starts)
@@ -121,22 +123,10 @@ private:
                                 this->Blocked[this->Surface.target(point.Edge)];
   }
 
-  Eigen::Vector3d positionOf(const PathPoint& point) const
-  {
-    const auto at = [this](Vertex v)
-    {
-      const Kernel::Point_3& p = this->Surface.point(v);
-      return Eigen::Vector3d(p.x(), p.y(), p.z());
-    };
-    return point.isVertex() ? at(point.Vertex)
-                            : (1.0 - point.Fraction) * at(this->Surface.source(point.Edge)) +
-                                point.Fraction * at(this->Surface.target(point.Edge));
-  }
-
   const SurfaceMesh Surface;
   const Eigen::VectorXd DistanceFromAvoided; // infinite if there is no region
   const double Unit;
-  std::vector<char> Blocked; // per vertex: no way for the seam
+  std::vector<char> Blocked; // per vertex: whether the seam may not be there
 };
 
 } // namespace

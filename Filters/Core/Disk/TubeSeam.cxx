@@ -18,16 +18,22 @@ namespace
 
 using Vertex = SurfaceMesh::Vertex_index;
 
-// Of the longest boundary's length.
+// The least length of the shorter end of a tube, as a share of the longer one. A convention: a shorter
+// end would become a hole that the flat map stretches much.
 constexpr double LeastEnd = 0.25;
+// Rounds in which both ends move, and trials of a move, each half as long as the one before. Guards for
+// time: each trial computes a geodesic. With fewer the seam may meet the ends at other than right
+// angles.
 constexpr int MostRounds = 5;
 constexpr int MostTrials = 2;
-// Of the seam's length: what a move must make it shorter by.
+// What a move must make the seam shorter by, as a share of its length. A guard against moves by
+// rounding.
 constexpr double LeastGain = 1e-6;
-// Of the seam's length: over which its direction at an end is taken, so that a rough surface does not
-// tell it.
+// The part of the seam at an end that gives its direction there, as a share of its length. A convention:
+// a shorter part follows the roughness of the surface, a longer one is not the direction at the end.
 constexpr double ArrivalShare = 0.05;
-// Of a loop's length, that an end moves at once.
+// The longest move of an end, as a share of its loop's length. A guard: Newton's step is too long where
+// the seam is nearly tangential to the loop.
 constexpr double LongestMove = 0.25;
 
 // A boundary loop on which an end of the seam moves.
@@ -61,7 +67,7 @@ public:
     return (this->point(k + 1) - this->point(k - 1)).normalized();
   }
 
-  // The place of the vertex nearest to the one so far along the loop from place k.
+  // The number of the vertex nearest to the point at this distance along the loop from vertex number k.
   int moved(int k, double distance) const
   {
     const double target = this->Along[k] + distance;
@@ -100,12 +106,12 @@ public:
       const bool first = this->moveEnd(0);
       moved = this->moveEnd(1) || first;
     }
-    return { this->Loops[0].point(this->Place[0]).transpose(),
-      this->Loops[1].point(this->Place[1]).transpose() };
+    return { this->Loops[0].point(this->Ends[0]).transpose(),
+      this->Loops[1].point(this->Ends[1]).transpose() };
   }
 
 private:
-  // At the ends of the shortest path along edges.
+  // Puts the ends where the shortest path along edges ends.
   void start()
   {
     const DijkstraDistances distances(this->Surface.mesh());
@@ -114,17 +120,17 @@ private:
     {
       sources.emplace_back(this->Loops[0].vertex(k));
     }
-    this->Place[1] = this->nearestPlace(1, distances.from(sources));
-    this->Place[0] = this->nearestPlace(0, distances.from({ this->vertexAt(1) }));
-    this->Path = this->pathWith(0, this->Place[0]);
+    this->Ends[1] = this->nearestVertex(1, distances.from(sources));
+    this->Ends[0] = this->nearestVertex(0, distances.from({ this->vertexAt(1) }));
+    this->Path = this->pathWith(0, this->Ends[0]);
   }
 
-  int nearestPlace(int end, const Eigen::VectorXd& distance) const
+  int nearestVertex(int end, const Eigen::VectorXd& distance) const
   {
     int nearest = 0;
     for (int k = 1; k < this->Loops[end].size(); ++k)
     {
-      // In single precision, so that equal ones up to rounding tie and the first one wins.
+      // Compared in single precision: of distances that differ by rounding the first one wins.
       if (static_cast<float>(distance[this->Loops[end].vertex(k)]) <
           static_cast<float>(distance[this->Loops[end].vertex(nearest)]))
       {
@@ -134,34 +140,34 @@ private:
     return nearest;
   }
 
-  Vertex vertexAt(int end) const { return Vertex(this->Loops[end].vertex(this->Place[end])); }
+  Vertex vertexAt(int end) const { return Vertex(this->Loops[end].vertex(this->Ends[end])); }
 
-  GeodesicPath pathWith(int end, int place) const
+  GeodesicPath pathWith(int end, int number) const
   {
-    const Vertex here(this->Loops[end].vertex(place));
+    const Vertex here(this->Loops[end].vertex(number));
     return end == 0 ? geodesicPath(this->Surface.mesh(), here, this->vertexAt(1))
                     : geodesicPath(this->Surface.mesh(), this->vertexAt(0), here);
   }
 
-  // Whether that made the seam shorter.
+  // Moves an end of the seam, and returns whether that made the seam shorter.
   bool moveEnd(int end)
   {
     const EndLoop& loop = this->Loops[end];
-    const double cosine = this->arrival(end).dot(loop.tangent(this->Place[end]));
+    const double cosine = this->arrival(end).dot(loop.tangent(this->Ends[end]));
     double move = -this->Path.Length * cosine / std::max(1.0 - cosine * cosine, 0.1);
     move = std::clamp(move, -LongestMove * loop.length(), LongestMove * loop.length());
     for (int trial = 0; trial < MostTrials; ++trial, move *= 0.5)
     {
-      const int place = loop.moved(this->Place[end], move);
-      if (place == this->Place[end])
+      const int number = loop.moved(this->Ends[end], move);
+      if (number == this->Ends[end])
       {
         return false;
       }
-      GeodesicPath path = this->pathWith(end, place);
+      GeodesicPath path = this->pathWith(end, number);
       if (path.Length < (1.0 - LeastGain) * this->Path.Length)
       {
         this->Path = std::move(path);
-        this->Place[end] = place;
+        this->Ends[end] = number;
         return true;
       }
     }
@@ -172,8 +178,11 @@ private:
   Eigen::RowVector3d arrival(int end) const
   {
     const auto& points = this->Path.Points;
-    const auto fromEnd = [&](std::size_t k)
-    { return this->position(end == 0 ? points[k] : points[points.size() - 1 - k]); };
+    const auto fromEnd = [&](std::size_t k) -> Eigen::RowVector3d
+    {
+      return positionOf(this->Surface.mesh(), end == 0 ? points[k] : points[points.size() - 1 - k])
+        .transpose();
+    };
     for (std::size_t k = 1; k < points.size(); ++k)
     {
       const Eigen::RowVector3d way = fromEnd(0) - fromEnd(k);
@@ -185,25 +194,9 @@ private:
     return Eigen::RowVector3d::Zero();
   }
 
-  Eigen::RowVector3d position(const PathPoint& point) const
-  {
-    const SurfaceMesh& mesh = this->Surface.mesh();
-    const auto at = [&mesh](Vertex v)
-    {
-      const auto& p = mesh.point(v);
-      return Eigen::RowVector3d(p.x(), p.y(), p.z());
-    };
-    if (point.isVertex())
-    {
-      return at(point.Vertex);
-    }
-    return (1.0 - point.Fraction) * at(mesh.source(point.Edge)) +
-           point.Fraction * at(mesh.target(point.Edge));
-  }
-
   EditableSurface Surface;
   EndLoop Loops[2];
-  int Place[2] = { 0, 0 };
+  int Ends[2] = { 0, 0 }; // numbers of the vertices in their loops
   GeodesicPath Path;
 };
 

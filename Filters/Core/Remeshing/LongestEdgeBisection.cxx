@@ -90,6 +90,18 @@ void bisectLongEdges(EditableSurface& surface, const std::vector<Face>& faces, d
   }
 }
 
+double halveLongEdges(EditableSurface& surface, const std::vector<Face>& faces, double wanted)
+{
+  double longest = 0.0;
+  for (const Face face : faces)
+  {
+    longest = std::max(longest, surface.longestEdge(face));
+  }
+  longest = std::max(wanted, 0.5 * longest);
+  bisectLongEdges(surface, faces, longest);
+  return longest;
+}
+
 DerivedMesh refineBoundary(const TriangleMesh& mesh, int minimumVertices)
 {
   const MeshTopology topology = analyseTopology(mesh.Faces, mesh.vertexCount());

@@ -18,6 +18,13 @@ void bisectLongEdges(EditableSurface& surface,
   const std::vector<EditableSurface::Face>& faces,
   double longestEdge);
 
+/// Bisects the listed faces as bisectLongEdges does, down to @p wanted or to half of their longest edge,
+/// whichever is longer, and returns that length. Repeated for the faces near a curve, it refines big
+/// faces near the curve only.
+double halveLongEdges(EditableSurface& surface,
+  const std::vector<EditableSurface::Face>& faces,
+  double wanted);
+
 /// Gives the longest boundary loop of an oriented manifold at least @p minimumVertices vertices by
 /// bisecting the faces along it. Nothing changes if it has as many or if there is no boundary.
 DerivedMesh refineBoundary(const TriangleMesh& mesh, int minimumVertices);
