@@ -24,8 +24,9 @@ namespace simplification = CGAL::Surface_mesh_simplification;
 
 using Vertex = SurfaceMesh::Vertex_index;
 using Fixed = SurfaceMesh::Property_map<SurfaceMesh::Edge_index, bool>;
-using Origins = SurfaceMesh::Property_map<Vertex, int>; // -1: a new vertex
+using Origins = SurfaceMesh::Property_map<Vertex, int>; // -1 for a new vertex
 
+// An abort is noticed after so many edges.
 constexpr int ReportInterval = 1 << 12;
 
 void requireFits(const TriangleMesh& mesh, const std::vector<char>& inRegion, int contextFaces)
@@ -51,18 +52,19 @@ void requireFits(const TriangleMesh& mesh, const std::vector<char>& inRegion, in
   }
 }
 
-// Per face: whether it is to stay, for a corner of it is in a region.
+// Flags the faces that must stay: those with a corner in a region.
 std::vector<char> facesToKeep(const TriangleMesh& mesh, const std::vector<char>& inRegion)
 {
   std::vector<char> keep(mesh.faceCount());
   for (int f = 0; f < mesh.faceCount(); ++f)
   {
-    keep[f] =
-      inRegion[mesh.Faces(f, 0)] || inRegion[mesh.Faces(f, 1)] || inRegion[mesh.Faces(f, 2)] ? 1 : 0;
+    const auto face = mesh.Faces.row(f);
+    keep[f] = std::any_of(face.begin(), face.end(), [&inRegion](int v) { return inRegion[v] != 0; });
   }
   return keep;
 }
 
+// Keeps track of the original vertices and reports progress.
 struct Visitor : simplification::Edge_collapse_visitor_base<SurfaceMesh>
 {
   Visitor(Origins origins, const ProgressCallback& progress)
@@ -77,7 +79,7 @@ struct Visitor : simplification::Edge_collapse_visitor_base<SurfaceMesh>
     {
       report(this->Report,
         0.8 * (1.0 - static_cast<double>(current) / static_cast<double>(initial)),
-        "Collapsing edges");
+        "collapsing edges");
     }
   }
 
@@ -116,7 +118,7 @@ Origins collapse(SurfaceMesh& surface,
     }
     kept += keep[f.idx()];
   }
-  // Every inner edge has two faces, every face three edges.
+  // The stop predicate counts edges.
   const auto faces = static_cast<double>(surface.number_of_faces());
   const double edgesPerFace = static_cast<double>(surface.number_of_edges()) / faces;
   const double edges = edgesPerFace * (kept + std::min<double>(contextFaces, faces - kept));
@@ -145,14 +147,14 @@ DerivedMesh decimateContext(const TriangleMesh& mesh,
   const std::vector<char> keep = facesToKeep(mesh, inRegion);
   if (std::count(keep.begin(), keep.end(), 0) <= contextFaces)
   {
-    report(progress, 1.0, "Nothing is too fine");
+    report(progress, 1.0, "the surface is coarse enough");
     return derivedFromItself(mesh);
   }
-  report(progress, 0.0, "Collapsing edges");
+  report(progress, 0.0, "collapsing edges");
   SurfaceMesh surface = toSurfaceMesh(mesh);
   const Origins origins = collapse(surface, keep, contextFaces, progress);
 
-  report(progress, 0.8, "Carrying attributes over");
+  report(progress, 0.8, "carrying attributes over");
   const ClosestPointTree original(mesh);
   DerivedMesh derived;
   derived.Mesh = toTriangleMesh(surface);
@@ -182,19 +184,18 @@ DerivedMesh decimateContext(const TriangleMesh& mesh,
   {
     const int face = static_cast<int>(f.idx());
     const int row = static_cast<int>(derived.Faces.size());
-    const Eigen::Vector3i corners(originOf[derived.Mesh.Faces(row, 0)],
-      originOf[derived.Mesh.Faces(row, 1)],
-      originOf[derived.Mesh.Faces(row, 2)]);
-    const Eigen::Vector3i before = mesh.Faces.row(face).transpose();
-    const bool isSame = std::is_permutation(corners.data(), corners.data() + 3, before.data());
-    const Eigen::Vector3d centroid = (derived.Mesh.Vertices.row(derived.Mesh.Faces(row, 0)) +
-                                       derived.Mesh.Vertices.row(derived.Mesh.Faces(row, 1)) +
-                                       derived.Mesh.Vertices.row(derived.Mesh.Faces(row, 2)))
-                                       .transpose() /
-                                     3.0;
+    const Eigen::RowVector3i now = derived.Mesh.Faces.row(row);
+    const Eigen::RowVector3i before = mesh.Faces.row(face);
+    const Eigen::RowVector3i corners(originOf[now[0]], originOf[now[1]], originOf[now[2]]);
+    const bool isSame = std::is_permutation(corners.begin(), corners.end(), before.begin());
+    const Eigen::Vector3d centroid =
+      (derived.Mesh.Vertices.row(now[0]) + derived.Mesh.Vertices.row(now[1]) +
+        derived.Mesh.Vertices.row(now[2]))
+        .transpose() /
+      3.0;
     derived.Faces.push_back(isSame ? face : original.closest(centroid).Face);
   }
-  report(progress, 1.0, "Done");
+  report(progress, 1.0, "done");
   return derived;
 }
 

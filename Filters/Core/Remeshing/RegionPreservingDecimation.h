@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A surface that is fine in some regions and coarse around them.
+/// Decimation of a surface that keeps chosen regions as they are.
 #pragma once
 
 #include "Base/Progress.h"
@@ -10,15 +10,15 @@
 namespace flattening
 {
 
-/// Collapses edges outside of the regions until about @p contextFaces faces are left there: CGAL's
+/// Collapses edges outside of the regions until about @p contextFaces faces (> 0) are left there: CGAL's
 /// edge_collapse with the cost and placement of Lindstrom and Turk 1998 ("Fast and memory efficient
-/// polygonal simplification"), which keep volume and boundary, and a bound on how far a face may turn.
-/// Vertices of the regions and all faces around them stay as they are. Topology stays.
+/// polygonal simplification"), which preserve the volume and the boundary, and a bound on how far a face
+/// may turn. The vertices of the regions and all faces around them stay as they are. The topology stays.
+/// If there are no more than @p contextFaces faces outside, nothing changes.
 ///
-/// Kept vertices have themselves as origin, new ones the corners of the original face nearest to them;
-/// a face's origin is itself or the original face nearest to its centroid. A context that has no more
-/// faces than asked for is left as it is.
-/// @param inRegion per vertex, not 0 in a region.
+/// A kept vertex has itself as origin, a new one the corners of the original face nearest to it; a
+/// face's origin is itself or the original face nearest to its centroid.
+/// @param inRegion one flag per vertex, not 0 in a region.
 /// @throws InvalidInput if the flags do not fit, no vertex is in a region, contextFaces is below 1 or a
 /// coordinate is not finite; TopologyError if the mesh is not an oriented manifold.
 DerivedMesh decimateContext(const TriangleMesh& mesh,

@@ -18,6 +18,7 @@ namespace flattening
 namespace
 {
 
+// For every point the first one with the same coordinates.
 std::vector<int> exactlyCoincident(const Points3& points)
 {
   const auto key = [&points](int v)
@@ -61,7 +62,7 @@ std::vector<int> coincidentPoints(const Points3& points, double tolerance)
   }
   const CGAL::Kd_tree<Traits> tree(distinct.begin(), distinct.end());
 
-  std::vector<int> joins(points.rows(), -1);
+  std::vector<int> joins(points.rows(), -1); // the representative that each one joins
   std::vector<Indexed> near;
   for (const Indexed& point : distinct)
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Which points of a surface are the same point.
+/// Which points of a surface coincide.
 #pragma once
 
 #include "Mesh/TriangleMesh.h"
@@ -9,9 +9,9 @@
 namespace flattening
 {
 
-/// For every point the smallest index among the points that it coincides with (its own if none): n.
-/// With @p tolerance > 0 (input units), points within that distance of a representative join it, taken
-/// in the order of their indices.
+/// For every point the index of its representative (n): the first point with the same coordinates,
+/// itself if there is no other one. With @p tolerance > 0 (input units) the representatives are then
+/// visited in the order of their indices, and those within the tolerance of one that is left join it.
 std::vector<int> coincidentPoints(const Points3& points, double tolerance = 0.0);
 
 } // namespace flattening
