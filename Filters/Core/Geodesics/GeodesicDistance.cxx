@@ -189,22 +189,7 @@ Eigen::VectorXd distancesByHeat(const TriangleMesh& mesh,
   return distance * std::ldexp(1.0, exponent);
 }
 
-} // namespace
-
-Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh, int source, const ProgressCallback& progress)
-{
-  const Eigen::VectorXd distance = distancesByHeat(mesh, { source }, progress);
-  return distance.array() - distance.minCoeff();
-}
-
-Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh,
-  const std::vector<int>& sources,
-  const ProgressCallback& progress)
-{
-  const Eigen::VectorXd distance = distancesByHeat(mesh, sources, progress);
-  return (distance.array() - distance(sources).mean()).cwiseMax(0.0);
-}
-
+// The area of the part of the surface where the function, linear on every face, is below `level`.
 double areaBelow(const TriangleMesh& mesh, const Eigen::VectorXd& values, double level)
 {
   const Eigen::VectorXd areas = faceAreas(mesh.Vertices, mesh.Faces);
@@ -229,6 +214,22 @@ double areaBelow(const TriangleMesh& mesh, const Eigen::VectorXd& values, double
     }
   }
   return sum;
+}
+
+} // namespace
+
+Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh, int source, const ProgressCallback& progress)
+{
+  const Eigen::VectorXd distance = distancesByHeat(mesh, { source }, progress);
+  return distance.array() - distance.minCoeff();
+}
+
+Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh,
+  const std::vector<int>& sources,
+  const ProgressCallback& progress)
+{
+  const Eigen::VectorXd distance = distancesByHeat(mesh, sources, progress);
+  return (distance.array() - distance(sources).mean()).cwiseMax(0.0);
 }
 
 double levelEnclosingArea(const TriangleMesh& mesh, const Eigen::VectorXd& values, double area)

@@ -31,13 +31,11 @@ Eigen::VectorXd geodesicDistances(const TriangleMesh& mesh,
   const std::vector<int>& sources,
   const ProgressCallback& progress = {});
 
-/// Area of the part of the surface where the function, linear on every face, is below @p level.
-double areaBelow(const TriangleMesh& mesh, const Eigen::VectorXd& values, double level);
-
-/// The level below which the function encloses the given area (0 < area < area of the surface).
+/// The level below which a function, given by its values at the vertices (n) and linear on every face,
+/// encloses the given area (0 < area < area of the surface).
 double levelEnclosingArea(const TriangleMesh& mesh, const Eigen::VectorXd& values, double area);
 
-/// Length of the curve on which the function takes the value @p level.
+/// The length of the curve on which such a function takes the value @p level, input units.
 double levelCurveLength(const TriangleMesh& mesh, const Eigen::VectorXd& values, double level);
 
 } // namespace flattening

@@ -15,6 +15,8 @@ double shareAlong(double towards, double beyond)
   return towards + beyond > 0.0 ? towards / (towards + beyond) : 0.0;
 }
 
+// The barycentric coordinates of the point of a triangle (one corner per row) closest to `point`
+// (Ericson 2005, "Real-time collision detection", section 5.1.5). The triangle may be without area.
 std::array<double, 3> closestWeights(const Eigen::Matrix3d& corners, const Eigen::Vector3d& point)
 {
   const Eigen::Vector3d a = corners.row(0);
@@ -62,16 +64,17 @@ std::array<double, 3> closestWeights(const Eigen::Matrix3d& corners, const Eigen
   return { outsideBc / sum, outsideAc / sum, outsideAb / sum };
 }
 
-} // namespace
-
-SurfacePoint closestOnTriangle(const Eigen::Matrix3d& corners, const Eigen::Vector3d& point)
+SurfacePoint closestOnFace(const TriangleMesh& mesh, int face, const Eigen::Vector3d& point)
 {
+  const Eigen::Matrix3d corners = faceCorners(mesh, face);
   SurfacePoint result;
-  result.Face = -1;
+  result.Face = face;
   result.Weights = closestWeights(corners, point);
   result.Position = corners.transpose() * Eigen::Map<const Eigen::Vector3d>(result.Weights.data());
   return result;
 }
+
+} // namespace
 
 Points3 vertexNormals(const TriangleMesh& mesh)
 {
@@ -107,8 +110,7 @@ ClosestPointWalk::ClosestPointWalk(const TriangleMesh& mesh)
 
 SurfacePoint ClosestPointWalk::closest(const Eigen::Vector3d& point, int startFace) const
 {
-  SurfacePoint best = closestOnTriangle(faceCorners(this->Mesh, startFace), point);
-  best.Face = startFace;
+  SurfacePoint best = closestOnFace(this->Mesh, startFace, point);
   double bestDistance = (best.Position - point).squaredNorm();
   for (int centre = -1; centre != best.Face;)
   {
@@ -132,13 +134,12 @@ SurfacePoint ClosestPointWalk::closest(const Eigen::Vector3d& point, int startFa
       {
         continue;
       }
-      const SurfacePoint at = closestOnTriangle(faceCorners(this->Mesh, face), point);
+      const SurfacePoint at = closestOnFace(this->Mesh, face, point);
       const double distance = (at.Position - point).squaredNorm();
       if (distance < bestDistance)
       {
         bestDistance = distance;
         best = at;
-        best.Face = face;
       }
     }
   }

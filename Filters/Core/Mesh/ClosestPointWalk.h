@@ -11,10 +11,6 @@
 namespace flattening
 {
 
-/// The point of the triangle (one corner per row) closest to @p point (Ericson 2005, "Real-time
-/// collision detection", section 5.1.5). The triangle may be without area. The result's Face is -1.
-SurfacePoint closestOnTriangle(const Eigen::Matrix3d& corners, const Eigen::Vector3d& point);
-
 /// Unit normals of the vertices (n x 3): means of the normals of their faces, weighted by area, on which
 /// slivers have hardly any influence. 0 where no face has an area.
 Points3 vertexNormals(const TriangleMesh& mesh);

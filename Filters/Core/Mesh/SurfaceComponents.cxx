@@ -77,7 +77,7 @@ int chooseComponent(const TriangleMesh& mesh,
     {
       throw InvalidInput("the component's point is not finite: set all of its coordinates");
     }
-    return closestComponent(mesh, components, choice.Point);
+    return components.OfFace[ClosestPointTree(mesh).closest(choice.Point).Face];
   }
   const int index = choice.By == ComponentChoice::Rule::ByIndex ? choice.Index : 0;
   if (index < 0 || index >= components.Count)
@@ -95,13 +95,6 @@ int chooseComponent(const TriangleMesh& mesh,
 int largestComponent(const TriangleMesh& mesh, const SurfaceComponents& components)
 {
   return chooseComponent(mesh, components, {});
-}
-
-int closestComponent(const TriangleMesh& mesh,
-  const SurfaceComponents& components,
-  const Eigen::Vector3d& point)
-{
-  return components.OfFace[ClosestPointTree(mesh).closest(point).Face];
 }
 
 } // namespace flattening

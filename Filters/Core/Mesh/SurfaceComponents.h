@@ -53,9 +53,4 @@ int chooseComponent(const TriangleMesh& mesh,
 /// The component of the largest area, and of equals the first.
 int largestComponent(const TriangleMesh& mesh, const SurfaceComponents& components);
 
-/// The component with the face nearest to @p point (input units).
-int closestComponent(const TriangleMesh& mesh,
-  const SurfaceComponents& components,
-  const Eigen::Vector3d& point);
-
 } // namespace flattening
