@@ -81,9 +81,7 @@ void RefinementEnergy::setEnclosed(const DomainMap& map)
   double twice = 0.0;
   for (std::size_t k = 0; k < loop.size(); ++k)
   {
-    const Eigen::RowVector2d a = map.Positions.row(loop[k]);
-    const Eigen::RowVector2d b = map.Positions.row(loop[(k + 1) % loop.size()]);
-    twice += a.x() * b.y() - a.y() * b.x();
+    twice += cross(map.Positions.row(loop[k]), map.Positions.row(loop[(k + 1) % loop.size()]));
   }
   this->Scale = 0.5 * twice / this->Targets.sum();
 }

@@ -64,43 +64,12 @@ public:
     this->addBorder();
     const std::vector<int> members = this->boundaryMembers();
     std::vector<int> localMembers;
-    DomainMap map{ Points2(this->Vertices.size(), 2), Eigen::VectorXd(members.size()) };
-    for (std::size_t k = 0; k < members.size(); ++k)
+    for (const int member : members)
     {
-      localMembers.push_back(this->local(this->Whole.Dofs.loop()[members[k]]));
-      map.BoundaryParameters[k] = before.BoundaryParameters[members[k]];
+      localMembers.push_back(this->local(this->Whole.Dofs.loop()[member]));
     }
-    for (std::size_t i = 0; i < this->Vertices.size(); ++i)
-    {
-      map.Positions.row(i) = before.Positions.row(this->Vertices[i]);
-    }
-    std::vector<char> stays(this->Vertices.size(), 0);
-    for (std::size_t i = 0; i < this->Vertices.size(); ++i)
-    {
-      stays[i] = i >= this->Free || this->Whole.Dofs.countOf(this->Vertices[i]) == 0;
-    }
-    const DegreesOfFreedom dofs(this->Whole.Dofs.sharedDomain(), localMembers, stays);
-    const RefinementTerms terms = this->terms(members);
-    const VertexFaces facesOf(terms.Faces, static_cast<int>(this->Vertices.size()));
-    RefinementEnergy energy(terms, facesOf, dofs);
-    Eigen::VectorXd targets(this->Rows.size());
-    for (std::size_t i = 0; i < this->Rows.size(); ++i)
-    {
-      targets[i] = this->ThePass.Targets[this->Rows[i]];
-    }
-    energy.setTargets(targets);
-    energy.setEpsilon(this->ThePass.Epsilon);
-    RefinementDescent descent(energy, dofs, terms.Faces, SparseCholesky::Kernel::Entries);
-    descent.keepOrientation(this->ThePass.KeepsOrientation);
-    for (int round = 0; round < LargestRounds; ++round)
-    {
-      const double gain = descent.round(map);
-      const Eigen::Index off = ((energy.areaRatios(map).array() - 1.0).abs() > AreaTolerance).count();
-      if (off == 0 || gain < LeastGain)
-      {
-        break;
-      }
-    }
+    DomainMap map{ before.Positions(this->Vertices, Eigen::all), before.BoundaryParameters(members) };
+    this->descend(map, members, localMembers);
     for (std::size_t i = 0; i < this->Free; ++i)
     {
       after.Positions.row(this->Vertices[i]) = map.Positions.row(i);
@@ -116,6 +85,34 @@ public:
   }
 
 private:
+  void descend(DomainMap& map,
+    const std::vector<int>& members,
+    const std::vector<int>& localMembers) const
+  {
+    std::vector<char> stays(this->Vertices.size(), 0);
+    for (std::size_t i = 0; i < this->Vertices.size(); ++i)
+    {
+      stays[i] = i >= this->Free || this->Whole.Dofs.countOf(this->Vertices[i]) == 0;
+    }
+    const DegreesOfFreedom dofs(this->Whole.Dofs.sharedDomain(), localMembers, stays);
+    const RefinementTerms terms = this->terms(members);
+    const VertexFaces facesOf(terms.Faces, static_cast<int>(this->Vertices.size()));
+    RefinementEnergy energy(terms, facesOf, dofs);
+    energy.setTargets(this->ThePass.Targets(this->Rows));
+    energy.setEpsilon(this->ThePass.Epsilon);
+    RefinementDescent descent(energy, dofs, terms.Faces, SparseCholesky::Kernel::Entries);
+    descent.keepOrientation(this->ThePass.KeepsOrientation);
+    for (int round = 0; round < LargestRounds; ++round)
+    {
+      const double gain = descent.round(map);
+      const Eigen::Index off = ((energy.areaRatios(map).array() - 1.0).abs() > AreaTolerance).count();
+      if (off == 0 || gain < LeastGain)
+      {
+        break;
+      }
+    }
+  }
+
   // A vertex stays if it has a neighbour in an earlier part.
   bool moves(int vertex, const std::vector<int>& partOf) const
   {
@@ -137,10 +134,10 @@ private:
     int off = 0;
     for (const int f : this->Rows)
     {
-      const Eigen::RowVector2d a = map.Positions.row(this->Whole.Terms.Faces(f, 0));
-      const Eigen::RowVector2d b = map.Positions.row(this->Whole.Terms.Faces(f, 1)) - a;
-      const Eigen::RowVector2d c = map.Positions.row(this->Whole.Terms.Faces(f, 2)) - a;
-      const double area = 0.5 * (b.x() * c.y() - b.y() * c.x());
+      const Eigen::Vector2d a = map.Positions.row(this->Whole.Terms.Faces(f, 0));
+      const Eigen::Vector2d b = map.Positions.row(this->Whole.Terms.Faces(f, 1));
+      const Eigen::Vector2d c = map.Positions.row(this->Whole.Terms.Faces(f, 2));
+      const double area = 0.5 * cross(b - a, c - a);
       off += std::abs(area / this->ThePass.Targets[f] - 1.0) > AreaTolerance ? 1 : 0;
     }
     return static_cast<double>(off) / static_cast<double>(this->Rows.size());
@@ -193,22 +190,11 @@ private:
   RefinementTerms terms(const std::vector<int>& members) const
   {
     const RefinementTerms& all = this->Whole.Terms;
-    const auto count = static_cast<Eigen::Index>(this->Rows.size());
     RefinementTerms part;
-    part.Faces.resize(count, 3);
-    part.Cotangents.resize(count, 3);
-    part.ShapeWeights.resize(count);
-    for (Eigen::Index i = 0; i < count; ++i)
-    {
-      const int f = this->Rows[i];
-      for (int k = 0; k < 3; ++k)
-      {
-        part.Faces(i, k) = this->local(all.Faces(f, k));
-      }
-      part.Cotangents.row(i) = all.Cotangents.row(f);
-      part.ShapeWeights[i] = this->ThePass.ShapeFactor * all.ShapeWeights[f];
-    }
-    const auto place = [&](int member)
+    part.Faces = all.Faces(this->Rows, Eigen::all).unaryExpr([this](int v) { return this->local(v); });
+    part.Cotangents = all.Cotangents(this->Rows, Eigen::all);
+    part.ShapeWeights = this->ThePass.ShapeFactor * all.ShapeWeights(this->Rows);
+    const auto indexOf = [&](int member)
     {
       const auto found = std::lower_bound(members.begin(), members.end(), member);
       return found != members.end() && *found == member ? static_cast<int>(found - members.begin()) : -1;
@@ -216,8 +202,8 @@ private:
     for (const int member : members)
     {
       BoundaryGap gap = all.Gaps[member];
-      gap.First = place(gap.First);
-      gap.Second = place(gap.Second);
+      gap.First = indexOf(gap.First);
+      gap.Second = indexOf(gap.Second);
       if (gap.Second >= 0)
       {
         part.Gaps.push_back(gap);

@@ -76,11 +76,7 @@ TransportSites groupedSites(const Points2& positions,
       grouped.push_back(v);
     }
   }
-  Points2 points(static_cast<Eigen::Index>(grouped.size()), 2);
-  for (std::size_t i = 0; i < grouped.size(); ++i)
-  {
-    points.row(static_cast<Eigen::Index>(i)) = positions.row(grouped[i]);
-  }
+  const Points2 points = positions(grouped, Eigen::all);
   const std::vector<std::vector<int>> groups = recursiveBisection(points, verticesPerSite, 0.0);
 
   Points2 centres(static_cast<Eigen::Index>(groups.size() + alone.size()), 2);
