@@ -19,7 +19,7 @@ import reference
 
 LEFT_OUT = ("gallery.md",)  # megabytes of pictures
 PAGE_WIDTH = 660  # pixels that the help window shows of a page as it opens
-PICTURES = {  # of filters whose own page of docs/ begins with no picture of them
+PICTURES = {  # of filters whose guide does not begin with a picture of them
     "ConformalDisk": "tutorial/conformal.png",
     "OMTAreaPreserving": "tutorial/area_preserving.png",
     "DistortionMetrics": "tutorial/table.png",

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prints the JSON output of the benchmarks as Markdown tables, or writes them into the pages that have a place for them:
+"""Prints the JSON output of the benchmarks as Markdown tables, or writes them into pages that have a place for them:
 
     markdown_table.py [--pages <repository>] results.json ...
 
-A place is what lies between the lines "<!-- benchmark.sh: NAME -->" and "<!-- end -->"; NAME is a key of TABLES, or "run"
-for the day, the commit and the machine."""
+A place lies between the lines "<!-- benchmark.sh: NAME -->" and "<!-- end -->"; NAME is a key of TABLES, or "run" for
+the day, the commit and the machine."""
 
 import argparse
 import json
@@ -274,7 +274,7 @@ def write_into_pages(repository, found):
     texts = {"run": description_of_this_run(), **found}
     for page in [Path(repository, "README.md"), *sorted(Path(repository, "docs").glob("*.md"))]:
         text = page.read_text(encoding="utf-8")
-        renewed = PLACE.sub(lambda place: place[1] + texts[place[2]] + place[3] if place[2] in texts else place[0], text)
+        renewed = PLACE.sub(lambda m: m[1] + texts[m[2]] + m[3] if m[2] in texts else m[0], text)
         if renewed != text:
             page.write_text(renewed, encoding="utf-8")
             print(f"Renewed: {page}")

@@ -22,7 +22,7 @@ for name, kind in filters.items():
     # VTK takes what is in angle brackets out of the documentation: nothing may depend on it.
     if "``" in text or text.count("`") % 2:
         missing.append(f"{name}: something between angle brackets is lost")
-    if not re.search(r"Errors?, ", text):
+    if not re.search(r"\b[Ee]rrors?, each with", " ".join(text.split())):
         missing.append(f"{name}: no errors")
     if not re.search(r"empty (output|image)", text):
         missing.append(f"{name}: nothing about empty inputs")

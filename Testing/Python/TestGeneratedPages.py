@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The generated pages and pictures of docs are what their scripts write today, and no parameter or array lacks a text."""
+"""The generated pages and pictures of docs are up to date, and no parameter or array lacks a text."""
 
 import sys
 from pathlib import Path

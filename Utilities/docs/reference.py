@@ -4,8 +4,8 @@
     python3 Utilities/docs/reference.py
 
 The parameters come from the server-manager XML in Plugin, the arrays and field data from the class comments in Filters.
-Every bullet of a list under "Output arrays ...:", "Field data ...:" or "Columns ...:" in a class comment is an array; the
-kind is left out where the title says it:
+Every bullet of a list under "Output arrays ...:", "Field data ...:" or "Columns ...:" in a class comment is an array;
+the kind is left out where the title says it:
 
     - <point|cell|vertex|row> `Name` (type x components, unit): sentence.
 """
