@@ -50,3 +50,9 @@ for page in pages:
                 dead.append(f"{page.name}: no source has {function}()")
 assert references > 80, references  # or the patterns above find nothing
 assert not dead, "\n".join(dead)
+
+# The README is one page, and its tables fit on a screen.
+readme = (root / "README.md").read_text(encoding="utf-8").splitlines()
+assert len(readme) <= 120, f"README.md has {len(readme)} lines"
+wide = [line for line in readme if line.startswith("|") and len(line) > 120]
+assert not wide, wide
