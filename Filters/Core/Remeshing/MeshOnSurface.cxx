@@ -23,7 +23,7 @@ namespace
 // How far a vertex may lie off the chord that replaces it on a boundary, as a share of the chord: a
 // convention. A larger share straightens the boundary, a smaller one keeps it from being coarsened.
 constexpr double BoundarySagitta = 0.05;
-// An abort is noticed after so many faces, which take milliseconds.
+// An abort is noticed after so many faces.
 constexpr int FacesPerReport = 32768;
 constexpr const char* CarryingStage = "carrying attributes over";
 

@@ -53,7 +53,7 @@ struct OrientationRecord : PMP::Default_orientation_visitor
 
 using FacesOfEdges = std::map<std::pair<int, int>, std::vector<int>>;
 
-// Only of the faces that are `concerned`.
+// The edges of the faces that are `concerned`, with these faces.
 FacesOfEdges facesOfEdges(const FaceMatrix& faces, const std::vector<char>& concerned)
 {
   FacesOfEdges edges;

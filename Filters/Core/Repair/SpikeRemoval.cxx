@@ -196,8 +196,8 @@ private:
     return sets;
   }
 
-  // Moves the vertices of the set. Undone, and false, if the set stays folded or a vertex beside it gets
-  // folded more.
+  // Moves the vertices of the set. Undoes this and returns false if the set stays folded or a vertex
+  // beside it becomes folded, or more so.
   bool flatten(const VertexSet& set)
   {
     const VertexSet around = this->withNeighbours(set);

@@ -67,7 +67,7 @@ std::vector<char> verticesOfOpenEdges(const std::vector<Triangle>& faces, Eigen:
   return flags;
 }
 
-// Sorted by face.
+// The open edges, sorted by face.
 std::vector<OpenEdge> openEdges(const std::vector<Triangle>& faces, Eigen::Index vertexCount)
 {
   const std::vector<char> candidate = verticesOfOpenEdges(faces, vertexCount);

@@ -21,7 +21,8 @@ namespace
 using namespace flattening;
 using namespace flattening::samples;
 
-// Every fourth face split at a point next to a corner or an edge: needles and caps.
+// A sphere with every fourth face split at a point next to a corner or an edge, which makes needles and
+// caps.
 TriangleMesh sphereWithSlivers()
 {
   TriangleMesh mesh = sphere(4);
@@ -35,7 +36,7 @@ TriangleMesh sphereWithSlivers()
   {
     const int f = 4 * i;
     const Eigen::RowVector3i t = mesh.Faces.row(f);
-    const double s = 1e-5 + 0.2 * share(random); // near a corner or an edge: needles and caps
+    const double s = 1e-5 + 0.2 * share(random); // share of the second corner
     const double r = i % 2 ? 1e-5 : 0.4;
     mesh.Vertices.row(vertices + i) = (1.0 - s - r) * mesh.Vertices.row(t[0]) +
                                       s * mesh.Vertices.row(t[1]) + r * mesh.Vertices.row(t[2]);
@@ -81,14 +82,14 @@ TEST(IsotropicRemeshing, SliversBecomeNearlyEquilateral)
   EXPECT_NEAR(meanEdgeLength(remeshed.Mesh) / length, 1.0, 0.1);
   EXPECT_NEAR(totalArea(remeshed.Mesh) / totalArea(input), 1.0, 1e-3);
   EXPECT_LT(greatestDistance(remeshed.Mesh, input), 1e-12); // vertices are on the surface
-  EXPECT_LT(greatestDistance(input, remeshed.Mesh), 0.4 * length * length); // sagitta of a face
+  EXPECT_LT(greatestDistance(input, remeshed.Mesh), 0.4 * length * length); // the sagitta of a face
   EXPECT_TRUE(selfIntersections(remeshed.Mesh).empty());
   const Points3 traced = remeshed.Vertices * input.Vertices;
   EXPECT_LT((traced - remeshed.Mesh.Vertices).cwiseAbs().maxCoeff(), 1e-12);
   EXPECT_EQ(*std::min_element(remeshed.Faces.begin(), remeshed.Faces.end()) >= 0, true);
 }
 
-TEST(SliverRemoval, AreOpenedAndTheRestStays)
+TEST(SliverRemoval, OpensSliversAndKeepsTheRest)
 {
   const TriangleMesh input = sphereWithSlivers();
   const DerivedMesh opened = withoutSmallAngles(input, 5.0);
@@ -154,7 +155,7 @@ TEST(IsotropicRemeshing, TheResultDoesNotDependOnThreadsAndScale)
   }
 }
 
-// Two sheets so close that chords of one cut the other: fold of a paraboloid over a copy of itself.
+// Two spheres are so close that chords of one intersect the other.
 TEST(IsotropicRemeshing, SheetsThatNearlyTouchStayApart)
 {
   TriangleMesh outer = sphere(5);
@@ -176,7 +177,7 @@ TEST(SelfIntersections, CountsPairs)
   ASSERT_FALSE(pairs.empty());
   for (const auto& [i, j] : pairs)
   {
-    EXPECT_EQ(i, 3); // the slanted face of the first alone meets the second
+    EXPECT_EQ(i, 3); // only the slanted face of the first one meets the second one
     EXPECT_GE(j, 4);
   }
   EXPECT_EQ(pairs.size(), 3u);

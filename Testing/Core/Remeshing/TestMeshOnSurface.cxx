@@ -15,7 +15,7 @@ bool always(const LocalChange&)
   return true;
 }
 
-/// The middle of a spoke of a hexagon whose centre was lifted off the plane, after it was split.
+/// Lifts the centre of a flat hexagon off the plane, splits a spoke and returns its new middle.
 Eigen::Vector3d middleOfSpoke(double height)
 {
   TriangleMesh hexagon = meshOf({ { 0, 0, 0 } }, {});
@@ -38,8 +38,8 @@ TEST(MeshOnSurface, MiddlesOfSplitEdgesGoToTheOldSurfaceWhereThatIsNear)
   EXPECT_LT((middleOfSpoke(0.1) - Eigen::Vector3d(0.5, 0.0, 0.0)).norm(), 1e-15);
 }
 
-// On the old surface it would be nearly as far from the lifted vertex as the other end is: splitting
-// long edges would not end.
+// On the old surface the middle would be nearly as far from the lifted vertex as the other end of the
+// edge: splitting long edges would not end.
 TEST(MeshOnSurface, MiddlesOfSplitEdgesStayWhereTheOldSurfaceIsFar)
 {
   EXPECT_LT((middleOfSpoke(10.0) - Eigen::Vector3d(0.5, 0.0, 5.0)).norm(), 1e-15);

@@ -30,7 +30,7 @@ TriangleMesh openSphere()
   return extractFaces(whole, kept).Mesh;
 }
 
-// Two caps.
+// The flags of two spherical caps.
 std::vector<char> regionsOf(const TriangleMesh& mesh)
 {
   std::vector<char> inRegion(mesh.vertexCount());

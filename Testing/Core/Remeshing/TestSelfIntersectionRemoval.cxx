@@ -57,7 +57,7 @@ TriangleMesh foldedSheet(double height)
   return meshOf(vertices, faces);
 }
 
-// A bump that passes through another sheet is drawn in, which changes of a few faces cannot do.
+// Smoothing draws in a bump that passes through another sheet; changes of a few faces cannot.
 TEST(SelfIntersectionRemoval, DrawsAFoldInThatPassesThroughAnother)
 {
   ASSERT_TRUE(selfIntersections(foldedSheet(1.5)).empty());
@@ -69,7 +69,7 @@ TEST(SelfIntersectionRemoval, DrawsAFoldInThatPassesThroughAnother)
   EXPECT_TRUE(selfIntersections(result).empty());
   EXPECT_GE(smallestAngle(result), 5.0);
   ASSERT_EQ(result.Faces.rows(), mesh.Faces.rows());
-  // Only what is near the bump moved, and not far.
+  // Only vertices near the bump moved, and not far.
   const Eigen::VectorXd moved = (result.Vertices - mesh.Vertices).rowwise().norm();
   EXPECT_LT(moved.maxCoeff(), 2.6);
   for (int v = 0; v < mesh.vertexCount(); ++v)

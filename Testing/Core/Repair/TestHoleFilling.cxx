@@ -46,9 +46,9 @@ TEST(HoleFilling, RefusesALoopThatIsTooLong)
   EXPECT_TRUE(contains(message, "raise the limit")) << message;
 }
 
-// A spike through the opening: the flat patch would cut it, no patch can do without. A second spike
-// beside the opening's plane must not matter.
-TEST(HoleFilling, CountsPatchesThatCutTheSurface)
+// A spike passes through the opening, so that every patch intersects it. A spike beyond the plane of the
+// opening must not matter.
+TEST(HoleFilling, CountsPatchesThatIntersectTheSurface)
 {
   const TriangleMesh open = cylinder(64, 10, 2.0);
   TriangleMesh spike = sphere(2);

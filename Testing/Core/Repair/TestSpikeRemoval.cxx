@@ -74,7 +74,8 @@ TEST(SpikeRemoval, ASurfaceWithoutFoldsStaysAsItIs)
   }
 }
 
-// Six triangles of the altitude sqrt(a^2 + h^2) over the hexagon's, a: the ratio is 1/3 at h = a sqrt 8.
+// The spike has six triangles of the altitude sqrt(a^2 + h^2) over a hexagon of the altitude a: its
+// flatness is 1/3 at h = a sqrt 8.
 TEST(SpikeRemoval, FlattensSpikesAndPitsThatAreSteepEnough)
 {
   const double bound = RowHeight * std::sqrt(8.0);
@@ -118,7 +119,7 @@ TEST(SpikeRemoval, FlattensFinsOfOneVoxelButNoSheets)
 }
 
 // A needle stands in the pit, which would be closed through it.
-TEST(SpikeRemoval, LeadsNoFaceThroughAnother)
+TEST(SpikeRemoval, MakesNoFacesIntersect)
 {
   const TriangleMesh pit = hexagonWithSpike(-4.0);
   const TriangleMesh needle =
@@ -131,7 +132,7 @@ TEST(SpikeRemoval, LeadsNoFaceThroughAnother)
   EXPECT_EQ(folds.AreaChange, 0.0);
   EXPECT_EQ(mesh.Vertices, before.Vertices);
 
-  mesh = both(pit, moved(needle, 10, 0, 0)); // beside the pit it harms nobody
+  mesh = both(pit, moved(needle, 10, 0, 0)); // beside the pit it does not matter
   folds = flattenSpikesAndFins(mesh);
   EXPECT_EQ(folds.Spikes, 1);
 }
@@ -156,7 +157,7 @@ TEST(SpikeRemoval, KeepsTheBoundary)
   EXPECT_EQ(mesh.Vertices, before.Vertices);
 }
 
-TEST(SpikeRemoval, AreFlattenedOnTheWayToADisk)
+TEST(SpikeRemoval, FoldsAreFlattenedOnTheWayToADisk)
 {
   TriangleMesh input = sphere(3);
   input.Vertices.row(100) *= 2.0;

@@ -19,7 +19,7 @@ MeshTopology topologyOf(const RepairedSurface& repaired)
   return analyseTopology(mesh.Faces, mesh.vertexCount());
 }
 
-// Every vertex must be where its origins say.
+// The largest distance of a vertex from where its origins are.
 double traceError(const RepairedSurface& repaired, const TriangleMesh& input)
 {
   return (repaired.Surface.Vertices * input.Vertices - repaired.Surface.Mesh.Vertices)
@@ -74,10 +74,10 @@ TEST(SurfaceRepair, DropsDegenerateAndDuplicateFacesAndUnusedPoints)
   const int faces = input.faceCount();
   input.Faces.conservativeResize(faces + 3, 3);
   input.Faces.row(faces) = input.Faces.row(5);
-  input.Faces.row(faces + 1) << input.Faces(7, 1), input.Faces(7, 0), input.Faces(7, 2); // turned over
+  input.Faces.row(faces + 1) << input.Faces(7, 1), input.Faces(7, 0), input.Faces(7, 2); // reversed
   input.Faces.row(faces + 2) << 3, 3, 8;
   input.Vertices.conservativeResize(input.vertexCount() + 2, 3);
-  input.Vertices.bottomRows(2).setConstant(std::numeric_limits<double>::quiet_NaN()); // of no face
+  input.Vertices.bottomRows(2).setConstant(std::numeric_limits<double>::quiet_NaN()); // in no face
   const RepairedSurface repaired = repairTriangleSoup(input);
   EXPECT_EQ(repaired.Report.DuplicateFaces, 2);
   EXPECT_EQ(repaired.Report.DegenerateFaces, 1);
@@ -86,9 +86,9 @@ TEST(SurfaceRepair, DropsDegenerateAndDuplicateFacesAndUnusedPoints)
   EXPECT_TRUE(topologyOf(repaired).BoundaryLoops.empty());
 }
 
-// A vertex in the middle of an edge of a tetrahedron, on one side only: the other side has a face
-// without area to make up for it.
-TEST(SurfaceRepair, ACollinearFaceLeavesNoCrack)
+// A vertex lies in the middle of an edge of a tetrahedron on one side only; a cap joins the other side
+// to it.
+TEST(SurfaceRepair, ACapLeavesNoTJunction)
 {
   const TriangleMesh input =
     meshOf({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0.5, 0.5, 0 } },
@@ -103,9 +103,9 @@ TEST(SurfaceRepair, ACollinearFaceLeavesNoCrack)
   EXPECT_EQ(std::count(repaired.Surface.Faces.begin(), repaired.Surface.Faces.end(), 4), 2);
 }
 
-TEST(SurfaceRepair, AChainOfCollinearFacesIsDissolved)
+TEST(SurfaceRepair, AChainOfCapsIsDissolved)
 {
-  // Edge (0,1) of the unit square is refined at 1/4, 1/2, 3/4 only by faces without area.
+  // Only caps refine the edge (0,1) of the unit square, at 1/4, 1/2 and 3/4.
   const TriangleMesh input = meshOf(
     { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { .25, 0, 0 }, { .5, 0, 0 }, { .75, 0, 0 } },
     { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 5, 1 }, { 0, 4, 5 }, { 5, 6, 1 } });
@@ -119,7 +119,7 @@ TEST(SurfaceRepair, AChainOfCollinearFacesIsDissolved)
   EXPECT_GT(faceAreas(repaired.Surface.Mesh.Vertices, repaired.Surface.Mesh.Faces).minCoeff(), 0.1);
 }
 
-// The square's corners are 1e-12 of its side away from copies that the lower half uses.
+// The lower half of the square uses copies of its corners that are 1e-12 of its side away.
 TEST(SurfaceRepair, NeedlesAreCollapsed)
 {
   const double tiny = 1e-12;
@@ -147,9 +147,9 @@ TEST(SurfaceRepair, NeedlesAreCollapsed)
   EXPECT_EQ(repairTriangleSoup(thin).Report.DegenerateFaces, 0);
 }
 
-// Both edges of a unit square's upper half are refined on the other side: at 1/4, 1/2 and 3/4 of the
-// diagonal and in the middle of its right side, without faces that make up for it.
-TEST(SurfaceRepair, ClosesCracksWithoutWidth)
+// Two edges of a unit square's upper half are refined on their other sides only: the diagonal at 1/4,
+// 1/2 and 3/4, the right side in the middle. No caps close the T-junctions.
+TEST(SurfaceRepair, ClosesTJunctions)
 {
   const TriangleMesh input = meshOf({ { 0, 0, 0 },
                                       { 1, 0, 0 },
@@ -177,7 +177,7 @@ TEST(SurfaceRepair, ClosesCracksWithoutWidth)
     EXPECT_EQ(std::count(repaired.Surface.Faces.begin(), repaired.Surface.Faces.end(), 0), 4);
     EXPECT_EQ(std::count(repaired.Surface.Faces.begin(), repaired.Surface.Faces.end(), 4), 2);
   }
-  // Wider than the tolerance, it stays a hole.
+  // A gap wider than the tolerance stays a hole.
   TriangleMesh wide = input;
   wide.Vertices(5, 1) += 1e-8;
   EXPECT_EQ(repairTriangleSoup(wide).Report.ClosedCracks, 3);
@@ -215,7 +215,7 @@ TEST(SurfaceRepair, AFinOnASphereComesOffWhole)
   input.Faces.bottomRows(1) << input.Faces(0, 0), input.Faces(0, 1), tip;
   const MeshTopology topology = topologyOf(repairTriangleSoup(input));
   EXPECT_EQ(topology.Components, 2);
-  ASSERT_EQ(topology.BoundaryLoops.size(), 1u); // the fin's; the sphere is whole again
+  ASSERT_EQ(topology.BoundaryLoops.size(), 1u); // the boundary of the fin; the sphere is closed again
   EXPECT_EQ(topology.BoundaryLoops[0].size(), 3u);
 }
 
