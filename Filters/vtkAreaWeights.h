@@ -86,8 +86,9 @@ public:
 
   ///@{
   /**
-   * Where the weights come from. LABEL, LABEL_TABLE and SCALARS read the input array to process 0
-   * (SetInputArrayToProcess), a point or cell array of one component. Default: LABEL.
+   * Source of the weights: LABEL (0), LABEL_TABLE (1), SCALARS (2), SELECTION (3) or IMPLICIT_FUNCTION
+   * (4). LABEL, LABEL_TABLE and SCALARS read the input array to process 0 (SetInputArrayToProcess), a
+   * point or cell array of one component. Default: LABEL.
    */
   vtkSetClampMacro(WeightsFrom, int, LABEL, IMPLICIT_FUNCTION);
   vtkGetMacro(WeightsFrom, int);
@@ -100,7 +101,7 @@ public:
 
   ///@{
   /**
-   * The label of the region, for LABEL. Default: 1. Error if no point has it.
+   * Label of the region, for LABEL. Any whole number; an error if no point has it. Default: 1.
    */
   vtkSetMacro(Label, int);
   vtkGetMacro(Label, int);
@@ -108,8 +109,8 @@ public:
 
   ///@{
   /**
-   * The factor of the region's areas, for LABEL, SELECTION and IMPLICIT_FUNCTION; see FactorMeaning.
-   * Dimensionless, > 0. Default: 2. Error otherwise.
+   * Factor of the areas of the region, for LABEL, SELECTION and IMPLICIT_FUNCTION (dimensionless); see
+   * FactorMeaning. Range (0, inf), otherwise an error. Default: 2.
    */
   vtkSetMacro(Factor, double);
   vtkGetMacro(Factor, double);
@@ -117,8 +118,9 @@ public:
 
   ///@{
   /**
-   * The table of LABEL_TABLE: a factor (> 0) per label. Error if it is empty, a label is in it twice or
-   * is no whole number, or no point has it. Labels that are not in it have no factor.
+   * Table of labels and their factors (dimensionless, > 0), for LABEL_TABLE. Labels outside the table
+   * keep the factor 1. An error if the table is empty, or if a label is in it twice, is not a whole
+   * number or is the label of no point. Default: empty.
    */
   void AddLabelFactor(double label, double factor);
   void ClearLabelFactors();
@@ -126,9 +128,10 @@ public:
 
   ///@{
   /**
-   * The transfer curve of SCALARS: factors (> 0) at values of the array, linear between them and
-   * constant beyond the first and last. Without points the value itself is the factor. A cell array is
-   * averaged to the points, by area, first.
+   * Transfer curve from values of the array (in its units) to factors (dimensionless, > 0), for SCALARS.
+   * It is linear between its points and constant before the first and after the last. Without points the
+   * value itself is the factor. A cell array is first averaged to the points by area. Default: no
+   * points.
    */
   void AddCurvePoint(double value, double factor);
   void ClearCurve();
@@ -143,10 +146,10 @@ public:
 
   ///@{
   /**
-   * What a factor compares. RELATIVE_TO_REST: the region grows to Factor times what it was, as compared
-   * with the rest; any factor fits. MAGNIFICATION: the region gets Factor times its area on the map, and
-   * the rest shrinks (or grows) to make room; error if there is none. Default: RELATIVE_TO_REST. Factors
-   * of SCALARS are always relative to each other.
+   * Meaning of a factor. RELATIVE_TO_REST (0): the region grows by the factor relative to the rest of
+   * the surface; any factor is possible. MAGNIFICATION (1): the region grows by the factor on the map,
+   * and the rest shrinks or grows to fill the map; an error if no room is left for it. The factors of
+   * SCALARS are always relative to each other. Default: RELATIVE_TO_REST.
    */
   vtkSetClampMacro(FactorMeaning, int, RELATIVE_TO_REST, MAGNIFICATION);
   vtkGetMacro(FactorMeaning, int);
@@ -156,9 +159,9 @@ public:
 
   ///@{
   /**
-   * Over what width outside a region its weight fades to that of the rest: geodesic distance from the
-   * region (heat method), input units (mm). The region itself keeps its factor. Range [0, inf). Default:
-   * 0, a sharp edge, where the weights change over one triangle.
+   * Width outside a region over which its weight fades to that of the rest (geodesic distance by the
+   * heat method, input units). The region itself keeps its factor. Range [0, inf), otherwise an error.
+   * Default: 0, a sharp edge, where the weights change over one triangle.
    */
   vtkSetMacro(EdgeWidth, double);
   vtkGetMacro(EdgeWidth, double);
@@ -166,10 +169,10 @@ public:
 
   ///@{
   /**
-   * The function of IMPLICIT_FUNCTION: its region is where the function is <= 0, the inside of a sphere
-   * or box. It is evaluated at the points of the input, or at the positions in the input array to
-   * process 1, a point array of 3 components: `SurfacePoints` for the place in space of the points of a
-   * flat surface. Default: none.
+   * Function of IMPLICIT_FUNCTION: the region is where the function is <= 0, such as the inside of a
+   * sphere or box. It is evaluated at the points of the input, or at the positions in the input array to
+   * process 1, a point array of 3 components (input units): with `SurfacePoints`, at the positions in
+   * space of a flat map. Default: none, an error for IMPLICIT_FUNCTION.
    */
   virtual void SetImplicitFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetImplicitFunction();
@@ -177,7 +180,7 @@ public:
 
   ///@{
   /**
-   * If on, the region of IMPLICIT_FUNCTION is where the function is >= 0. Default: off.
+   * Whether the region of IMPLICIT_FUNCTION is where the function is >= 0. Default: off.
    */
   vtkSetMacro(InsideOut, bool);
   vtkGetMacro(InsideOut, bool);
@@ -185,7 +188,8 @@ public:
   ///@}
 
   /**
-   * The selection of SELECTION, port 1: a vtkSelection of the input's points or cells.
+   * Selection of SELECTION, input port 1: a vtkSelection of points or cells of the input. Default: none,
+   * an error for SELECTION.
    */
   void SetSelectionConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
 

@@ -107,7 +107,7 @@ public:
   vtkTypeMacro(vtkConformalDiskFilter, vtkBlockwisePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// How the map is found.
+  /// The methods that compute the map.
   enum MethodType
   {
     RICCI_FLOW = 0,     ///< discrete Ricci flow
@@ -117,8 +117,8 @@ public:
 
   ///@{
   /**
-   * Method of the map: RICCI_FLOW (0), BOUNDARY_FIRST (1) or MEAN_VALUE (2). Default: RICCI_FLOW. The
-   * others are for the disk alone; it is an error to ask them for a rectangle.
+   * Method that computes the map: RICCI_FLOW (0), BOUNDARY_FIRST (1) or MEAN_VALUE (2). The latter two
+   * map to the disk only; with Domain RECTANGLE they are an error. Default: RICCI_FLOW.
    */
   vtkSetClampMacro(Method, int, RICCI_FLOW, MEAN_VALUE);
   vtkGetMacro(Method, int);
@@ -127,7 +127,7 @@ public:
   void SetMethodToMeanValue() { this->SetMethod(MEAN_VALUE); }
   ///@}
 
-  /// What the surface is mapped to.
+  /// The domains of the map.
   enum DomainType
   {
     DISK = 0,
@@ -136,7 +136,7 @@ public:
 
   ///@{
   /**
-   * DISK (0) or RECTANGLE (1). Default: DISK.
+   * Domain of the map: DISK (0) or RECTANGLE (1). Default: DISK.
    */
   vtkSetClampMacro(Domain, int, DISK, RECTANGLE);
   vtkGetMacro(Domain, int);
@@ -146,11 +146,11 @@ public:
 
   ///@{
   /**
-   * Whether the four corners of the rectangle are chosen. Default: off, they are where the two
-   * sides of the seam of a tube, marked by the point array `Seam` of vtkSurfaceToDiskFilter, meet its
-   * ends: the lower side is the seam from the longer end to the other. Without such a seam they are
-   * where the boundary turns most sharply, or a quarter of its length apart if it does not turn four
-   * times by 45 degrees or more.
+   * Whether the four corner points below choose the corners of the rectangle. If off, the corners are
+   * where the two sides of the seam of a tube, marked by the point array `Seam` of
+   * vtkSurfaceToDiskFilter, meet its ends; the lower side is the seam from the longer end to the other.
+   * Without such a seam they are where the boundary turns most sharply, or a quarter of its length apart
+   * if it does not turn four times by 45 degrees or more. Default: off.
    */
   vtkSetMacro(UseCorners, bool);
   vtkGetMacro(UseCorners, bool);
@@ -159,9 +159,9 @@ public:
 
   ///@{
   /**
-   * Points in space (input units) whose nearest boundary vertices become the corners of the rectangle.
-   * They must be in this order, counter-clockwise, on the boundary with the surface on its left; which
-   * one is the lower left corner is free. Default: (0, 0, 0), not used.
+   * Points in space (input units) whose nearest boundary vertices become the corners of the rectangle,
+   * if UseCorners is on. Along the boundary, with the surface on its left, they must follow in the order
+   * lower left, lower right, upper right, upper left, otherwise an error. Default: (0, 0, 0).
    */
   vtkSetVector3Macro(LowerLeftCorner, double);
   vtkGetVector3Macro(LowerLeftCorner, double);
@@ -176,17 +176,17 @@ public:
   vtkGetVector3Macro(UpperLeftCorner, double);
   ///@}
 
-  /// What the size of the disk or rectangle is.
+  /// The sizes of the disk or rectangle.
   enum Normalization
   {
-    SURFACE_AREA = 0, ///< its area = area of the surface, in input units
-    UNIT_DOMAIN = 1   ///< radius 1, or height 1
+    SURFACE_AREA = 0, ///< the area of the surface, input units squared
+    UNIT_DOMAIN = 1   ///< a disk of radius 1, or a rectangle of height 1
   };
 
   ///@{
   /**
-   * Size of the disk or rectangle: SURFACE_AREA (0) or UNIT_DOMAIN (1). Default: SURFACE_AREA, so that
-   * lengths and areas on the flat picture are in input units.
+   * Size of the disk or rectangle: SURFACE_AREA (0), so that lengths and areas on the map are in input
+   * units, or UNIT_DOMAIN (1). Default: SURFACE_AREA.
    */
   vtkSetClampMacro(NormalizeTo, int, SURFACE_AREA, UNIT_DOMAIN);
   vtkGetMacro(NormalizeTo, int);
@@ -196,7 +196,8 @@ public:
 
   ///@{
   /**
-   * Disk: whether CenterPoint is used. Default: off, the surface's area is centred.
+   * Whether CenterPoint chooses the centre of the disk. If off, the area of the surface is centred.
+   * Default: off.
    */
   vtkSetMacro(UseCenterPoint, bool);
   vtkGetMacro(UseCenterPoint, bool);
@@ -205,8 +206,8 @@ public:
 
   ///@{
   /**
-   * Point in space (input units) whose nearest vertex of the surface goes to the centre of the disk. It
-   * is an error if that vertex is on the boundary. Default: (0, 0, 0), not used.
+   * Point in space (input units) whose nearest vertex of the surface goes to the centre of the disk, if
+   * UseCenterPoint is on. An error if that vertex is on the boundary. Default: (0, 0, 0).
    */
   vtkSetVector3Macro(CenterPoint, double);
   vtkGetVector3Macro(CenterPoint, double);
@@ -214,8 +215,8 @@ public:
 
   ///@{
   /**
-   * Disk: whether BoundaryPoint is used. Default: off, the rotation depends on the surface's shape
-   * alone.
+   * Whether BoundaryPoint chooses the rotation of the disk. If off, the rotation depends on the shape of
+   * the surface alone. Default: off.
    */
   vtkSetMacro(UseBoundaryPoint, bool);
   vtkGetMacro(UseBoundaryPoint, bool);
@@ -225,7 +226,7 @@ public:
   ///@{
   /**
    * Point in space (input units) whose nearest boundary vertex goes to angle 0, the right end of the
-   * disk. Default: (0, 0, 0), not used.
+   * disk, if UseBoundaryPoint is on. Default: (0, 0, 0).
    */
   vtkSetVector3Macro(BoundaryPoint, double);
   vtkGetVector3Macro(BoundaryPoint, double);
@@ -233,8 +234,8 @@ public:
 
   ///@{
   /**
-   * Greatest error of an angle sum (radians) at which the flow may stop. Range [1e-14, 1e-10]. Default:
-   * 1e-11. More than 1e-10 is an error: the map would not be conformal. Of Ricci flow alone.
+   * Greatest error of an angle sum (radians) at which the Ricci flow may stop. If it cannot get below
+   * 1e-10, that is an error, as the map would not be conformal. Range [1e-14, 1e-10]. Default: 1e-11.
    */
   vtkSetClampMacro(Tolerance, double, 1e-14, 1e-10);
   vtkGetMacro(Tolerance, double);

@@ -48,9 +48,9 @@ public:
 
   ///@{
   /**
-   * About how many triangles are left outside of the regions; a context that has fewer stays as it is.
-   * The array of the regions is the input array to process 0 (SetInputArrayToProcess; a point or cell
-   * array of one component). Range [1, inf). Default: 10000.
+   * Approximate number of triangles outside the regions; a context with fewer stays as it is. The array
+   * of the regions is the input array to process 0 (SetInputArrayToProcess; a point or cell array of one
+   * component). Range [1, inf), otherwise an error. Default: 10000.
    */
   vtkSetMacro(ContextFaces, int);
   vtkGetMacro(ContextFaces, int);

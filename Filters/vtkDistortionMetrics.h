@@ -94,12 +94,12 @@ public:
 
   ///@{
   /**
-   * Whether areas are compared with what the flattening was asked for. If on, and if the input has the
-   * point array `TargetArea` that vtkOMTAreaPreservingFilter writes, the target of a face is its surface
+   * Whether areas are compared with the areas that the flattening was asked for. If on, and if the input
+   * has the point array `TargetArea` of vtkOMTAreaPreservingFilter, the target of a face is its surface
    * area times the mean of TargetArea / (one third of the incident surface areas) over its corners. For
    * a flattening without weights that is the surface area itself; for one with weights, all measures
-   * then say how far the result is from the request, not from the surface. If off, areas are compared
-   * with the surface's. Default: on.
+   * then tell how far the result is from the request. If off, areas are compared with those of the
+   * surface. Default: on.
    */
   vtkSetMacro(UseTargetArea, bool);
   vtkGetMacro(UseTargetArea, bool);
@@ -108,8 +108,8 @@ public:
 
   ///@{
   /**
-   * Whether the table has a row per region, from the array chosen as input array to process 0. Default:
-   * on; without a chosen array there is only the row `Total` all the same.
+   * Whether the table has a row for each region of the input array to process 0. Without a chosen array
+   * there is only the row `Total`. Default: on.
    */
   vtkSetMacro(UseRegionArray, bool);
   vtkGetMacro(UseRegionArray, bool);
@@ -118,9 +118,9 @@ public:
 
   ///@{
   /**
-   * Name of a string array in the input's field data whose tuple i is the name of the region with label
-   * i, for the table. Regions without a name are called by their label. Default: "RegionNames"; an array
-   * that does not exist is no error.
+   * Name of a string array in the field data of the input whose tuple i is the name of the region with
+   * label i, for the table. Regions without a name are called by their label; a missing array is not an
+   * error. Default: "RegionNames".
    */
   vtkSetStringMacro(RegionNamesArray);
   vtkGetStringMacro(RegionNamesArray);
@@ -128,10 +128,9 @@ public:
 
   /**
    * The table of output port 1. The input array to process 0, set by SetInputArrayToProcess(0, 0, 0,
-   * association, name), is an optional array of labels (one component, whole numbers) per cell or
-   * per point. Not set, an empty name or "None": the table has only the row `Total`. With labels per
-   * point a face belongs to the label of most of its corners, or of its first corner if all three
-   * differ.
+   * association, name), is an optional array of labels (one component, whole numbers) per cell or per
+   * point. If it is not set, empty or "None", the table has only the row `Total`. With labels per point,
+   * a face belongs to the label of most of its corners, or of its first corner if all three differ.
    */
   vtkTable* GetSummary();
 

@@ -53,11 +53,12 @@ public:
   vtkTypeMacro(vtkFlatMapImage, vtkBlockwisePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Greatest number of pixels per side, a common limit of the size of textures.
   static constexpr int GreatestSize = 16384;
 
   ///@{
   /**
-   * Number of pixels a side, if PixelLength is 0. Range [2, 16384]. Default: 512.
+   * Number of pixels per side, if PixelLength is 0. Range [2, 16384]. Default: 512.
    */
   vtkSetClampMacro(Size, int, 2, GreatestSize);
   vtkGetMacro(Size, int);
@@ -65,8 +66,9 @@ public:
 
   ///@{
   /**
-   * Greatest side of a pixel, in units of the map: as many pixels as are needed for that, and the field
-   * array `PixelLength` says what it is. Range [0, inf). Default: 0, as Size says.
+   * Greatest side of a pixel (units of the map): the image gets as many pixels as that needs, and the
+   * field array `PixelLength` tells the actual side. 0 uses Size instead. Range [0, inf); an error if
+   * more than 16384 pixels per side are needed. Default: 0.
    */
   vtkSetClampMacro(PixelLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(PixelLength, double);
@@ -74,7 +76,8 @@ public:
 
   ///@{
   /**
-   * How many pixels beyond the map are filled from its nearest place. Range [0, 16384]. Default: 2.
+   * Width in pixels of the margin around the map that is filled from the nearest position on the map.
+   * Range [0, 16384]. Default: 2.
    */
   vtkSetClampMacro(Margin, int, 0, GreatestSize);
   vtkGetMacro(Margin, int);

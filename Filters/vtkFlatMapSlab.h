@@ -60,7 +60,7 @@ public:
 
   ///@{
   /**
-   * The volume that is sampled, input port 1 (vtkImageData).
+   * Volume that is sampled, input port 1 (vtkImageData with point arrays).
    */
   void SetVolumeConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetVolumeData(vtkImageData* volume);
@@ -68,8 +68,9 @@ public:
 
   ///@{
   /**
-   * The depths below the surface (input units), in the order of components and layers; negative ones are
-   * above it. Default: 0, 1, 2. GetDepth of a number that there is none for is NaN.
+   * Depths below the surface (input units), in the order of components and layers; negative depths are
+   * above the surface. An error if there is none, or if one is not finite or given twice. GetDepth
+   * returns NaN for an index without a depth. Default: 0, 1, 2.
    */
   void AddDepth(double depth);
   void ClearDepths();
@@ -79,8 +80,8 @@ public:
 
   ///@{
   /**
-   * Whether depths count outwards instead, along the normals: for surfaces whose triangles are
-   * oriented inwards. Default: off.
+   * Whether depths are measured outwards, along the normals, for surfaces whose triangles are oriented
+   * inwards. Default: off.
    */
   vtkSetMacro(Outwards, bool);
   vtkGetMacro(Outwards, bool);
@@ -89,8 +90,8 @@ public:
 
   ///@{
   /**
-   * Whether a sample is the value of the nearest voxel, as labels need it, instead of linear between the
-   * eight around it. Default: off.
+   * Whether a sample takes the value of the nearest voxel, as labels need it, instead of the linear
+   * interpolation between the eight voxels around it. Default: off.
    */
   vtkSetMacro(NearestVoxel, bool);
   vtkGetMacro(NearestVoxel, bool);
@@ -99,7 +100,8 @@ public:
 
   ///@{
   /**
-   * Pixels a side of the stack of images; below 2: none. Range [0, 4096]. Default: 256.
+   * Number of pixels per side of the stack of images; below 2 the stack is empty. Range [0, 4096].
+   * Default: 256.
    */
   vtkSetClampMacro(StackSize, int, 0, 4096);
   vtkGetMacro(StackSize, int);

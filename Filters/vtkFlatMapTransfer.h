@@ -55,7 +55,7 @@ public:
 
   ///@{
   /**
-   * The original surface, port 1.
+   * Original surface, input port 1: triangles in the coordinates of `SurfacePoints`.
    */
   void SetOriginalConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetOriginalData(vtkPolyData* original) { this->SetInputData(1, original); }
@@ -63,8 +63,8 @@ public:
 
   ///@{
   /**
-   * Greatest distance of an original point from the flattened surface (input units). Range [0, inf),
-   * else an error. Default: 0, half of the flattened surface's mean edge length in space.
+   * Greatest distance of an original point from the flattened surface (input units); 0 takes half of the
+   * mean edge length of the flattened surface in space. Range [0, inf), otherwise an error. Default: 0.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);

@@ -96,9 +96,9 @@ public:
 
   ///@{
   /**
-   * What the region is: the triangles with Label in the input array to process 0
-   * (SetInputArrayToProcess; a point or cell array of one component), or the selection on port 1.
-   * Default: LABEL.
+   * Source of the region. LABEL (0): the triangles with Label in the input array to process 0
+   * (SetInputArrayToProcess; a point or cell array of one component). SELECTION (1): the selection on
+   * input port 1. Default: LABEL.
    */
   vtkSetClampMacro(RegionFrom, int, LABEL, SELECTION);
   vtkGetMacro(RegionFrom, int);
@@ -108,7 +108,7 @@ public:
 
   ///@{
   /**
-   * The label of the region. Default: 1.
+   * Label of the region, for LABEL. Any whole number; an error if no triangle has it. Default: 1.
    */
   vtkSetMacro(Label, int);
   vtkGetMacro(Label, int);
@@ -116,9 +116,9 @@ public:
 
   ///@{
   /**
-   * Whether the margin is four mean edges of the region's triangles wide, or the most of three, two, one
-   * and none that leaves a disk. Without a margin the teeth of the region's boundary become a part of
-   * the circle, and the areas of their triangles suffer. Default: on.
+   * Whether the width of the margin is four times the mean edge length of the region or, if that leaves
+   * no disk, three times, twice, once or 0. Without a margin the jagged boundary of the region becomes
+   * the circle, and the triangles there lose their areas. Default: on.
    */
   vtkSetMacro(AutomaticMargin, bool);
   vtkGetMacro(AutomaticMargin, bool);
@@ -127,8 +127,8 @@ public:
 
   ///@{
   /**
-   * Width of what is taken along around the region if AutomaticMargin is off, along edges (input units).
-   * Range [0, inf). Default: 0.
+   * Width of the margin around the region, measured along edges, if AutomaticMargin is off (input
+   * units). Range [0, inf), otherwise an error. Default: 0.
    */
   vtkSetMacro(Margin, double);
   vtkGetMacro(Margin, double);
@@ -136,8 +136,9 @@ public:
 
   ///@{
   /**
-   * Area of the holes in the region that are filled with the surface that is there, as share of the
-   * region's area. Range [0, inf). Default: 0.1. Error if they are larger.
+   * Greatest area of all holes in the region, as a share of the area of the region. The holes are filled
+   * with the parts of the surface that lie in them; larger holes are an error. Range [0, inf). Default:
+   * 0.1.
    */
   vtkSetMacro(LargestHoles, double);
   vtkGetMacro(LargestHoles, double);
@@ -145,14 +146,15 @@ public:
 
   ///@{
   /**
-   * The name of the unit of length of the input, for the table. Default: mm.
+   * Name of the unit of length of the input, for the table. Default: mm.
    */
   vtkSetMacro(LengthUnit, std::string);
   vtkGetMacro(LengthUnit, std::string);
   ///@}
 
   /**
-   * The selection, port 1: a vtkSelection of the input's points or cells.
+   * Selection of SELECTION, input port 1: a vtkSelection of points or cells of the input. Default: none,
+   * an error for SELECTION.
    */
   void SetSelectionConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
 

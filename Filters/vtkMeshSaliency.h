@@ -55,9 +55,9 @@ public:
 
   ///@{
   /**
-   * The unit of the scales (input units). Things of about 5 to 15 units across stand out. Range [0,
-   * inf). Default: 0, the paper's 0.3 % of the diagonal of the bounding box. Error if negative, or if
-   * the largest scale, 4 (NumberOfScales + 1) units, reaches beyond the diagonal.
+   * Unit of the scales (input units); features of about 5 to 15 units across stand out. 0 takes 0.3 % of
+   * the diagonal of the bounding box, as the paper does. Range [0, inf); an error if negative, or if the
+   * largest scale, 4 (NumberOfScales + 1) units, exceeds the diagonal. Default: 0.
    */
   vtkSetMacro(Unit, double);
   vtkGetMacro(Unit, double);
@@ -65,8 +65,8 @@ public:
 
   ///@{
   /**
-   * Number of scales: of Gaussians of standard deviation 2, 3, ... units against twice that. Range
-   * [1, 20]. Default: 5.
+   * Number of scales. They compare Gaussians of standard deviation 2, 3, ... units with Gaussians twice
+   * as wide. Range [1, 20]. Default: 5.
    */
   vtkSetClampMacro(NumberOfScales, int, 1, 20);
   vtkGetMacro(NumberOfScales, int);
@@ -74,7 +74,8 @@ public:
 
   ///@{
   /**
-   * Whether points count by the area around them. Default: on.
+   * Whether points are weighted by the area around them. If off, all have the same weight, as in the
+   * paper. Default: on.
    */
   vtkSetMacro(AreaWeighted, bool);
   vtkGetMacro(AreaWeighted, bool);
@@ -83,7 +84,7 @@ public:
 
   ///@{
   /**
-   * Whether there is an array for each scale, and MeanCurvature. Default: off.
+   * Whether the output has an array for each scale and the array MeanCurvature. Default: off.
    */
   vtkSetMacro(PerScaleArrays, bool);
   vtkGetMacro(PerScaleArrays, bool);
@@ -92,8 +93,8 @@ public:
 
   ///@{
   /**
-   * Whether regions of interest are made: points of at least the threshold that edges connect. Default:
-   * on.
+   * Whether regions of interest are found: sets of points of at least the threshold that are connected
+   * by edges. Default: on.
    */
   vtkSetMacro(FindRegions, bool);
   vtkGetMacro(FindRegions, bool);
@@ -108,8 +109,8 @@ public:
 
   ///@{
   /**
-   * What the threshold of the regions is: the saliency that is exceeded on the rest of the area beyond
-   * Percentile (PERCENTILE), or Threshold (VALUE). Default: PERCENTILE.
+   * Threshold of the regions: the saliency below which Percentile percent of the area lie (PERCENTILE,
+   * 0), or Threshold (VALUE, 1). Default: PERCENTILE.
    */
   vtkSetClampMacro(ThresholdType, int, PERCENTILE, VALUE);
   vtkGetMacro(ThresholdType, int);
@@ -119,7 +120,8 @@ public:
 
   ///@{
   /**
-   * Percent of the area that has a lower saliency than a region's. Range [0, 100]. Default: 90.
+   * Share of the area with a saliency below the threshold, for PERCENTILE (percent). Range [0, 100].
+   * Default: 90.
    */
   vtkSetClampMacro(Percentile, double, 0.0, 100.0);
   vtkGetMacro(Percentile, double);
@@ -127,7 +129,8 @@ public:
 
   ///@{
   /**
-   * Lowest saliency of a region, dimensionless. Range [0, inf). Default: 0.5.
+   * Lowest saliency of a region, for VALUE (dimensionless). Range [0, inf), otherwise an error. Default:
+   * 0.5.
    */
   vtkSetMacro(Threshold, double);
   vtkGetMacro(Threshold, double);
@@ -135,7 +138,8 @@ public:
 
   ///@{
   /**
-   * Regions of a smaller area than this (input units squared) are left out. Range [0, inf). Default: 0.
+   * Smallest area of a region (input units squared); smaller regions are left out. Range [0, inf),
+   * otherwise an error. Default: 0.
    */
   vtkSetMacro(MinimumRegionArea, double);
   vtkGetMacro(MinimumRegionArea, double);
@@ -143,8 +147,8 @@ public:
 
   ///@{
   /**
-   * Regions of a larger area than this (input units squared) are left out. Range [0, inf); 0: none is.
-   * Default: 0.
+   * Greatest area of a region (input units squared); larger regions are left out. 0 keeps all. Range [0,
+   * inf), otherwise an error. Default: 0.
    */
   vtkSetMacro(MaximumRegionArea, double);
   vtkGetMacro(MaximumRegionArea, double);

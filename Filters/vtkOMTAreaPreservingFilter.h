@@ -112,17 +112,17 @@ public:
   vtkTypeMacro(vtkOMTAreaPreservingFilter, vtkBlockwisePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What the size of the domain is.
+  /// The sizes of the domain.
   enum Normalization
   {
-    SURFACE_AREA = 0, ///< its area = area of the surface, in input units
-    UNIT_DOMAIN = 1   ///< radius 1, or height 1; the polygon as it is
+    SURFACE_AREA = 0, ///< the area of the surface, input units squared
+    UNIT_DOMAIN = 1   ///< a disk of radius 1, a rectangle of height 1, or the size of the given polygon
   };
 
   ///@{
   /**
-   * Size of the domain: SURFACE_AREA (0) or UNIT_DOMAIN (1). Default: SURFACE_AREA, so that areas can be
-   * measured on the flat picture in input units.
+   * Size of the domain: SURFACE_AREA (0), so that areas can be measured on the map in input units, or
+   * UNIT_DOMAIN (1). Default: SURFACE_AREA.
    */
   vtkSetClampMacro(NormalizeTo, int, SURFACE_AREA, UNIT_DOMAIN);
   vtkGetMacro(NormalizeTo, int);
@@ -132,8 +132,8 @@ public:
 
   ///@{
   /**
-   * Greatest relative error of a cell's area, max_i |A_i - nu_i| / nu_i. Range [1e-12, 0.1]. Default:
-   * 1e-6. What cannot be reached is an error that says how near it came.
+   * Greatest relative error of the area of a cell, max_i |A_i - nu_i| / nu_i. If it cannot be reached,
+   * the error message tells how near the transport came. Range [1e-12, 0.1]. Default: 1e-6.
    */
   vtkSetClampMacro(Tolerance, double, 1e-12, 0.1);
   vtkGetMacro(Tolerance, double);
@@ -142,10 +142,11 @@ public:
   ///@{
   /**
    * Whether the points have weights. If on, the input array to process 0 (SetInputArrayToProcess; by
-   * default the point array `AreaWeight`) gives each point the factor by which its area is to grow
-   * relative to the others: dimensionless, > 0, 1 everywhere = no change. If the array has not been
-   * chosen and there is no `AreaWeight`, all are 1; "None", which ParaView sends for no choice, asks for
-   * `AreaWeight` and is an error without. Default: on.
+   * default the point array `AreaWeight`) gives each point the factor by which its area grows relative
+   * to the others (dimensionless, > 0). If no array was chosen and there is no `AreaWeight`, all weights
+   * are
+   * 1. "None", which ParaView sends for no choice, asks for `AreaWeight`, whose absence is then an
+   * error. Default: on.
    */
   vtkSetMacro(UseAreaWeight, bool);
   vtkGetMacro(UseAreaWeight, bool);
@@ -154,8 +155,8 @@ public:
 
   ///@{
   /**
-   * Whether triangles are made as exact as cells. If off, the output has the centroids of the cells.
-   * Default: on.
+   * Whether the refinement makes the areas of the triangles as exact as those of the cells. If off, the
+   * points of the output are the centroids of their cells. Default: on.
    */
   vtkSetMacro(FaceRefinement, bool);
   vtkGetMacro(FaceRefinement, bool);
@@ -164,8 +165,8 @@ public:
 
   ///@{
   /**
-   * What angles count against areas in the refinement, dimensionless. 0: areas alone. Larger values give
-   * up some area for shape, continuously. Range [0, 0.99]. Default: 0.
+   * Weight of angles against areas in the refinement (dimensionless). 0 keeps areas alone; larger values
+   * continuously give up area for shape. Range [0, 0.99]. Default: 0.
    */
   vtkSetClampMacro(AngleWeight, double, 0.0, 0.99);
   vtkGetMacro(AngleWeight, double);
@@ -173,11 +174,11 @@ public:
 
   ///@{
   /**
-   * How many neighbouring points the transport takes together as one site, if faces are refined: the
-   * refinement needs of the transport what is wrong over whole regions, not the cell of every point.
-   * Fewer on surfaces of less than some thousand points. 1: every point is a site, as without
-   * refinement, where this setting counts for nothing. Points of one site share its power cell, its
-   * weight and, by their target areas, the cell's area. Range [1, 1000]. Default: 8.
+   * Number of neighbouring points that the transport takes together as one site, if FaceRefinement is
+   * on: the transport then has to correct areas over whole regions only. On surfaces of less than some
+   * thousand points it is reduced. 1 makes every point a site, as without refinement, where this setting
+   * is ignored. The points of a site share its power cell, its weight and, in proportion to their target
+   * areas, the area of the cell. Range [1, 1000]. Default: 8.
    */
   vtkSetClampMacro(PointsPerSite, int, 1, 1000);
   vtkGetMacro(PointsPerSite, int);
@@ -185,7 +186,7 @@ public:
 
   ///@{
   /**
-   * The polygon to be filled, input port 1. Default, and after RemoveDomain(): none.
+   * Convex polygon to map to, input port 1. Default, and after RemoveDomain(): none.
    */
   void SetDomainConnection(vtkAlgorithmOutput* polygon);
   void SetDomainData(vtkPolyData* polygon);
@@ -194,9 +195,9 @@ public:
 
   ///@{
   /**
-   * Whether a boundary point lies in each corner of the polygon of port 1: the one whose power cell has
-   * the corner, or the nearest that is free. A rectangular input without a polygon keeps its corners
-   * whatever this is. Default: off.
+   * Whether a boundary point goes to each corner of the polygon of port 1: the one whose power cell
+   * contains the corner, or the nearest one that is free. A rectangular input without a polygon always
+   * keeps its corners. Default: off.
    */
   vtkSetMacro(FixCorners, bool);
   vtkGetMacro(FixCorners, bool);

@@ -65,7 +65,7 @@ public:
 
   ///@{
   /**
-   * The data to carry, port 1: vtkPolyData, vtkGraph or vtkImageData.
+   * Data to warp, input port 1: vtkPolyData, vtkGraph or vtkImageData.
    */
   void SetCarriedConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetCarriedData(vtkDataObject* data) { this->SetInputData(1, data); }
@@ -79,10 +79,11 @@ public:
 
   ///@{
   /**
-   * What becomes of points outside the undeformed mesh. REMOVE: they go, and with them the polygons,
-   * strips and edges that use them; lines end at the last point inside. LEAVE_UNMOVED: they stay where
-   * they are, and an image grows to cover both its own and the flat map's extent, which makes sense
-   * where the flat map fills the place of the undeformed mesh. Default: REMOVE.
+   * Treatment of points outside the undeformed mesh. REMOVE (0): they are removed together with the
+   * polygons, strips and edges that use them; lines end at the last point inside. LEAVE_UNMOVED (1):
+   * they stay unmoved, and an image grows to cover both its own extent and that of the flat map; this
+   * makes sense if the flat map covers the same part of the plane as the undeformed mesh. Default:
+   * REMOVE.
    */
   vtkSetClampMacro(OutsidePoints, int, REMOVE, LEAVE_UNMOVED);
   vtkGetMacro(OutsidePoints, int);
@@ -92,8 +93,8 @@ public:
 
   ///@{
   /**
-   * Whether long segments of lines and edges of graphs are divided into equal parts before they are
-   * carried. Default: on.
+   * Whether long segments of lines and of edges of graphs are divided into equal parts before they are
+   * warped. Default: on.
    */
   vtkSetMacro(SubdivideLines, bool);
   vtkGetMacro(SubdivideLines, bool);
@@ -102,8 +103,8 @@ public:
 
   ///@{
   /**
-   * The greatest length of these parts, before they are carried (input units). Range [0, inf). Default:
-   * 0, half of the mean side of the undeformed mesh's triangles.
+   * Greatest length of these parts before they are warped (input units); 0 takes half of the mean side
+   * of the triangles of the undeformed mesh. Range [0, inf), otherwise an error. Default: 0.
    */
   vtkSetMacro(MaximumSegmentLength, double);
   vtkGetMacro(MaximumSegmentLength, double);
@@ -117,8 +118,8 @@ public:
 
   ///@{
   /**
-   * What is made of an image. RESAMPLED_IMAGE: an image over the flat map. TEXTURED_MESH: the flat map,
-   * as vtkPolyData, with texture coordinates (`TCoords`) by which the image is drawn on it. Default:
+   * Output for an image. RESAMPLED_IMAGE (0): an image over the flat map. TEXTURED_MESH (1): the flat
+   * map as vtkPolyData with texture coordinates (`TCoords`), by which the image is drawn on it. Default:
    * RESAMPLED_IMAGE.
    */
   vtkSetClampMacro(ImageOutput, int, RESAMPLED_IMAGE, TEXTURED_MESH);
@@ -129,9 +130,9 @@ public:
 
   ///@{
   /**
-   * Width and height of the resampled image in pixels. They are square, and as small as the flat map
-   * allows; what is left over on two sides is not in the map. Range [2, 65535]; 0 0: the size of the
-   * input image. Default: 0 0.
+   * Width and height of the resampled image in pixels. The pixels are square, and as small as possible
+   * so that the image covers the flat map. 0 0 takes the size of the input image. Range [2, 65535],
+   * otherwise an error. Default: 0 0.
    */
   vtkSetVector2Macro(ImageSize, int);
   vtkGetVector2Macro(ImageSize, int);
@@ -139,8 +140,8 @@ public:
 
   ///@{
   /**
-   * Whether a pixel takes the value of the nearest pixel of the image, as it must where values are
-   * labels, and not one interpolated between four. Default: off.
+   * Whether a pixel takes the value of the nearest pixel of the image, as labels need it, instead of the
+   * interpolation between four pixels. Default: off.
    */
   vtkSetMacro(NearestPixel, bool);
   vtkGetMacro(NearestPixel, bool);
@@ -148,7 +149,7 @@ public:
   ///@}
 
   /**
-   * What was carried: vtkPolyData, vtkDirectedGraph, vtkUndirectedGraph, vtkImageData, or a composite
+   * The warped data: vtkPolyData, vtkDirectedGraph, vtkUndirectedGraph, vtkImageData, or a composite
    * data set.
    */
   vtkDataObject* GetOutput() { return this->GetOutputDataObject(0); }

@@ -122,9 +122,9 @@ public:
 
   ///@{
   /**
-   * Points closer to each other than this become one. In units of the input; 0 merges points that
-   * coincide exactly. A little more, such as a tenth of the edge length, removes the thinnest slivers of
-   * an isosurface. Default: 0. Error if negative or not finite.
+   * Distance below which points are merged (input units). 0 merges points that coincide exactly. A
+   * little more, such as a tenth of the edge length, removes the thinnest slivers of an isosurface.
+   * Range [0, inf), otherwise an error. Default: 0.
    */
   vtkSetMacro(MergeTolerance, double);
   vtkGetMacro(MergeTolerance, double);
@@ -139,8 +139,9 @@ public:
 
   ///@{
   /**
-   * Which connected component is kept: the one with the largest area, the one closest to ComponentPoint,
-   * or the one with the number ComponentIndex. Default: LARGEST.
+   * Connected component that is kept: the one with the largest area (LARGEST, 0), the one closest to
+   * ComponentPoint (CLOSEST_TO_POINT, 1), or the one with the number ComponentIndex (BY_INDEX, 2).
+   * Default: LARGEST.
    */
   vtkSetClampMacro(ComponentMode, int, LARGEST, BY_INDEX);
   vtkGetMacro(ComponentMode, int);
@@ -151,8 +152,8 @@ public:
 
   ///@{
   /**
-   * The point that chooses the component if ComponentMode is CLOSEST_TO_POINT. In units of the input.
-   * Default: (0, 0, 0).
+   * Point that chooses the component if ComponentMode is CLOSEST_TO_POINT (input units). Default: (0, 0,
+   * 0).
    */
   vtkSetVector3Macro(ComponentPoint, double);
   vtkGetVector3Macro(ComponentPoint, double);
@@ -160,8 +161,8 @@ public:
 
   ///@{
   /**
-   * The number of the component if ComponentMode is BY_INDEX; components are numbered from 0 in order of
-   * decreasing area. Default: 0. Error if there are not as many.
+   * Number of the component if ComponentMode is BY_INDEX; components are numbered from 0 in order of
+   * decreasing area. An error if there is no such component. Default: 0.
    */
   vtkSetMacro(ComponentIndex, int);
   vtkGetMacro(ComponentIndex, int);
@@ -176,9 +177,10 @@ public:
 
   ///@{
   /**
-   * Which boundary loop becomes that of the disk, while all others are filled: the longest, the one
-   * closest to BoundaryPoint, or none, so that the surface is closed and then opened as CutMode says.
-   * Default: LONGEST_BOUNDARY.
+   * Boundary loop that becomes that of the disk, while all others are filled: the longest
+   * (LONGEST_BOUNDARY, 0), the one closest to BoundaryPoint (BOUNDARY_CLOSEST_TO_POINT, 1), or none
+   * (FILL_ALL_BOUNDARIES, 2), so that the surface is closed and then opened by CutMode. Default:
+   * LONGEST_BOUNDARY.
    */
   vtkSetClampMacro(BoundaryMode, int, LONGEST_BOUNDARY, FILL_ALL_BOUNDARIES);
   vtkGetMacro(BoundaryMode, int);
@@ -189,8 +191,8 @@ public:
 
   ///@{
   /**
-   * The point that chooses the boundary if BoundaryMode is BOUNDARY_CLOSEST_TO_POINT. In units of the
-   * input. Default: (0, 0, 0).
+   * Point that chooses the boundary if BoundaryMode is BOUNDARY_CLOSEST_TO_POINT (input units). Default:
+   * (0, 0, 0).
    */
   vtkSetVector3Macro(BoundaryPoint, double);
   vtkGetVector3Macro(BoundaryPoint, double);
@@ -198,9 +200,9 @@ public:
 
   ///@{
   /**
-   * A boundary loop longer than this is not filled but an error: the patch would be an invention. In
-   * units of the input; 0 takes the circumference of a circle of 5 % of the surface's area. Default: 0.
-   * Error if negative or not finite.
+   * Greatest length of a boundary loop that is filled (input units); a longer one is an error, as its
+   * patch would be an invention. 0 takes the circumference of a circle of 5 % of the area of the
+   * surface. Range [0, inf), otherwise an error. Default: 0.
    */
   vtkSetMacro(FillLengthLimit, double);
   vtkGetMacro(FillLengthLimit, double);
@@ -209,10 +211,10 @@ public:
   ///@{
   /**
    * Whether spikes, pits and fins as thin as one voxel, which noise leaves on an isosurface, are
-   * flattened into the surface around them: such a fold has nearly no base to put its area on in a flat
-   * map. At most 20 neighbouring points are moved together; larger sheets stay. See the figures
-   * RemovedSpikes, RemovedFins, FoldAreaChange and LeftFolded. Default: on. Nothing is changed if
-   * HandleMode is CUT_HANDLES.
+   * flattened into the surface around them, as a flat map has nearly no room for the area of such a
+   * fold. At most 20 neighbouring points are moved together; larger sheets stay. The field data
+   * RemovedSpikes, RemovedFins, FoldAreaChange and LeftFolded report the changes. Ignored if HandleMode
+   * is CUT_HANDLES. Default: on.
    */
   vtkSetMacro(FlattenFolds, bool);
   vtkGetMacro(FlattenFolds, bool);
@@ -228,16 +230,17 @@ public:
 
   ///@{
   /**
-   * What is done about handles and tunnels (genus > 0).
-   * - REMOVE_HANDLES: each is cut along the shortest loop, around the handle or around the tunnel, and
-   *   the two openings are capped. For topological noise, whose loops are short. Where a cap would pass
-   *   through another part of the surface, a longer loop is taken, or the surface is smoothed there.
-   * - CUT_HANDLES: the surface is cut open along a short graph of its edges and stays as it is; all of
-   *   its area is kept. A closed surface is open then, and is not opened at a hole or seam besides,
-   *   unless points are chosen for it: the hole of HolePoint (UseHolePoint) or the seam of SeamPoints
-   *   (UseSeamPoints) is cut first. The graph does not keep off a region of interest: a warning if it
-   * meets it.
-   * - HANDLES_ARE_ERRORS: an error that names their number.
+   * Treatment of handles and tunnels (genus > 0).
+   * - REMOVE_HANDLES (0): each handle is cut along a shortest loop, around the handle or around its
+   *   tunnel, and the two openings are capped. This suits topological noise, whose loops are short.
+   * Where a cap would pass through another part of the surface, a longer loop is taken, or the surface
+   * is smoothed there.
+   * - CUT_HANDLES (1): the surface is cut open along a short graph of its edges and keeps its shape and
+   *   area. A closed surface is then open and gets no hole or seam, unless points are chosen for one:
+   * the hole of HolePoint (UseHolePoint) or the seam of SeamPoints (UseSeamPoints) is cut first. The
+   * graph does not avoid a region of interest; a warning tells if it meets one.
+   * - HANDLES_ARE_ERRORS (2): handles are an error, whose message tells their number.
+   *
    * Default: REMOVE_HANDLES.
    */
   vtkSetClampMacro(HandleMode, int, REMOVE_HANDLES, HANDLES_ARE_ERRORS);
@@ -256,17 +259,18 @@ public:
 
   ///@{
   /**
-   * How the surface is cut.
-   * - HOLE: a surface without boundary loses a geodesic disk around a point (HolePoint,
+   * Way to cut the surface.
+   * - HOLE (0): a surface without boundary loses a geodesic disk around a point (HolePoint,
    *   HoleAreaFraction).
-   * - SEAM: the surface is cut along a geodesic path (UseSeamPoints, SeamPoints) and loses nothing. If
-   *   it has a boundary the path must start there. Without SeamPoints, a tube with two open ends is cut
-   *   from end to end along a shortest path, ready for the rectangle of vtkConformalDiskFilter: its ends
-   *   are the longest boundary and the next one, if that is at least a quarter as long. Not if
-   *   BoundaryMode is FILL_ALL_BOUNDARIES, or HandleMode CUT_HANDLES and there are handles. The seam of
-   * a tube does not keep off a region of interest: a warning if it meets it.
-   * - PLANE: what lies on the side of PlaneOrigin to which PlaneNormal points is kept, of several parts
-   *   one as ComponentMode says (BY_INDEX: the largest).
+   * - SEAM (1): the surface is cut along a geodesic path (UseSeamPoints, SeamPoints) and keeps its area.
+   *   If it has a boundary, the path must start there. Without SeamPoints, a tube with two open ends is
+   *   cut from end to end along a shortest path, ready for the rectangle of vtkConformalDiskFilter. Its
+   *   ends are the longest boundary and the next one, if that is at least a quarter as long. A tube is
+   * not cut if BoundaryMode is FILL_ALL_BOUNDARIES, or if HandleMode is CUT_HANDLES and there are
+   * handles. The seam of a tube does not avoid a region of interest; a warning tells if it meets one.
+   * - PLANE (2): the part on the side of the plane to which PlaneNormal points is kept; of several
+   * parts, ComponentMode chooses one (for BY_INDEX the largest).
+   *
    * Default: HOLE.
    */
   vtkSetClampMacro(CutMode, int, HOLE, PLANE);
@@ -278,9 +282,9 @@ public:
 
   ///@{
   /**
-   * Whether HolePoint says where a closed surface is opened. If off, the hole is placed where the rest
-   * of the surface is nearest on average, along the surface: neither on a tip nor deep in a fold, which
-   * keeps the distortion of the flattening low. Default: off.
+   * Whether HolePoint chooses where a closed surface is opened. If off, the hole is placed where the
+   * mean distance along the surface to all other points is smallest: neither on a tip nor deep in a
+   * fold, which keeps the distortion of the flattening low. Default: off.
    */
   vtkSetMacro(UseHolePoint, bool);
   vtkGetMacro(UseHolePoint, bool);
@@ -289,9 +293,9 @@ public:
 
   ///@{
   /**
-   * The point of the surface closest to this one becomes the centre of the hole, if UseHolePoint is on.
-   * In units of the input. Default: (0, 0, 0). Error if it is farther from the surface than 5 % of the
-   * diagonal of its bounding box.
+   * Point whose closest point on the surface becomes the centre of the hole, if UseHolePoint is on
+   * (input units). An error if it is farther from the surface than 5 % of the diagonal of its bounding
+   * box. Default: (0, 0, 0).
    */
   vtkSetVector3Macro(HolePoint, double);
   vtkGetVector3Macro(HolePoint, double);
@@ -299,8 +303,9 @@ public:
 
   ///@{
   /**
-   * Area of the hole that is cut into a closed surface, as share of the surface's area. A smaller hole
-   * loses less of the surface, but stretches the conformal map more. Default: 0.001; range: 1e-6 to 0.5.
+   * Area of the hole that is cut into a closed surface, as a share of the area of the surface. A smaller
+   * hole loses less of the surface, but stretches the conformal map more. Range [1e-6, 0.5]. Default:
+   * 0.001.
    */
   vtkSetClampMacro(HoleAreaFraction, double, 1e-6, 0.5);
   vtkGetMacro(HoleAreaFraction, double);
@@ -308,10 +313,10 @@ public:
 
   ///@{
   /**
-   * Whether the hole or seam is kept away from a region of interest: points where the array set by
-   * SetInputArrayToProcess(0, ...) is not 0, or corners of cells where it is not 0. Default: off. It
-   * concerns automatic placement only. Error if the array is missing, of another length or leaves no
-   * room for a seam; a warning if the hole takes some of it.
+   * Whether a hole or seam that is placed automatically avoids a region of interest: the points where
+   * the input array to process 0 (SetInputArrayToProcess) is not 0, or the corners of cells where it is
+   * not 0. An error if the array is missing, has the wrong length or leaves no room for a seam; a
+   * warning tells if the hole takes points of the region. Default: off.
    */
   vtkSetMacro(UseRegionOfInterest, bool);
   vtkGetMacro(UseRegionOfInterest, bool);
@@ -320,9 +325,9 @@ public:
 
   ///@{
   /**
-   * Whether SeamPoints say where the seam runs, if CutMode is SEAM. If off, the seam of a closed surface
-   * runs between two ends of it that are far from each other, which flattens best, that of a tube from
-   * end to end, and any other open surface stays as it is. Default: off.
+   * Whether SeamPoints choose the seam, if CutMode is SEAM. If off, the seam of a closed surface joins
+   * two extremities that are far from each other, which flattens best, the seam of a tube joins its
+   * ends, and any other open surface is not cut. Default: off.
    */
   vtkSetMacro(UseSeamPoints, bool);
   vtkGetMacro(UseSeamPoints, bool);
@@ -331,8 +336,8 @@ public:
 
   ///@{
   /**
-   * How many points the seam goes through, if UseSeamPoints is on. Default: 0. Error if there are fewer
-   * than two.
+   * Number of points that the seam goes through, if UseSeamPoints is on. Range [2, inf), otherwise an
+   * error. Default: 0.
    */
   void SetNumberOfSeamPoints(int number);
   int GetNumberOfSeamPoints();
@@ -340,8 +345,8 @@ public:
 
   ///@{
   /**
-   * A point that the seam goes through, in their order: the point of the surface closest to this one. In
-   * units of the input. Error if it is off the surface as for HolePoint.
+   * Points whose closest points on the surface the seam goes through, in order (input units). An error
+   * if one is too far from the surface, as for HolePoint. Default: none.
    */
   void SetSeamPoint(int index, double x, double y, double z);
   void SetSeamPoint(int index, const double point[3]);
@@ -352,7 +357,7 @@ public:
 
   ///@{
   /**
-   * A point of the plane. In units of the input. Default: (0, 0, 0).
+   * Point of the plane of CutMode PLANE (input units). Default: (0, 0, 0).
    */
   vtkSetVector3Macro(PlaneOrigin, double);
   vtkGetVector3Macro(PlaneOrigin, double);
@@ -360,7 +365,8 @@ public:
 
   ///@{
   /**
-   * Points to the side of the plane that is kept; any length but 0. Default: (1, 0, 0).
+   * Normal of the plane of CutMode PLANE, which points to the side that is kept. Any length but 0,
+   * otherwise an error. Default: (1, 0, 0).
    */
   vtkSetVector3Macro(PlaneNormal, double);
   vtkGetVector3Macro(PlaneNormal, double);
@@ -368,9 +374,9 @@ public:
 
   ///@{
   /**
-   * A boundary that the filter cuts gets at least this many vertices: edges there are split where
-   * needed. One that the input has gets 8, or this many if these are fewer, as a polygon of three covers
-   * less than half of the disk. Default: 128; range: 3 and above.
+   * Least number of vertices of a boundary that the filter cuts: edges there are split where needed. A
+   * boundary of the input gets at least 8 vertices, or this number if it is smaller, as a triangle
+   * covers less than half of its circle. Range [3, inf). Default: 128.
    */
   vtkSetClampMacro(MinimumBoundaryVertices, int, 3, VTK_INT_MAX);
   vtkGetMacro(MinimumBoundaryVertices, int);
@@ -378,9 +384,9 @@ public:
 
   ///@{
   /**
-   * Without Remesh, faces with a smaller angle are changed by moving, joining and flipping what is
-   * around them, as slivers cannot be flattened well. In degrees; 0 leaves all faces as they are.
-   * Default: 1; range: 0 to 15. Nothing is changed if HandleMode is CUT_HANDLES.
+   * Angle below which a face is removed without Remesh, by moving its vertices, collapsing and flipping
+   * edges, as slivers cannot be flattened well (degrees). 0 leaves all faces as they are. Ignored if
+   * HandleMode is CUT_HANDLES. Range [0, 15]. Default: 1.
    */
   vtkSetClampMacro(SmallestAngle, double, 0.0, 15.0);
   vtkGetMacro(SmallestAngle, double);
@@ -388,8 +394,8 @@ public:
 
   ///@{
   /**
-   * Whether the triangles are replaced by nearly equilateral ones. The boundary is resampled alike.
-   * vtkFlatMapTransfer carries the flattening back to the points of the input. Default: off.
+   * Whether the triangles are replaced by nearly equilateral ones; the boundary is resampled, too.
+   * vtkFlatMapTransfer transfers the flat map back to the points of the input. Default: off.
    */
   vtkSetMacro(Remesh, bool);
   vtkGetMacro(Remesh, bool);
@@ -398,8 +404,8 @@ public:
 
   ///@{
   /**
-   * Edge length for Remesh, in units of the input; 0 takes RelativeEdgeLength instead. Default: 0. Error
-   * if negative, not finite, or so large that fewer than 20 faces would be left.
+   * Edge length for Remesh (input units); 0 uses RelativeEdgeLength instead. Range [0, inf); an error
+   * otherwise, or if fewer than 20 faces would be left. Default: 0.
    */
   vtkSetMacro(TargetEdgeLength, double);
   vtkGetMacro(TargetEdgeLength, double);
@@ -407,9 +413,9 @@ public:
 
   ///@{
   /**
-   * Edge length for Remesh in units of the mean edge length of the surface, if TargetEdgeLength is 0.
-   * Default: 0.9, which leaves an isosurface about as many points as it had. Error if not positive and
-   * finite.
+   * Edge length for Remesh, if TargetEdgeLength is 0, in units of the mean edge length of the surface.
+   * The default leaves an isosurface about as many points as it had. Range (0, inf), otherwise an error.
+   * Default: 0.9.
    */
   vtkSetMacro(RelativeEdgeLength, double);
   vtkGetMacro(RelativeEdgeLength, double);
@@ -417,8 +423,8 @@ public:
 
   ///@{
   /**
-   * Whether the pairs of faces that intersect each other are counted, before and after; takes about as
-   * long as all the rest without remeshing. Default: on.
+   * Whether pairs of intersecting faces are counted, before and after. This takes about as long as all
+   * other steps without remeshing. If off, both counts are 0. Default: on.
    */
   vtkSetMacro(CountSelfIntersections, bool);
   vtkGetMacro(CountSelfIntersections, bool);

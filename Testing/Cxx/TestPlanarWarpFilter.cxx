@@ -313,7 +313,7 @@ TEST(PlanarWarpFilter, ReportsWhatIsWrong)
   const auto folded = deformed(plane(5), bend);
   folded->GetPointData()->GetArray("SurfacePoints")->SetComponent(14, 0, 1.9);
   expectFailure(filter, folded, line, "folds over itself");
-  expectFailure(filter, doubled(), polyline({ { 5, 5, 0 }, { 6, 5, 0 } }), "nothing of the data lies");
+  expectFailure(filter, doubled(), polyline({ { 5, 5, 0 }, { 6, 5, 0 } }), "no point of the data lies");
   vtkNew<vtkMutableUndirectedGraph> bare;
   bare->AddVertex();
   bare->AddVertex();
