@@ -20,7 +20,7 @@ namespace
 
 constexpr double Pi = EIGEN_PI;
 
-// From 0 to t, to the last digits for functions as smooth as these.
+// The integral from 0 to t, to the last digits for smooth functions.
 double integral(const SurfaceOfRevolution::Function& f, double t)
 {
   return boost::math::quadrature::gauss<double, 40>::integrate(f, 0.0, t);
@@ -32,7 +32,7 @@ Eigen::RowVector3d pointOf(const SurfaceOfRevolution& surface, double t, double 
   return { r * std::cos(angle), r * std::sin(angle), surface.Height(t) };
 }
 
-// The parameter within which lies @p share of the area.
+// The meridian parameter within which @p share of the area lies.
 double parameterOfShare(const SurfaceOfRevolution& surface, double share)
 {
   double low = 0.0;
@@ -54,7 +54,7 @@ struct Ring
   int vertex(int k) const { return this->First + k % this->Count; }
 };
 
-// The faces between two rings: the ring that lags behind in angle advances.
+// Adds the faces between two rings: the ring whose current vertex has the smaller angle advances.
 void stitch(const Ring& inner, const Ring& outer, std::vector<Eigen::RowVector3i>& faces)
 {
   int a = 0;
@@ -85,7 +85,7 @@ void setFaces(TriangleMesh& mesh, const std::vector<Eigen::RowVector3i>& faces)
   }
 }
 
-// Angles and parameters are in place: the points follow.
+// Computes the points from their angles and parameters.
 void placeVertices(RevolutionMesh& mesh, const SurfaceOfRevolution& surface)
 {
   mesh.Mesh.Vertices.resize(mesh.Parameter.size(), 3);
@@ -183,7 +183,7 @@ SurfaceOfRevolution capsule(double length)
 
 RevolutionMesh ringMesh(const SurfaceOfRevolution& surface, int vertexCount)
 {
-  // The circles grow up to the ring at this share of the meridian.
+  // The number of vertices of a ring grows up to the ring at this share of the meridian.
   double widest = surface.End;
   for (int i = 1000;
        i > 0 && surface.Radius(surface.End * (i - 1) / 1000.0) > 0.999 * surface.Radius(surface.End);
@@ -192,7 +192,7 @@ RevolutionMesh ringMesh(const SurfaceOfRevolution& surface, int vertexCount)
     widest = surface.End * (i - 1) / 1000.0;
   }
   const double growing = widest < 0.8 * surface.End ? widest / surface.End : 1.0;
-  // With K rings, K * growing of them growing: 3 K^2 (2 growing - growing^2) + 3 K growing + 1 vertices.
+  // K rings, of which K * growing grow, have 3 K^2 (2 growing - growing^2) + 3 K growing + 1 vertices.
   const double share = (2.0 - growing) * growing;
   const int ringCount = std::max(
     1, static_cast<int>(std::lround(std::sqrt(vertexCount / (3.0 * share)) - 0.5 * growing / share)));

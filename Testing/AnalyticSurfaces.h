@@ -30,11 +30,12 @@ struct SurfaceOfRevolution
 
 /// The flat unit disk: both maps are the identity.
 SurfaceOfRevolution flatDisk();
-/// Part of the unit sphere within @p angle (radians, below pi) of the pole; pi / 2: the hemisphere.
+/// The part of the unit sphere within @p angle (radians, below pi) of the pole; pi / 2 gives the
+/// hemisphere.
 SurfaceOfRevolution sphericalCap(double angle);
-/// z = -@p steepness r^2 over the unit disk.
+/// The surface z = -@p steepness r^2 over the unit disk.
 SurfaceOfRevolution paraboloid(double steepness);
-/// z = @p height exp(-r^2 / (2 @p width^2)) over the unit disk. Its integrals are computed
+/// The surface z = @p height exp(-r^2 / (2 @p width^2)) over the unit disk. Its integrals are computed
 /// numerically, to 1e-12.
 SurfaceOfRevolution gaussianBump(double height, double width);
 /// A hemisphere of radius 1 on an open cylinder of length @p length.
@@ -48,12 +49,12 @@ struct RevolutionMesh
   int FirstBoundaryVertex;   ///< it and all after it are on the boundary, in order of their angles
 };
 
-/// Rings at equal steps of t, ring i of 6 i vertices until the circles stop growing: about
-/// @p vertexCount vertices, nearly all of degree 6.
+/// A mesh of rings at equal steps of t, with about @p vertexCount vertices. Ring i has 6 i vertices
+/// until the circles stop growing, so that nearly all vertices have degree 6.
 RevolutionMesh ringMesh(const SurfaceOfRevolution& surface, int vertexCount);
 
-/// Vogel's sunflower, evenly spread by area, with the Delaunay triangles of the conformal image: about
-/// @p vertexCount vertices without any symmetry.
+/// A mesh without any symmetry: about @p vertexCount vertices on Vogel's sunflower spiral, evenly spread
+/// by area, with the Delaunay triangles of their conformal image.
 RevolutionMesh sunflowerMesh(const SurfaceOfRevolution& surface, int vertexCount);
 
 /// Root mean square over the vertices of |@p positions| - @p radius(t).
@@ -61,8 +62,8 @@ double radialError(const RevolutionMesh& mesh,
   const Points2& positions,
   const SurfaceOfRevolution::Function& radius);
 
-/// Greatest distance of a vertex of @p positions from where @p radius and its angle place it, after the
-/// rotation about the origin that fits best.
+/// Greatest distance of a vertex of @p positions from the point that @p radius and its angle give, after
+/// the rotation about the origin that fits best.
 double largestError(const RevolutionMesh& mesh,
   const Points2& positions,
   const SurfaceOfRevolution::Function& radius);

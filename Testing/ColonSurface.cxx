@@ -22,7 +22,7 @@ constexpr double FoldHeight = 7.0;
 constexpr double FoldWidth = 3.0; // standard deviation along the colon
 constexpr double Rounding = 1.0;
 
-// Along the centre line, away from it and around it.
+// Coordinates along the centre line, away from it and around it.
 struct ColonPlace
 {
   double Along;
@@ -54,7 +54,7 @@ double wallRadius(double along, double angle)
          FoldHeight * fold * betweenTaeniae;
 }
 
-// The greater of two distances, rounded where they meet.
+// The greater of two distances, with a rounded transition where they are equal.
 double smoothMaximum(double a, double b)
 {
   const double blend = std::max(Rounding - std::abs(a - b), 0.0) / Rounding;
@@ -121,7 +121,7 @@ Colon generateColon(double spacing, unsigned seed)
   TriangleMesh whole = samples::marchingTetrahedra(lumen);
   whole.Vertices = (spacing * whole.Vertices).rowwise() + low;
 
-  // Without what is beyond the ends.
+  // Leaves out the parts beyond the ends.
   std::vector<int> number(whole.vertexCount(), -1);
   int count = 0;
   for (int v = 0; v < whole.vertexCount(); ++v)

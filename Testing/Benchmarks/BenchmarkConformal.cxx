@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Compares the methods of the conformal disk: times, as a yardstick in the same run the Cholesky
 // factorization of the mesh's Laplacian, memory, and the distortion of angles. Times are processor time
-// and wall clock. Of the surfaces of a million vertices, the default method alone.
+// and wall clock. On surfaces of a million vertices only the default method is measured.
 //   BenchmarkConformal [scan [finer scan]] [Google Benchmark's options]
 #include "BenchmarkSurfaces.h"
 #include "Conformal/ConformalDisk.h"
@@ -31,7 +31,7 @@ constexpr std::array<NamedMethod, 3> Methods = { { { "Ricci Flow", ConformalMeth
   { "Boundary First", ConformalMethod::BoundaryFirst },
   { "Mean Value", ConformalMethod::MeanValue } } };
 
-// Of processor time.
+// Seconds of processor time.
 double factorizationSeconds(const SparseMatrix& laplacian)
 {
   const benchmarks::StopWatch watch;

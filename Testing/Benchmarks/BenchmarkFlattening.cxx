@@ -31,11 +31,11 @@ using namespace flattening;
 
 using benchmarks::StopWatch;
 
-// Of larger meshes the transport of every vertex takes minutes.
+// On larger meshes the transport of every vertex takes minutes.
 constexpr int MostSites = 150000;
 // Processor time that the plain Newton iteration is given.
 constexpr double MostPlainSeconds = 60.0;
-// The same for the flows; they end when the areas of vertices are off by this on average.
+// The flows get as much time, and end when the mean relative error of the vertices' areas is below this.
 constexpr double MostFlowSeconds = 60.0;
 constexpr double FlowTolerance = 0.01;
 
@@ -96,7 +96,7 @@ void transportAll(benchmark::State& state, const TriangleMesh& mesh, const Point
   counters["cells_flipped"] = flat.Map.FlippedFaces;
 }
 
-// The same without the accelerations.
+// The same transport by the plain Newton iteration, without the accelerations.
 void transportPlainly(benchmark::State& state, const TriangleMesh& mesh, const Points2& conformal)
 {
   auto& counters = state.counters;
@@ -114,7 +114,7 @@ void transportPlainly(benchmark::State& state, const TriangleMesh& mesh, const P
   counters["plain_newton_converged"] = plain.Converged;
 }
 
-// As the filter does it: the transport of groups of vertices, and the refinement.
+// The map as the filter makes it: the transport of groups of vertices, then the refinement.
 void refineAll(benchmark::State& state, const TriangleMesh& mesh, const Points2& conformal)
 {
   auto& counters = state.counters;
@@ -166,8 +166,8 @@ void countFlow(benchmark::State& state,
   counters[name + "_angle_error"] = faces[Measure::AngleError].Mean;
 }
 
-// The methods that the paper compares itself with. The minimal flow starts from the other's map, whose
-// time counts for both.
+// The two methods that the paper is compared with. The minimal flow starts from the map of the other
+// method, whose time counts for both.
 void flowFrom(benchmark::State& state, const TriangleMesh& mesh, const Points2& conformal)
 {
   const StopWatch watch;

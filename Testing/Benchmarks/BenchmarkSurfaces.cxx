@@ -35,7 +35,7 @@ namespace flattening::benchmarks
 namespace
 {
 
-// Of the whole brain.
+// The whole brain is remeshed to this edge length, and its hole takes this share of the area.
 constexpr double BrainEdgeLength = 1.465; // mm
 constexpr double BrainHoleFraction = 0.0075;
 
@@ -105,8 +105,8 @@ BenchmarkSurface asDisk(vtkPolyData* surface, double edgeLength, double holeFrac
   return asDisk(toDisk, surface, edgeLength);
 }
 
-// Without the triangles nearest to where a hole is placed, as many as have that share of the area, and
-// as few more as make the rest a disk.
+// Removes the triangles nearest to the position of the hole until they have the given share of the area,
+// and as few more as make the rest a disk.
 TriangleMesh withoutTriangles(const TriangleMesh& closed, double areaFraction)
 {
   const SurfaceMesh surface = toSurfaceMesh(closed);
@@ -145,7 +145,7 @@ TriangleMesh withoutTriangles(const TriangleMesh& closed, double areaFraction)
   throw TopologyError("no disk is left");
 }
 
-// What lies on side 1 or -1 of the mid-plane.
+// The part of the surface on side 1 or -1 of the mid-plane.
 BenchmarkSurface half(const std::string& scan, double edgeLength, int side = 1)
 {
   const vtkSmartPointer<vtkPolyData> brain = brainSurface(scan);

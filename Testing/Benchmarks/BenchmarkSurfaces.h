@@ -28,20 +28,21 @@ BenchmarkSurface squareGrid(int columns, int rows);
 BenchmarkSurface closedBrain(const std::string& scan);
 /// The same closed brain remeshed to edges of 1.465 mm, the hole 0.75 % of its area.
 BenchmarkSurface remeshedBrain(const std::string& scan);
-/// The same closed brain remeshed alike, opened by leaving out the triangles around a point: 0.75 % of
-/// the area, the hole's boundary in edges of the mesh. vtkSurfaceToDiskFilter makes it finer.
+/// The same closed and remeshed brain, opened by leaving out the triangles around a point: 0.75 % of the
+/// area. The boundary of the hole consists of edges of the mesh; vtkSurfaceToDiskFilter makes a smoother
+/// one.
 BenchmarkSurface remeshedBrainWithCoarseHole(const std::string& scan);
-/// Its half beyond the mid-plane, with the triangles of the isosurface.
+/// One half of the closed brain, cut at the mid-plane, with the triangles of the isosurface.
 BenchmarkSurface halfBrain(const std::string& scan);
 /// The half on the other side.
 BenchmarkSurface otherHalfBrain(const std::string& scan);
-/// The same half, remeshed to edges of that length (mm).
+/// The same half, remeshed to edges of the given length (mm).
 BenchmarkSurface remeshedHalfBrain(const std::string& scan, double edgeLength = 1.2);
 
 /// The brain in @p scan (`ch2better.nii.gz`: 0.5 mm, skull-stripped), smoothed by one voxel, isovalue
 /// 60, its 120 handles removed, opened at a hole: a million vertices too, with long narrow parts.
 BenchmarkSurface fineBrain(const std::string& scan);
-/// The closed brain as it came, the hole 0.75 % of its area.
+/// The closed brain without remeshing, with a hole of 0.75 % of its area.
 BenchmarkSurface brainWithResolvedHole(const std::string& scan);
 /// An open tube, cut from end to end and remeshed.
 BenchmarkSurface unrolled(const TriangleMesh& tube, double edgeLength);

@@ -15,7 +15,7 @@ Eigen::RowVector2d turned(const Eigen::RowVector2d& v)
   return { -v.y(), v.x() };
 }
 
-// From corner k + 1 to corner k + 2.
+// The vector from corner k + 1 to corner k + 2.
 Eigen::RowVector2d side(const Points2& positions, const FaceMatrix& faces, Eigen::Index f, int k)
 {
   return positions.row(faces(f, (k + 2) % 3)) - positions.row(faces(f, (k + 1) % 3));

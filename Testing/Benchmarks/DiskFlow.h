@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What flows of a flat disk that restore areas have in common.
+/// Functions that the area-restoring flows of a flat disk share.
 #pragma once
 
 #include "Base/SparseFactorization.h"
@@ -35,7 +35,7 @@ FaceVectors vertexMeans(const FaceMatrix& faces,
 
 /// Moves the vertices by @p velocity for the longest of @p time, @p time / 2, ... down to @p shortest
 /// after which every face has more than a fifth of its area; boundary vertices stay on the unit circle.
-/// @return the time; 0 if not even the shortest will do: then nothing is moved.
+/// @return the time; 0 if even the shortest is too long, and then nothing is moved.
 double advance(Points2& positions,
   const FaceVectors& velocity,
   double time,

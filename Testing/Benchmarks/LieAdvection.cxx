@@ -11,13 +11,13 @@ namespace flattening::benchmarks
 namespace
 {
 
-// Of the time in which excess areas decay by e.
+// Shares of the time in which excess areas decay by the factor e.
 constexpr double WholeStep = 1.0;
 constexpr double ShortStep = 0.25;
-constexpr double GreatestMove = 0.3; // of the least altitude around a vertex
+constexpr double GreatestMove = 0.3; // share of the least altitude around a vertex
 
-// Shortened, vertex by vertex, so that no face flips. Global steps would be as short as the thinnest
-// face needs them.
+// Shortens the moves, vertex by vertex, so that no face flips. Global steps would be as short as the
+// thinnest face needs them.
 FaceVectors withinFaces(FaceVectors moves, const Points2& positions, const FaceMatrix& faces)
 {
   const Eigen::VectorXd areas = signedFaceAreas(positions, faces);

@@ -16,7 +16,7 @@ namespace flattening::benchmarks
 /// moves farther than 0.3 of the least altitude around it. Ends when the areas of vertices (a third of
 /// the faces around them) are off by @p tolerance on average; without a result when a face has
 /// collapsed, which the areas of vertices do not prevent, or after @p seconds of processor time.
-/// @p conformal: to the unit disk, without flipped faces.
+/// @param conformal the conformal map to the unit disk, without flipped faces.
 FlowResult lieAdvection(const TriangleMesh& mesh,
   const Points2& conformal,
   double tolerance,

@@ -16,10 +16,10 @@ namespace flattening::benchmarks
 namespace
 {
 
-constexpr double CurlLeft = 0.1;      // of the start's
-constexpr double LeastCurl = 0.01;    // of the way that the start goes
-constexpr double ShortestPart = 1e-6; // of a step
-constexpr double StreamStep = 0.5;    // of the way across a face in a step
+constexpr double CurlLeft = 0.1;      // share of the curl at the start
+constexpr double LeastCurl = 0.01;    // share of the distance that the start moves points
+constexpr double ShortestPart = 1e-6; // share of a step
+constexpr double StreamStep = 0.5;    // share of the width of a face that a step may cross
 
 class Flow
 {
@@ -74,8 +74,7 @@ private:
   SparseCholesky Cholesky{ SparseCholesky::Ordering::Quick };
 };
 
-// The face around v into which one comes against the stream, or that comes nearest to it at the
-// boundary.
+// The face around v that lies upstream of v; at the boundary, the one nearest to that direction.
 int Flow::upstreamFace(int v, const Eigen::RowVector2d& stream) const
 {
   int best = -1;

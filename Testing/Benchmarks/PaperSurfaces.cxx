@@ -11,7 +11,7 @@ namespace flattening::benchmarks
 namespace
 {
 
-// Closed at one end.
+// A tube that is closed at one end.
 BenchmarkSurface tube()
 {
   return { analytic::sunflowerMesh(analytic::capsule(6.0), 1649).Mesh };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Surfaces of the kinds and sizes in Tables 1 and 2 of the paper, whose own are not public.
+/// Surfaces of the kinds and sizes in Tables 1 and 2 of the paper, whose own surfaces are not public.
 #pragma once
 
 #include "BenchmarkSurfaces.h"
@@ -22,7 +22,8 @@ struct PaperSurface
   double LieAdvectionSeconds = 0.0; ///< Table 1, Zou et al.; 0: not given
 };
 
-/// The rows that share a mesh there (hemisphere, square, Gaussian) once. @p scan is that of the brain.
+/// The rows of the tables; rows that share a mesh in the paper (hemisphere, square, Gaussian) are one.
+/// @p scan is the file of the brain.
 std::vector<PaperSurface> paperSurfaces(const std::string& scan);
 
 } // namespace flattening::benchmarks

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// How much memory a part of the program takes at most.
+/// The greatest amount of memory that a part of the program uses.
 #pragma once
 
 namespace flattening::benchmarks
@@ -8,8 +8,8 @@ namespace flattening::benchmarks
 /// Begins to watch the resident memory of the process (Linux).
 void resetPeakMemory();
 
-/// The most that was resident since, in 1e9 bytes, all that the process held before included; 0 where
-/// the system does not tell.
+/// The greatest resident memory since then, in 1e9 bytes, including the memory that the process held
+/// before; 0 where the system does not report it.
 double peakMemory();
 
 } // namespace flattening::benchmarks

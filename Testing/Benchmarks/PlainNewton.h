@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Damped Newton iteration for semi-discrete transport as its description has it, without anything that
-/// makes it faster.
+/// The damped Newton iteration for semi-discrete transport as published, without accelerations.
 #pragma once
 
 #include "Transport/PowerDiagram.h"

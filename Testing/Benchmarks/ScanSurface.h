@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Isosurfaces of real scans, as anyone would make them with VTK.
+/// Isosurfaces of real scans, made with VTK's filters.
 #pragma once
 
 #include <vtkPolyData.h>

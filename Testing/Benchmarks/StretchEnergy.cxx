@@ -16,8 +16,8 @@ namespace flattening::benchmarks
 namespace
 {
 
-// Of each edge, opposite corner k, half the cotangent at that corner times what its face counts (m x 3).
-// A face with corners p: cot = dot / (2 area).
+// The weight of the edge opposite corner k of each face: half the cotangent at that corner times the
+// weight of the face (m x 3). A face with corners p: cot = dot / (2 area).
 template <typename Points>
 Points3 edgeWeights(const Points& positions, const FaceMatrix& faces, const Eigen::VectorXd& perDot)
 {
@@ -35,7 +35,7 @@ Points3 edgeWeights(const Points& positions, const FaceMatrix& faces, const Eige
   return weights;
 }
 
-// Laplace's equation with given values on the boundary. Matrices have the same pattern each time.
+// Solves Laplace's equation with given values on the boundary. All matrices have the same pattern.
 class DirichletProblem
 {
 public:

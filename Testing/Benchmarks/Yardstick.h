@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What times are compared with.
+/// Standard computations whose times are yardsticks for the others.
 #pragma once
 
 #include "Base/SparseFactorization.h"
@@ -18,7 +18,7 @@ public:
   {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
   }
-  /// Of all threads together: what else runs on the machine matters less.
+  /// Processor time of all threads together, which depends less on other programs than wall-clock time.
   double processorSeconds() const
   {
     return static_cast<double>(std::clock() - this->ProcessorStart) / CLOCKS_PER_SEC;

@@ -25,7 +25,7 @@ tested = {"Input"}
 
 
 def weights(**properties):
-    """AreaWeight of all points and the figures in field data; empty if the filter failed."""
+    """The AreaWeight of all points and the values in the field data; empty if the filter failed."""
     tested.update(properties)
     proxy = AreaWeights(Input=labelled, **properties)
     proxy.UpdatePipeline()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Array choosers whose default is None: a fresh filter has no array chosen whatever arrays its input has, and offers
-those of points and cells, not the figures in the field data."""
+the arrays of points and cells, but not those of the field data."""
 
 import glob
 import os

@@ -41,7 +41,7 @@ def fetch(proxy, port=0):
 
 
 def output(proxy, port=0):
-    """As fetch; ParaView 5.11 does not fetch partitioned collections."""
+    """The output itself: Fetch of ParaView 5.11 does not fetch partitioned collections."""
     proxy.UpdatePipeline()
     return proxy.GetClientSideObject().GetOutputDataObject(port)
 
@@ -115,7 +115,7 @@ for area, angle in zip(areas, (80, 110, 140)):
     assert math.isclose(area, 200 * math.pi * (1 - math.cos(math.radians(angle))), rel_tol=0.01)
 assert figure(at(0), "SurfaceArea") == areas[0]  # back to the first
 
-# A time step without a surface to flatten, and on to one with.
+# A time step without a surface that can be flattened, followed by one that has a surface.
 with open(files[1], "w", encoding="ascii") as stream:
     stream.write(
         "# vtk DataFile Version 3.0\nnothing\nASCII\nDATASET POLYDATA\n"

@@ -39,14 +39,14 @@ before = fetched(labelled)
 points = {before.GetPoint(i) for i in range(before.GetNumberOfPoints())}
 assert len(inside) > 500 and all(point in points for point in inside)
 
-# All of the original points on the map of the coarse surface; the area of the region is right.
+# All original points are on the map of the coarse surface, and the area of the region is right.
 flat = OMTAreaPreserving(Input=ConformalDisk(Input=proxy))
 whole = fetched(FlatMapTransfer(Input=flat, Original=labelled, Tolerance=1))
 assert whole.GetNumberOfPoints() > 0.98 * before.GetNumberOfPoints()
 
 
 def area(data, position):
-    """Of the triangles with all corners in the region."""
+    """The area of the triangles with all corners in the region."""
     inside = data.GetPointData().GetArray("Region")
     total = 0.0
     for c in range(data.GetNumberOfCells()):
@@ -65,7 +65,7 @@ on_map = area(whole, whole.GetPoint)
 print(f"area of the region: {in_space:.2f} on the surface, {on_map:.2f} on the map")
 assert in_space > 400 and math.isclose(on_map, in_space, rel_tol=0.01)
 
-# Without an array: no output, and a message.
+# Without an array there is a message and no output.
 assert fetched(ContextResolution(Input=labelled, RegionArray=["POINTS", "None"])).GetNumberOfCells() == 0
 untested = set(ContextResolution(Input=labelled).ListProperties()) - tested
 assert not untested, untested

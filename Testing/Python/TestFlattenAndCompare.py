@@ -59,7 +59,7 @@ assert math.isclose((bounds[0] + bounds[1]) / 2, 30.0, rel_tol=1e-2), bounds
 scene.GoToFirst()
 
 
-# What is selected in one view is selected in all.
+# A selection in one view is a selection in all.
 def selected(source):
     extracted = simple.ExtractSelection(Input=source)
     extracted.UpdatePipeline()

@@ -55,7 +55,7 @@ selection = IDSelectionSource(IDs=[v for i in behind for v in (-1, i)], FieldTyp
 chosen, rows = flat(RegionFrom="Selection", Selection=selection)
 assert math.isclose(rows["Area"][0], 2 * math.pi * 400 * (1 - 0.6), rel_tol=0.02)
 
-# Not a disk, with the remedy; and what the remedy does.
+# A region that is not a disk: the message names the remedy, which works.
 failed, rows = flat(LargestHoles=0, **region)
 assert rows == {} and failed.GetDataInformation().GetNumberOfCells() == 0
 

@@ -14,7 +14,7 @@ tested = {"Input"}
 
 
 def saliency(**properties):
-    """The output, and the figures in its field data."""
+    """The output, and the values in its field data."""
     tested.update(properties)
     proxy = MeshSaliency(Input=bumps, **properties)
     proxy.UpdatePipeline()

@@ -44,7 +44,7 @@ SCRIPT = re.compile(r"^## In pvpython\n\n```python\n(.*?)^```", re.MULTILINE | r
 
 
 def run(page):
-    """What the script of the page prints, and its variables."""
+    """Runs the script of the page; returns its printed text and its variables."""
     text = (docs / page).read_text(encoding="utf-8")
     scripts = SCRIPT.findall(text)
     assert len(scripts) == 1, f"{page}: {len(scripts)} scripts under In pvpython"

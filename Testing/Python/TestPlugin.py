@@ -21,7 +21,7 @@ table = servermanager.Fetch(metrics, idx=1)
 assert table.GetNumberOfRows() == 1, table.GetNumberOfRows()
 assert table.GetValueByName(0, "FlippedFaces").ToInt() == 0
 
-# Out of order: no SurfacePoints. pvpython does not raise; the output is empty.
+# A filter whose input lacks SurfacePoints: pvpython raises nothing, and the output is empty.
 wrong = DistortionMetrics(Input=flat)
 wrong.UpdatePipeline()
 assert wrong.GetDataInformation().GetNumberOfCells() == 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the pages refer to is there: other pages, their sections, pictures, scripts, sources and functions."""
+"""The things that the pages refer to exist: other pages, their sections, pictures, scripts, sources and functions."""
 
 import re
 from pathlib import Path

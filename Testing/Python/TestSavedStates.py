@@ -22,7 +22,7 @@ def table(name):
 
 
 def memory():
-    """What the session knows: settings with more than one value, and what the filters make of them."""
+    """The state of the session: settings with more than one value, and the results of the filters."""
     weights, slab = simple.FindSource("weights"), simple.FindSource("slab")
     weights.UpdatePipeline()
     slab.UpdatePipeline()

@@ -59,11 +59,11 @@ ball = Sphere(Radius=20, ThetaResolution=80, PhiResolution=80)
 upper = Clip(Input=ball, ClipType="Plane")
 upper.ClipType.Normal, upper.ClipType.Origin = [0, 0, -1], [0, 0, 0]
 disk = SurfaceToDisk(Input=ExtractSurface(Input=upper))
-# No picture of this looks the same turned or mirrored.
+# No rotated or mirrored picture of this array looks the same.
 ramp = Calculator(Input=disk, ResultArrayName="Ramp", Function="coordsX+2*coordsY+3*coordsZ")
 flat = OMTAreaPreserving(Input=ConformalDisk(Input=ramp))
 
-# The image, by every property.
+# Every property of the image.
 image = FlatMapImage(Input=flat, Size=300, Margin=4)
 pixels = fetched(image)
 assert pixels.GetDimensions() == (300, 300, 1)
@@ -82,7 +82,7 @@ fine = FlatMapImage(Input=flat, PixelLength=0.5)
 assert fetched(fine).GetDimensions()[0] == math.ceil(40 * math.sqrt(2) / 0.5)
 assert not set(FlatMapImage(Input=flat).ListProperties()) - {"Input", "Size", "PixelLength", "Margin"}
 
-# As a picture, in the colours of the array: blue where it is low, red where it is high.
+# The image is saved in the colours of the array: blue where it is low, red where it is high.
 colours = GetColorTransferFunction("Ramp")
 colours.RGBPoints = [-45, 0, 0, 1, 75, 1, 0, 0]
 colours.ColorSpace = "RGB"
@@ -103,7 +103,7 @@ for i in range(data.GetNumberOfPoints()):
     asked = 255 * (slope(data.GetPoint(i)) + 45) / 120
     greatest = max(greatest, abs(red.GetTuple(i)[0] - asked))
 print(f"a picture of 300 pixels, on the surface: red is off by {greatest:.2f} of 255 at most")
-# Half a step of rounding, and what bends over the width of a pixel.
+# The tolerance is half a step of rounding plus the curvature over the width of a pixel.
 assert greatest < 2, greatest
 
 # Written with ParaView's writers and read again: the texture coordinates of every point.

@@ -115,7 +115,7 @@ def check_readers(folder, phantom):
         # Euler number 1 with one boundary: V - (3 F + B) / 2 + F.
         boundary = figure(disk, "BoundaryVertices")
         assert found["points"] - (3 * found["faces"] + boundary) / 2 + found["faces"] == 1
-    # In mm; the folds add to the area of the ball.
+    # Areas are in mm^2; the folds add to the area of the ball.
     assert 1.0 < (expected["area"] + expected["removed"]) / (4 * math.pi * RADIUS**2) < 1.2
     return images["VTK image"]
 

@@ -74,7 +74,7 @@ def extension(path):
 
 
 def is_volume(path):
-    """Whether the file is a volume, by its extension. Raises CaseError if it is nothing known."""
+    """Tells by its extension whether the file is a volume. Raises CaseError if the extension is unknown."""
     if extension(path) in VOLUME_READERS:
         return True
     if extension(path) in SURFACE_READERS:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a cohort leaves on disk, such that a killed run can be taken up again.
+"""The files that a cohort leaves on disk, so that a killed run can be continued.
 
     <output>/results/<case>.vtp     the flat map
     <output>/cases/<case>.json      its row of the summary
@@ -49,7 +49,7 @@ class CaseRecords:
         return bool(row) and row["status"] == FINISHED and os.path.isfile(self.result_path(case))
 
     def was_started(self, case):
-        """Whether a process ended while it was at work on the case."""
+        """Tells whether a process ended while it worked on the case."""
         return os.path.exists(self._path(case, "started"))
 
     def release(self, case):
@@ -74,7 +74,7 @@ class CaseRecords:
         return True
 
     def count(self, cases):
-        """How many of the cases are through, finished or failed."""
+        """The number of cases that are finished or have failed."""
         return sum(os.path.exists(self._path(case, "json")) for case in cases)
 
     def finish(self, case, result):

@@ -33,7 +33,7 @@ class Ranks:
         self.own = self.controller.GetLocalProcessId() if self.controller else 0
 
     def from_first(self, value):
-        """What the first rank has, for all."""
+        """Sends the value of the first rank to all."""
         if self.count == 1:
             return value
         text = vtkUnsignedCharArray()

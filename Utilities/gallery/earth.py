@@ -146,7 +146,7 @@ def flat_maps(earth):
     disk = simple.SurfaceToDisk(
         Input=earth, UseHolePoint=1, HolePoint=list(-RADIUS * towards), HoleAreaFraction=HOLE
     )
-    # What lies east on the picture goes to the right end of the map.
+    # The eastern part of the picture goes to the right end of the map.
     conformal = simple.ConformalDisk(
         Input=disk,
         NormalizeTo="Surface Area",

@@ -3,7 +3,7 @@
 # docs/gallery.md and docs/pictures/gallery/*.png. Takes a few minutes once built. Safe to run again.
 #   Utilities/gallery/gallery.sh                   all of it
 #   Utilities/gallery/gallery.sh city graph        pictures of these examples alone, to gallery-output/; figures printed
-# What the examples begin with goes to gallery-output/ as well, to be opened in ParaView.
+# The input data of the examples go to gallery-output/ as well, to be opened in ParaView.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 

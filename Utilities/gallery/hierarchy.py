@@ -39,7 +39,7 @@ def radial_graph():
 
 
 def overlaps(nodes):
-    """How many others every node overlaps, all drawn equally large."""
+    """The number of other nodes that each node overlaps if all are drawn equally large."""
     points = np.asarray(meshes.fetched(nodes).Points)[:, :2]
     tree = cKDTree(points)
     return np.array([len(tree.query_ball_point(p, NODE)) - 1 for p in points])

@@ -65,7 +65,7 @@ def flat_areas(points, faces):
 
 
 def vertex_normals(points, faces):
-    """Of length 1; a mean over the triangles around each point by their areas."""
+    """Unit normals of the points: means over the triangles around each point, weighted by their areas."""
     u, v = (points[faces[:, k]] - points[faces[:, 0]] for k in (1, 2))
     normals = np.zeros_like(points)
     for k in range(3):

@@ -48,7 +48,7 @@ def look(view, bounds, size, direction=(0, 0, -1), up=(0, 1, 0), margin=0.03):
 
 
 def screenshot(view, size):
-    """What @p view shows, as an image of @p size pixels; the view is deleted."""
+    """An image of @p view in @p size pixels; the view is deleted."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "panel.png")
         view.ViewSize = [OVERSAMPLING * s for s in size]
@@ -152,7 +152,7 @@ def compose(path, rows, smooth=False):
 
 
 def save_small(image, path, smooth):
-    """With as many colours as fit into the greatest size of a file."""
+    """Saves the image with as many colours as the greatest size of a file allows."""
     method = Image.Quantize.MEDIANCUT if smooth else Image.Quantize.MAXCOVERAGE
     for colours in (256, 128, 64, 32, 16):
         image.quantize(colours, method, dither=Image.Dither.NONE).save(path, optimize=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How long the filters go without a report of their progress, which is how long an abort may have to wait.
+"""Measures the longest time between two progress reports of each filter, which is how long an abort may have to wait.
 
     PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins taskset -c 0 pvpython Utilities/measurements/progress_gaps.py
 

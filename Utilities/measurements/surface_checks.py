@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a triangle surface is, counted from its triangles alone: independent of the code under test."""
+"""Properties of a triangle surface, counted from its triangles alone and independent of the code under test."""
 
 import math
 from dataclasses import dataclass
@@ -95,7 +95,7 @@ class _Halfedges:
 
 
 def _component_count(ends, other_ends, count):
-    """Of the graph with @count nodes and these edges. Every node takes the least label among its neighbours
+    """The number of components of the graph with @count nodes and these edges. Every node takes the least label among its neighbours
     and then its label's label, until nothing changes."""
     nodes = np.concatenate([ends, other_ends])
     neighbours = np.concatenate([other_ends, ends])

@@ -14,7 +14,7 @@ from surfaceflattening_volume import cast_to_float, contour, isosurface, pad, sm
 
 
 def rows():
-    """What was done, and the surface."""
+    """Yields a description of the steps and the surface."""
     brain = simple.OpenDataFile(os.path.join(TEMPLATES, "ch2bet.nii.gz"))
     yield "brain, the whole recipe", isosurface(brain, 40).surface
     yield "brain, not cast to float", contour(smooth(pad(brain)), 40)

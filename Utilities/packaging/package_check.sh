@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Whether ParaView's programs have the plugin without being told where it is.
+# Checks whether ParaView's programs find the plugin by themselves.
 #   Utilities/packaging/package_check.sh installed    they do: it loads by itself in pvpython, pvbatch, pvserver and ParaView's
 #                                           window, has the version of cmake/SurfaceFlatteningVersion.cmake, and flattens
 #   Utilities/packaging/package_check.sh removed      they do not, and no file is left

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What screenshots.sh shows in the window: run by ParaView, with the name of the scene in SCENE and in SCENE_READY
-that of a file to make when it is there."""
+"""Sets up a scene of screenshots.sh in the window of ParaView, which runs this script. The variable SCENE holds the name of
+the scene, SCENE_READY the name of a file that is made when the scene is ready."""
 
 import os
 

@@ -14,7 +14,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 mkdir -p "$output" "$scratch/home" "$scratch/screen"
 
-# Where the script asks for a picture, ParaView saves its state, as a sign, and waits.
+# Where the script asks for a picture, ParaView saves its state, which tells this script to take one, and waits.
 sign='  <pqevent object="pqClientMainWindow/menubar/menu_File" command="activate" arguments="actionFileSaveServerState" />\n'
 sign+='  <pqevent object="pqClientMainWindow/FileSaveServerStateDialog" command="filesSelected" arguments="SCRATCH/\1.pvsm" />'
 wait='  <pqevent object="pqClientMainWindow" command="pause" arguments="6000" />'

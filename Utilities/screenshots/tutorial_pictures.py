@@ -32,7 +32,7 @@ def read_dump(path):
 
 
 def without_background(picture):
-    """What is not black: the window."""
+    """The part of the screen that is not black, which is the window."""
     lit = picture.any(axis=2)
     rows, columns = numpy.flatnonzero(lit.any(axis=1)), numpy.flatnonzero(lit.any(axis=0))
     return picture[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A call that an abort has left behind.
+/// An interruptible call that still runs after its abort.
 #pragma once
 
 #include "Base/InterruptibleCall.h"

@@ -54,7 +54,7 @@ public:
     return length;
   }
 
-  // All faces around a vertex follow each other, from its boundary edge or from any.
+  // The faces around a vertex must form one fan, which begins at a boundary edge if there is one.
   bool isOneFan(int vertex) const
   {
     const auto boundary = this->NextOnBoundary.find(vertex);

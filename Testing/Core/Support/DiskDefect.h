@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Whether a mesh is a disk, counted without the code under test.
+/// A check that a mesh is a disk, independent of the code under test.
 #pragma once
 
 #include "Mesh/TriangleMesh.h"
@@ -9,8 +9,8 @@
 namespace flattening::samples
 {
 
-/// What keeps @p mesh from being one clean oriented disk with finite coordinates and positive areas;
-/// empty if nothing does.
+/// The reason why @p mesh is not one oriented manifold disk with finite coordinates and positive areas;
+/// empty if it is one.
 std::string diskDefect(const TriangleMesh& mesh);
 
 } // namespace flattening::samples

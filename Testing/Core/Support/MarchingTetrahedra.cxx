@@ -14,8 +14,8 @@ namespace
 
 using Tetrahedron = std::array<int, 4>; // grid points, positively oriented
 
-// Corners in an even permutation that takes those inside first, for each set of corners inside (bit k:
-// corner k), so that one case per number of corners inside is left.
+// For each set of inside corners (bit k stands for corner k), an even permutation that puts them first,
+// so that only one case is left for each number of inside corners.
 constexpr std::array<std::array<int, 4>, 16> InsideFirst = { { { 0, 1, 2, 3 },
   { 0, 1, 2, 3 },
   { 1, 0, 3, 2 },

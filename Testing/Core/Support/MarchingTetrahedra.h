@@ -27,9 +27,9 @@ struct Volume
   double at(int x, int y, int z) const { return this->Values[this->index(x, y, z)]; }
 };
 
-/// The surface around the values above 0, normals outward: a manifold, closed but where it leaves the
-/// volume, with all the slivers that contouring makes. Every cube is six tetrahedra around one of its
-/// diagonals (Kuhn 1960), linear in each.
+/// The surface around the values above 0, with outward normals: a manifold that is closed except where
+/// it leaves the volume, with the slivers that contouring makes. Every cube is six tetrahedra around one
+/// of its diagonals (Kuhn 1960), linear in each.
 TriangleMesh marchingTetrahedra(const Volume& volume);
 
 } // namespace flattening::samples

@@ -18,13 +18,13 @@ public:
   {
   }
 
-  /// In [low, high).
+  /// A number in [low, high).
   double real(double low, double high)
   {
     return low + (high - low) * 0x1p-53 * static_cast<double>(this->Engine() >> 11);
   }
 
-  /// In [low, high].
+  /// A whole number in [low, high].
   int integer(int low, int high)
   {
     return low + static_cast<int>(this->Engine() % static_cast<std::uint64_t>(high - low + 1));
@@ -32,7 +32,7 @@ public:
 
   bool chance(double probability) { return this->real(0.0, 1.0) < probability; }
 
-  /// In the cube [low, high)^3.
+  /// A point in the cube [low, high)^3.
   Eigen::RowVector3d point(double low, double high)
   {
     const double x = this->real(low, high);

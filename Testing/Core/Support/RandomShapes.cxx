@@ -53,7 +53,7 @@ void blurAlong(Volume& volume, int axis)
     });
 }
 
-// The two triangles of the unit square at a voxel's side: normal along +axis or -axis.
+// Adds the two triangles of one side of a voxel, with the normal along +axis or -axis.
 class VoxelFaces
 {
 public:
@@ -156,7 +156,8 @@ TriangleMesh noiseSurface(RandomNumbers& random, int smoothing, bool padded)
       blurAlong(volume, axis);
     }
   }
-  // A share of the voxels is inside, whatever the smoothing did to their range.
+  // The isovalue is a quantile, so that a given share of the voxels is inside however the smoothing
+  // changed their range.
   std::vector<double> sorted = volume.Values;
   std::sort(sorted.begin(), sorted.end());
   const double isovalue = sorted[static_cast<std::size_t>(random.real(0.3, 0.7) * sorted.size())];

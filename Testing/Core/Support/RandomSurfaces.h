@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Surfaces as bad as they come, for tests that ask for an answer to every one of them.
+/// Surfaces with many defects, for tests that the code answers every one of them with a disk or an
+/// error.
 #pragma once
 
 #include "Mesh/TriangleMesh.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Surfaces with known answers, and what the tests ask of them.
+/// Surfaces with known properties, and measurements that the tests take of them.
 #pragma once
 
 #include "Mesh/TriangleMesh.h"
@@ -125,7 +125,7 @@ inline TriangleMesh sphere(int levels)
   return mesh;
 }
 
-/// n x m vertices; radii 2 and 0.5.
+/// A torus of n x m vertices with the radii 2 and 0.5.
 inline TriangleMesh torus(int n, int m)
 {
   TriangleMesh mesh;
@@ -171,7 +171,7 @@ inline TriangleMesh cylinder(int n, int m, double height)
   return mesh;
 }
 
-/// 2 n vertices, n quads in two triangles each; radius 2, width 1.
+/// A Moebius strip of radius 2 and width 1: 2 n vertices, and n quads of two triangles each.
 inline TriangleMesh moebiusStrip(int n)
 {
   TriangleMesh strip;
@@ -194,7 +194,7 @@ inline TriangleMesh moebiusStrip(int n)
   return strip;
 }
 
-/// Both meshes as one, of separate vertices.
+/// One mesh of two that share no vertices.
 inline TriangleMesh both(const TriangleMesh& a, const TriangleMesh& b)
 {
   TriangleMesh mesh;
@@ -285,7 +285,7 @@ inline double enclosedVolume(const TriangleMesh& mesh)
   return volume;
 }
 
-/// The message of the exception of that type that the body throws.
+/// The message of the exception of the given type that the body throws.
 template <typename Error, typename Body>
 std::string messageOf(const Body& body)
 {

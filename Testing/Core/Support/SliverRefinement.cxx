@@ -24,7 +24,8 @@ double smallestAngle(const Eigen::RowVector3d& a,
   return smallest * 180.0 / EIGEN_PI;
 }
 
-// Barycentric coordinates of a point as close to a side or a corner as the least angle allows at most.
+// Barycentric coordinates of a random point near a side or a corner, at the nearest as far off as the
+// least angle allows.
 Eigen::RowVector3d closePoint(RandomNumbers& random, double leastAngle)
 {
   const double nearest = std::log10(leastAngle * EIGEN_PI / 180.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Meshes of slivers on surfaces that are smooth.
+/// Meshes with slivers on smooth surfaces.
 #pragma once
 
 #include "Mesh/TriangleMesh.h"
@@ -9,9 +9,9 @@
 namespace flattening::samples
 {
 
-/// @p mesh with @p splits random faces (of those there are by then) split in three at a point close to
-/// one of their sides or corners, as long as no angle becomes smaller than @p leastAngle (degrees). The
-/// surface stays as it is. The same seed gives the same mesh on every platform.
+/// Splits random faces of @p mesh, @p splits times, each in three at a point close to one of its sides
+/// or corners, as long as no angle becomes smaller than @p leastAngle (degrees). The surface keeps its
+/// shape. The same seed gives the same mesh on every platform.
 TriangleMesh withRandomSlivers(const TriangleMesh& mesh,
   int splits,
   double leastAngle,

@@ -151,7 +151,7 @@ void duplicateFaces(TriangleMesh& mesh, RandomNumbers& random)
   }
 }
 
-// Faces that stand on an edge, or reach from there to another part of the surface.
+// Adds faces that stand on an edge or reach from it to another part of the surface.
 void addFins(TriangleMesh& mesh, RandomNumbers& random)
 {
   const double size = sizeOf(mesh);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The oracles themselves: their formulas against the meridian's geometry, their meshes against the
-/// formulas.
+/// Tests of the analytic surfaces, which other tests rely on: their formulas are compared with the
+/// geometry of the meridian, and their meshes with the formulas.
 #include "AnalyticSurfaces.h"
 #include "Mesh/MeshTopology.h"
 
