@@ -171,7 +171,8 @@ UntanglingReport untangleMap(const FaceMatrix& faces,
   UntanglingReport result;
   const int before = countFlippedFaces(positions, faces);
   const Points2 old = positions;
-  UntanglingMesh mesh(faces, fixed, targets, positions);
+  const auto vertexCount = static_cast<int>(positions.rows());
+  UntanglingMesh mesh{ faces, fixed, targets, positions, VertexFaces(faces, vertexCount) };
   moveSingleVertices(mesh);
   PatchwiseUntangling patches(mesh, options);
   const std::vector<int> left = flippedFaces(mesh);

@@ -10,8 +10,7 @@
 namespace flattening
 {
 
-/// A flat map with everything that is needed to move its vertices. It refers to the arguments of the
-/// constructor, which must outlive it.
+/// A flat map with everything that is needed to move its vertices.
 struct UntanglingMesh
 {
   const FaceMatrix& Faces;
@@ -19,18 +18,6 @@ struct UntanglingMesh
   const TargetTriangles& Targets;
   Points2& Positions;
   VertexFaces FacesOf;
-
-  UntanglingMesh(const FaceMatrix& faces,
-    const std::vector<char>& fixed,
-    const TargetTriangles& targets,
-    Points2& positions)
-    : Faces(faces)
-    , Fixed(fixed)
-    , Targets(targets)
-    , Positions(positions)
-    , FacesOf(faces, static_cast<int>(positions.rows()))
-  {
-  }
 
   /// Whether face @p f is positively oriented, by exact arithmetic, and so far from flipping that it
   /// stays so when all positions are scaled or rotated and rounded again.
