@@ -44,6 +44,7 @@ public:
     , Row(vertexCount, 0)
     , Cholesky(SparseCholesky::Ordering::Thorough)
   {
+    this->Cholesky.expectConstantPattern();
     for (const int v : loop)
     {
       this->Row[v] = -1;
@@ -74,8 +75,7 @@ public:
         this->addEdge(i, j, weights(f, k), 3 * f + k, positions, rightSide);
       }
     }
-    this->Factored ? this->Cholesky.recompute(this->Matrix) : this->Cholesky.compute(this->Matrix);
-    this->Factored = true;
+    this->Cholesky.compute(this->Matrix);
     if (this->Cholesky.info() != Eigen::Success)
     {
       throw ConvergenceError("stretch-energy minimisation: a matrix could not be factored");
@@ -160,7 +160,6 @@ private:
   SparseMatrix Matrix;    // lower triangle
   std::vector<int> Entry; // of the edge opposite corner k of face f, at 3 f + k; -1 at the boundary
   SparseCholesky Cholesky;
-  bool Factored = false;
 };
 
 } // namespace
