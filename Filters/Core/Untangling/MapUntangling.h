@@ -38,7 +38,7 @@ struct UntanglingReport
 /// Then, patches around the flipped faces that are left are freed, their rims fixed, and grow until the
 /// minimum of their energy (untanglePatch) has no flipped face. A patch that cannot be untangled, or
 /// only with more work than the options allow, stays as it was. If no face is flipped in the end and the
-/// boundary does not intersect itself, the map is one-to-one.
+/// boundary does not intersect itself, the map is one-to-one (docs/mathematics.md, "Untangling").
 /// @throws Cancelled.
 UntanglingReport untangleMap(const FaceMatrix& faces,
   const std::vector<char>& fixed,
