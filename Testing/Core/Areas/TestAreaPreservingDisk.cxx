@@ -31,7 +31,7 @@ Points2 conformal(const TriangleMesh& mesh)
   return conformalDiskMap(mesh).Positions;
 }
 
-// What must hold for every map.
+// The properties of every map.
 void expectAreaPreserving(const TriangleMesh& mesh, const AreaPreservingResult& result, double tolerance)
 {
   const AreaPreservingMap& map = result.Map;
@@ -94,7 +94,7 @@ struct Case
   SurfaceOfRevolution Surface;
 };
 
-// What the test's name shows.
+// The name of a case in the names of its tests.
 void PrintTo(const Case& value, std::ostream* stream)
 {
   *stream << value.Name;

@@ -55,7 +55,7 @@ struct Case
   double Within; // percent of the faces within 2 %
 };
 
-// What the test's name shows.
+// The name of a case in the names of its tests.
 void PrintTo(const Case& value, std::ostream* stream)
 {
   *stream << value.Name;
@@ -89,7 +89,7 @@ double longestSide(const Points2& positions, const std::vector<int>& loop)
   return longest;
 }
 
-// What sides of a length cut off from all corners at most: isosceles triangles.
+// The largest area that edges of a given length cut off from all corners: isosceles triangles.
 double largestCutOff(const Points2& corners, double side)
 {
   double area = 0.0;
@@ -225,7 +225,7 @@ TEST(AreaPreservingPolygon, RefusesWhatIsNoMapToItsSource)
       "run Conformal Disk first"));
 }
 
-// Five sites on the sides of a square, whose cells have its corners at the places 0, 2, 4 and 6.
+// Five sites on the sides of a square, whose cells have its corners at the parameters 0, 2, 4 and 6.
 TEST(CornerMembers, HaveTheCornersInTheirCells)
 {
   const Points2 square = pointsOf({ { 0, 0 }, { 2, 0 }, { 2, 2 }, { 0, 2 } });

@@ -235,9 +235,9 @@ TEST(FaceRefinement, CornersOfARectangleStay)
   }
 }
 
-// A transported map that is turned over inside cannot be untangled: refinement begins again nearer to
-// the map that it is given for that, and says so.
-TEST(FaceRefinement, BeginsAgainInAPolygonWhereFacesCannotBeTurnedOver)
+// A transported map with an interior in random order cannot be untangled: refinement begins again nearer
+// to the map that it is given for that, and says so.
+TEST(FaceRefinement, BeginsAgainInAPolygonWhereFacesCannotBeUntangled)
 {
   constexpr int n = 61;
   const double width = std::sqrt(Pi);
@@ -249,17 +249,17 @@ TEST(FaceRefinement, BeginsAgainInAPolygonWhereFacesCannotBeTurnedOver)
   const auto square = std::make_shared<ConvexPolygon>(0.5 * width * corners);
   const std::vector<int> loop = requireDisk(mesh);
   std::vector<int> members;
-  Points2 tangled(mesh.vertexCount(), 2);
+  Points2 shuffled(mesh.vertexCount(), 2);
   samples::RandomNumbers random(5);
   for (int v = 0; v < mesh.vertexCount(); ++v)
   {
     const double x = random.real(-0.45 * width, 0.45 * width);
-    tangled.row(v) << x, random.real(-0.45 * width, 0.45 * width);
+    shuffled.row(v) << x, random.real(-0.45 * width, 0.45 * width);
   }
   for (std::size_t k = 0; k < loop.size(); ++k)
   {
     const Eigen::RowVector2d place = flat.row(loop[k]);
-    tangled.row(loop[k]) = place;
+    shuffled.row(loop[k]) = place;
     if ((place.cwiseAbs().array() > 0.5 * width - 1e-9).all())
     {
       members.push_back(static_cast<int>(k));
@@ -267,7 +267,7 @@ TEST(FaceRefinement, BeginsAgainInAPolygonWhereFacesCannotBeTurnedOver)
   }
   ASSERT_EQ(members.size(), 4u);
   const FaceRefinementResult result = refineFaces(
-    mesh, { square, loop, members, flat, tangled, flat }, faceAreas(mesh.Vertices, mesh.Faces));
+    mesh, { square, loop, members, flat, shuffled, flat }, faceAreas(mesh.Vertices, mesh.Faces));
   std::cout << "begun again at " << result.StartShare << "\n";
   EXPECT_LT(result.StartShare, 1.0);
   EXPECT_TRUE(result.Bijective);

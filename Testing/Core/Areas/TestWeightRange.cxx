@@ -88,7 +88,7 @@ struct WeightedRegions
     return this->gains(map.CellAreas, surface, this->RegionOf);
   }
 
-  // Of the faces with all corners in the region.
+  // The faces with all corners in the region.
   std::vector<double> faceGains(const AreaPreservingMap& map) const
   {
     std::vector<int> regionOf(this->Mesh.faceCount());

@@ -243,13 +243,13 @@ TEST(PowerDiagram, CellsInAPolygonAreIntersectionsOfHalfPlanes)
       }
       boundary += diagram.boundaryPart(i).Length;
     }
-    // Of a cell with several parts of the boundary, the longest counts.
+    // If a cell has several parts of the boundary, the longest counts.
     EXPECT_LE(boundary, diagram.domain().perimeter() + 1e-12);
     EXPECT_GT(boundary, 0.8 * diagram.domain().perimeter());
   }
 }
 
-TEST(ConvexPolygon, PlacesAreLengthsAlongTheBoundary)
+TEST(ConvexPolygon, ParametersAreLengthsAlongTheBoundary)
 {
   const ConvexPolygon domain(pentagon());
   const Points2 corners = pentagon();

@@ -74,9 +74,8 @@ TEST(Transport, CellsHaveTheirTargetAreas)
   }
 }
 
-// Sites about a place at distances that fall from the first to the last geometrically, from row @p first
-// on.
-void addHorn(Points2& sites,
+// Puts sites into rows from @p first on, at distances from @p place that fall geometrically.
+void addProtrusion(Points2& sites,
   int first,
   int count,
   const Eigen::RowVector2d& place,
@@ -92,9 +91,10 @@ void addHorn(Points2& sites,
   }
 }
 
-Eigen::RowVector2d placeOfHorn(int horn, int horns)
+Eigen::RowVector2d centreOfProtrusion(int protrusion, int protrusions)
 {
-  return (0.15 + 0.7 * horn / horns) * Eigen::RowVector2d(std::cos(2.0 * horn), std::sin(2.0 * horn));
+  return (0.15 + 0.7 * protrusion / protrusions) *
+         Eigen::RowVector2d(std::cos(2.0 * protrusion), std::sin(2.0 * protrusion));
 }
 
 void expectFewSteps(const Points2& sites)
@@ -107,44 +107,46 @@ void expectFewSteps(const Points2& sites)
   EXPECT_LE(result.NewtonIterations, 12);
 }
 
-// Where a surface has horns, the conformal map puts hundreds of sites as close together as doubles tell
-// apart. The potential that opens them leaves the iteration little more to do than without.
-TEST(Transport, HornsAreOpenedBeforehand)
+// Where a surface has protrusions, the conformal map puts hundreds of sites as close together as doubles
+// tell apart. The potential that opens them leaves the iteration little more to do than without.
+TEST(Transport, ProtrusionsAreOpenedBeforehand)
 {
   const int spread = 3000;
-  const int horns = 12;
-  const int perHorn = 150;
+  const int protrusions = 12;
+  const int perProtrusion = 150;
   // At 1e-14 the last digit of a double of order 1 is a cell's width away.
   for (const double tip : { 1e-7, 1e-11, 1e-13, 1e-14 })
   {
     SCOPED_TRACE(tip);
-    Points2 sites(spread + horns * perHorn, 2);
+    Points2 sites(spread + protrusions * perProtrusion, 2);
     sites.topRows(spread) = sunflower(spread);
-    for (int h = 0; h < horns; ++h)
+    for (int h = 0; h < protrusions; ++h)
     {
-      addHorn(sites, spread + h * perHorn, perHorn, placeOfHorn(h, horns), 1e-3, tip);
+      addProtrusion(
+        sites, spread + h * perProtrusion, perProtrusion, centreOfProtrusion(h, protrusions), 1e-3, tip);
     }
     expectFewSteps(sites);
   }
 }
 
-// Pairs of sites, in horns and elsewhere, whose distance is the last digit of a double of order 1.
+// Pairs of sites, in protrusions and elsewhere, whose distance is the last digit of a double of order 1.
 // Neither weights nor Newton steps of double precision tell their cells apart.
 TEST(Transport, NeighbouringDoublesHaveTheirCells)
 {
   const int spread = 2000;
-  const int horns = 10;
-  const int perHorn = 60;
+  const int protrusions = 10;
+  const int perProtrusion = 60;
   const int twins = 200;
   constexpr double LastDigit = std::numeric_limits<double>::epsilon();
-  Points2 sites(spread + horns * perHorn + twins, 2);
+  Points2 sites(spread + protrusions * perProtrusion + twins, 2);
   sites.topRows(spread) = sunflower(spread);
-  for (int h = 0; h < horns; ++h)
+  for (int h = 0; h < protrusions; ++h)
   {
-    addHorn(sites, spread + h * perHorn, perHorn, placeOfHorn(h, horns), 1e-3, 1e-12);
+    addProtrusion(
+      sites, spread + h * perProtrusion, perProtrusion, centreOfProtrusion(h, protrusions), 1e-3, 1e-12);
   }
-  // Half of them in the spread part, half in the horns.
-  const int first = spread + horns * perHorn;
+  // Half of them in the spread part, half in the protrusions.
+  const int first = spread + protrusions * perProtrusion;
   for (int k = 0; k < twins; ++k)
   {
     const int original = k % 2 == 0 ? 7 * k : spread + 3 * k;
@@ -154,24 +156,24 @@ TEST(Transport, NeighbouringDoublesHaveTheirCells)
   expectFewSteps(sites);
 }
 
-TEST(Transport, HornsUponHornsAreOpenedToo)
+TEST(Transport, ProtrusionsUponProtrusionsAreOpenedToo)
 {
   const int spread = 3000;
-  const int horns = 4;
+  const int protrusions = 4;
   const int branches = 5;
   const int perBranch = 150;
-  Points2 sites(spread + horns * (branches + 1) * perBranch, 2);
+  Points2 sites(spread + protrusions * (branches + 1) * perBranch, 2);
   sites.topRows(spread) = sunflower(spread);
   int first = spread;
-  for (int h = 0; h < horns; ++h)
+  for (int h = 0; h < protrusions; ++h)
   {
-    const Eigen::RowVector2d place = placeOfHorn(h, horns);
-    addHorn(sites, first, perBranch, place, 1e-3, 1e-6);
+    const Eigen::RowVector2d place = centreOfProtrusion(h, protrusions);
+    addProtrusion(sites, first, perBranch, place, 1e-3, 1e-6);
     first += perBranch;
     for (int b = 0; b < branches; ++b)
     {
       const Eigen::RowVector2d direction(std::cos(1.2 * b), std::sin(1.2 * b));
-      addHorn(sites, first, perBranch, place + 1e-5 * direction, 1e-6, 1e-11);
+      addProtrusion(sites, first, perBranch, place + 1e-5 * direction, 1e-6, 1e-11);
       first += perBranch;
     }
   }

@@ -77,7 +77,7 @@ TEST(TransportSites, VerticesAtOnePlaceAreOneSite)
   EXPECT_EQ(sites.SiteOfVertex[41], sites.SiteOfVertex[3]);
 }
 
-// What a field through sites of a known map makes of the vertices.
+// The interpolation of a known map from its values at the sites.
 class FieldOf
 {
 public:
