@@ -107,7 +107,7 @@ void setReport(vtkPolyData* output, const SurfaceToDiskReport& report, vtkIdType
   count("DroppedFaces", report.Repair.DegenerateFaces + report.Repair.DuplicateFaces);
   count("DroppedDegenerateFaces", report.Repair.DegenerateFaces);
   count("DroppedDuplicateFaces", report.Repair.DuplicateFaces);
-  count("ClosedCracks", report.Repair.ClosedCracks);
+  count("ClosedCracks", report.Repair.ClosedTJunctions);
   count("SplitPoints", report.Repair.SplitPoints);
   count("Components", report.Components);
   count("DroppedComponents", report.Components - 1);

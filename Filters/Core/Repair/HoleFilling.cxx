@@ -32,29 +32,6 @@ using Face = EditableSurface::Face;
 // takes seconds at most. Longer loops then get a fan.
 constexpr std::size_t LongestCubicLoop = 500;
 
-// The border half-edge that ends in the vertex.
-Halfedge borderAt(const SurfaceMesh& mesh, Vertex v)
-{
-  for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
-  {
-    if (mesh.is_border(h))
-    {
-      return h;
-    }
-  }
-  throw InvalidInput("vertex " + std::to_string(v.idx()) + " is not on the boundary");
-}
-
-std::vector<Vertex> loopVertices(const SurfaceMesh& mesh, Halfedge border)
-{
-  std::vector<Vertex> loop;
-  for (const Halfedge h : mesh.halfedges_around_face(border))
-  {
-    loop.push_back(mesh.target(h));
-  }
-  return loop;
-}
-
 // Joins a new vertex in the middle to the whole loop, which fits whatever edges exist already.
 void coverWithFan(EditableSurface& surface, Halfedge border, const std::vector<Vertex>& loop)
 {
@@ -140,7 +117,8 @@ enum class Patch
 void fillHole(EditableSurface& surface, Halfedge border, Patch kind)
 {
   SurfaceMesh& mesh = surface.mesh();
-  const std::vector<Vertex> loop = loopVertices(mesh, border);
+  const auto corners = mesh.vertices_around_face(border);
+  const std::vector<Vertex> loop(corners.begin(), corners.end());
   std::vector<Face> patch;
   if (kind != Patch::Fan)
   {
@@ -188,7 +166,13 @@ PatchedSurface patched(const TriangleMesh& mesh,
   {
     report(progress, static_cast<double>(hole) / loops.size(), "filling holes");
     const auto faces = static_cast<int>(surface.mesh().number_of_faces());
-    fillHole(surface, borderAt(surface.mesh(), Vertex(loops[hole].front())), kinds[hole]);
+    const int vertex = loops[hole].front();
+    const auto border = CGAL::is_border(Vertex(vertex), surface.mesh());
+    if (!border)
+    {
+      throw InvalidInput("vertex " + std::to_string(vertex) + " is not on the boundary");
+    }
+    fillHole(surface, *border, kinds[hole]);
     std::vector<int>& patch = result.Patches.emplace_back(surface.mesh().number_of_faces() - faces);
     std::iota(patch.begin(), patch.end(), faces);
   }

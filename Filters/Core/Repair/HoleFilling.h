@@ -15,7 +15,7 @@ struct FilledSurface
 {
   DerivedMesh Surface;
   int FilledHoles = 0;
-  double FilledArea = 0.0; ///< area of all patches, input units squared
+  double FilledArea = 0.0;     ///< area of all patches, input units squared
   int IntersectingPatches = 0; ///< patches that intersect the surface, each other or themselves
 };
 

@@ -8,6 +8,7 @@
 #include "Repair/TJunctions.h"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -83,40 +84,19 @@ FaceList mergedFaces(const TriangleMesh& soup, double tolerance, RepairReport& r
   return list;
 }
 
-// A mesh of the faces with only the vertices that they use; `original` gets the index of each.
-TriangleMesh compactMesh(const Points3& vertices, const FaceList& list, std::vector<int>& original)
+// The faces with only the vertices that they use.
+DerivedMesh withoutUnusedVertices(const Points3& vertices, const FaceList& list)
 {
-  std::vector<int> index(vertices.rows(), -1);
-  for (const Triangle& triangle : list.Faces)
-  {
-    for (const int v : triangle)
-    {
-      index[v] = 0;
-    }
-  }
-  for (int v = 0; v < vertices.rows(); ++v)
-  {
-    if (index[v] == 0)
-    {
-      index[v] = static_cast<int>(original.size());
-      original.push_back(v);
-    }
-  }
   TriangleMesh mesh;
-  mesh.Vertices.resize(static_cast<Eigen::Index>(original.size()), 3);
-  for (std::size_t v = 0; v < original.size(); ++v)
-  {
-    mesh.Vertices.row(static_cast<Eigen::Index>(v)) = vertices.row(original[v]);
-  }
+  mesh.Vertices = vertices;
   mesh.Faces.resize(static_cast<Eigen::Index>(list.Faces.size()), 3);
   for (std::size_t f = 0; f < list.Faces.size(); ++f)
   {
-    for (int k = 0; k < 3; ++k)
-    {
-      mesh.Faces(static_cast<Eigen::Index>(f), k) = index[list.Faces[f][k]];
-    }
+    std::copy(list.Faces[f].begin(), list.Faces[f].end(), mesh.Faces.row(f).begin());
   }
-  return mesh;
+  std::vector<int> all(list.Faces.size());
+  std::iota(all.begin(), all.end(), 0);
+  return extractFaces(mesh, all);
 }
 
 } // namespace
@@ -133,27 +113,24 @@ RepairedSurface repairTriangleSoup(const TriangleMesh& soup, double tolerance)
   RepairReport& report = repaired.Report;
   FaceList list = mergedFaces(soup, tolerance, report);
   report.DegenerateFaces = list.dropIf([&list](std::size_t f) { return repeatsVertex(list.Faces[f]); });
-  const RemovedSlivers slivers = removeNeedlesAndCaps(soup.Vertices, list);
-  report.MergedPoints += slivers.JoinedVertices;
-  report.DegenerateFaces += slivers.Faces;
+  const RemovedSlivers removed = removeNeedlesAndCaps(soup.Vertices, list);
+  report.MergedPoints += removed.JoinedVertices;
+  report.DegenerateFaces += removed.Faces;
   report.DuplicateFaces = dropDuplicates(list);
-  report.ClosedCracks = closeTJunctions(soup.Vertices, list, tolerance);
+  report.ClosedTJunctions = closeTJunctions(soup.Vertices, list, tolerance);
   if (list.Faces.empty())
   {
     throw InvalidInput("the surface has zero area: all of its " + std::to_string(soup.faceCount()) +
                        " triangles are degenerate; check the coordinates and the merge tolerance");
   }
 
-  std::vector<int> original;
-  OrientedMesh oriented = orientConsistently(compactMesh(soup.Vertices, list, original));
-  report.SplitPoints = static_cast<int>(oriented.CopyOf.size() - original.size());
-  for (int& v : oriented.CopyOf)
-  {
-    v = original[v];
-  }
-  repaired.Surface.Vertices = keptVertices(oriented.CopyOf, soup.vertexCount());
+  repaired.Surface = withoutUnusedVertices(soup.Vertices, list);
+  OrientedMesh oriented = orientConsistently(repaired.Surface.Mesh);
+  const int used = repaired.Surface.Mesh.vertexCount();
+  report.SplitPoints = oriented.Mesh.vertexCount() - used;
+  follow(repaired.Surface,
+    { std::move(oriented.Mesh), keptVertices(oriented.CopyOf, used), repaired.Surface.Faces });
   repaired.Surface.Faces = std::move(list.Origins);
-  repaired.Surface.Mesh = std::move(oriented.Mesh);
   repaired.Reversed = std::move(oriented.Reversed);
   repaired.OneSided = std::move(oriented.OneSided);
   return repaired;

@@ -12,12 +12,12 @@ namespace flattening
 /// What repairTriangleSoup changed.
 struct RepairReport
 {
-  int MergedPoints = 0;    ///< points joined to another one within the tolerance or by a needle
-  int UnusedPoints = 0;    ///< points of no triangle
-  int DegenerateFaces = 0; ///< dropped: faces that repeat a vertex, needles and caps
-  int DuplicateFaces = 0;  ///< dropped: faces with the same three vertices as an earlier one
-  int ClosedCracks = 0;    ///< T-junctions: places where an open edge was split at a point on it
-  int SplitPoints = 0;     ///< copies of vertices that cut the surface apart where it was not manifold
+  int MergedPoints = 0;     ///< points joined to another one within the tolerance or by a needle
+  int UnusedPoints = 0;     ///< points of no triangle
+  int DegenerateFaces = 0;  ///< dropped: faces that repeat a vertex, needles and caps
+  int DuplicateFaces = 0;   ///< dropped: faces with the same three vertices as an earlier one
+  int ClosedTJunctions = 0; ///< places where an open edge was split at a point on it
+  int SplitPoints = 0;      ///< copies of vertices that cut the surface apart where it was not manifold
 };
 
 struct RepairedSurface

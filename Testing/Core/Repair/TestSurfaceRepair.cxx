@@ -166,7 +166,7 @@ TEST(SurfaceRepair, ClosesTJunctions)
     TriangleMesh moved = input;
     moved.Vertices(5, 1) += distance;
     const RepairedSurface repaired = repairTriangleSoup(moved, distance > 1e-10 ? 1e-6 : 0.0);
-    EXPECT_EQ(repaired.Report.ClosedCracks, 4);
+    EXPECT_EQ(repaired.Report.ClosedTJunctions, 4);
     const MeshTopology topology = topologyOf(repaired);
     EXPECT_EQ(topology.Components, 1);
     EXPECT_EQ(topology.Vertices, 9);
@@ -180,7 +180,7 @@ TEST(SurfaceRepair, ClosesTJunctions)
   // A gap wider than the tolerance stays a hole.
   TriangleMesh wide = input;
   wide.Vertices(5, 1) += 1e-8;
-  EXPECT_EQ(repairTriangleSoup(wide).Report.ClosedCracks, 3);
+  EXPECT_EQ(repairTriangleSoup(wide).Report.ClosedTJunctions, 3);
   EXPECT_EQ(topologyOf(repairTriangleSoup(wide)).BoundaryLoops.size(), 2u);
 }
 
