@@ -7,15 +7,11 @@
 #include "Mesh/SurfaceComponents.h"
 #include "Repair/SurfaceRepair.h"
 #include "ScanSurface.h"
+#include "Yardstick.h"
 
 #include <benchmark/benchmark.h>
 
-#include <vtkCellArray.h>
-#include <vtkIdList.h>
-#include <vtkNew.h>
-
 #include <algorithm>
-#include <chrono>
 #include <functional>
 #include <string>
 
@@ -26,28 +22,9 @@ using namespace flattening;
 
 double secondsOf(const std::function<void()>& work)
 {
-  const auto start = std::chrono::steady_clock::now();
+  const benchmarks::StopWatch watch;
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-TriangleMesh soupOf(vtkPolyData* data)
-{
-  TriangleMesh mesh;
-  mesh.Vertices.resize(data->GetNumberOfPoints(), 3);
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-  {
-    data->GetPoint(i, mesh.Vertices.row(i).data());
-  }
-  mesh.Faces.resize(data->GetNumberOfPolys(), 3);
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType f = 0; f < data->GetNumberOfPolys(); ++f)
-  {
-    data->GetPolys()->GetCellAtId(f, corners);
-    mesh.Faces.row(f) << static_cast<int>(corners->GetId(0)), static_cast<int>(corners->GetId(1)),
-      static_cast<int>(corners->GetId(2));
-  }
-  return mesh;
+  return watch.seconds();
 }
 
 TriangleMesh largestComponentOf(const TriangleMesh& soup)
@@ -61,7 +38,7 @@ TriangleMesh largestComponentOf(const TriangleMesh& soup)
 
 void toDisk(benchmark::State& state, const std::string& scan, double sigma, double isovalue)
 {
-  const TriangleMesh soup = soupOf(benchmarks::scanSurface(scan, sigma, isovalue));
+  const TriangleMesh soup = benchmarks::meshOf(benchmarks::scanSurface(scan, sigma, isovalue));
   const TriangleMesh component = largestComponentOf(soup);
   auto& counters = state.counters;
   for (auto _ : state)

@@ -13,7 +13,6 @@
 #include <vtkCellArray.h>
 #include <vtkCleanPolyData.h>
 #include <vtkClipPolyData.h>
-#include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkLinearSubdivisionFilter.h>
 #include <vtkNIFTIImageReader.h>
@@ -38,25 +37,6 @@ namespace
 // The whole brain is remeshed to this edge length, and its hole takes this share of the area.
 constexpr double BrainEdgeLength = 1.465; // mm
 constexpr double BrainHoleFraction = 0.0075;
-
-TriangleMesh meshOf(vtkPolyData* data)
-{
-  TriangleMesh mesh;
-  mesh.Vertices.resize(data->GetNumberOfPoints(), 3);
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-  {
-    data->GetPoint(i, mesh.Vertices.row(i).data());
-  }
-  mesh.Faces.resize(data->GetNumberOfPolys(), 3);
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType f = 0; f < data->GetNumberOfPolys(); ++f)
-  {
-    data->GetPolys()->GetCellAtId(f, corners);
-    mesh.Faces.row(f) << static_cast<int>(corners->GetId(0)), static_cast<int>(corners->GetId(1)),
-      static_cast<int>(corners->GetId(2));
-  }
-  return mesh;
-}
 
 vtkSmartPointer<vtkPolyData> polyDataOf(const TriangleMesh& mesh)
 {

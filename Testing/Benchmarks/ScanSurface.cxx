@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ScanSurface.h"
 
+#include <vtkCellArray.h>
 #include <vtkFlyingEdges3D.h>
+#include <vtkIdList.h>
 #include <vtkImageCast.h>
 #include <vtkImageConstantPad.h>
 #include <vtkImageData.h>
@@ -47,6 +49,25 @@ vtkSmartPointer<vtkPolyData> scanSurface(const std::string& scan, double sigma, 
   contour->ComputeNormalsOff();
   contour->Update();
   return contour->GetOutput();
+}
+
+TriangleMesh meshOf(vtkPolyData* data)
+{
+  TriangleMesh mesh;
+  mesh.Vertices.resize(data->GetNumberOfPoints(), 3);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    data->GetPoint(i, mesh.Vertices.row(i).data());
+  }
+  mesh.Faces.resize(data->GetNumberOfPolys(), 3);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType f = 0; f < data->GetNumberOfPolys(); ++f)
+  {
+    data->GetPolys()->GetCellAtId(f, corners);
+    mesh.Faces.row(f) << static_cast<int>(corners->GetId(0)), static_cast<int>(corners->GetId(1)),
+      static_cast<int>(corners->GetId(2));
+  }
+  return mesh;
 }
 
 } // namespace flattening::benchmarks

@@ -2,6 +2,8 @@
 /// Isosurfaces of real scans, made with VTK's filters.
 #pragma once
 
+#include "Mesh/TriangleMesh.h"
+
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
@@ -14,5 +16,8 @@ namespace flattening::benchmarks
 /// image fall apart into thousands of handles; padded, so that the surface closes.
 /// @param sigma standard deviation of the Gaussian, voxels; cut off at three of them. 0: none.
 vtkSmartPointer<vtkPolyData> scanSurface(const std::string& scan, double sigma, double isovalue);
+
+/// The triangles of @p data, which has no other cells.
+TriangleMesh meshOf(vtkPolyData* data);
 
 } // namespace flattening::benchmarks
