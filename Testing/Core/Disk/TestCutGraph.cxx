@@ -90,7 +90,7 @@ TEST(CutGraph, OfATorusIsAMeridianAndTheInnerEquator)
 
 TEST(CutGraph, JoinsTheBoundariesOfASurfaceWithHoles)
 {
-  // Without handles: eight holes at the corners of a cube.
+  // A sphere with eight holes at the corners of a cube has no handles.
   const TriangleMesh whole = sphere(5);
   std::set<int> removed;
   for (int corner = 0; corner < 8; ++corner)
@@ -167,7 +167,7 @@ TEST(CutGraph, DoesNotDependOnTheUnit)
   }
 }
 
-TEST(CutGraph, RefusesLoopsThatDoNotOpenTheSurface)
+TEST(CutGraph, RejectsLoopsThatDoNotOpenTheSurface)
 {
   const TriangleMesh mesh = torus(30, 12);
   EXPECT_TRUE(contains(messageOf<TopologyError>([&] { shortCutGraph(mesh, {}); }), "genus 1"));

@@ -12,7 +12,7 @@ namespace
 using namespace flattening;
 using namespace flattening::samples;
 
-// Every corner stays where it was, every copy is made of its original alone.
+// Expects every corner to stay where it was, and every copy to be made of its original alone.
 void expectNothingMoved(const TriangleMesh& mesh, const CutSurface& cut)
 {
   const DerivedMesh& surface = cut.Surface;
@@ -105,7 +105,7 @@ TEST(EdgeCut, AlongTheBoundaryChangesNothing)
   EXPECT_EQ(requireDisk(disk.Surface.Mesh).size(), 8u + 8u + 4u);
 }
 
-TEST(EdgeCut, RefusesWhatIsNoEdge)
+TEST(EdgeCut, RejectsVerticesThatNoEdgeJoins)
 {
   const TriangleMesh mesh = icosahedron();
   EXPECT_TRUE(contains(messageOf<InvalidInput>([&] { cutAlongEdges(mesh, { { 0, 3 } }); }), "no edge"));

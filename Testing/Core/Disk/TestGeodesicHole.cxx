@@ -95,7 +95,8 @@ TEST(GeodesicHole, IsCentredAtThePointAskedFor)
 
 TEST(GeodesicHole, IsRoundOnTheCoarsestMeshes)
 {
-  // In the flat, on an edge, at a vertex with five triangles, and at one with three right angles.
+  // Holes inside a face, on an edge, at a vertex with five triangles, and at one with three right
+  // angles.
   const OpenedSurface face = cutGeodesicHole(tetrahedron(), holeAt(0.3, 0.2, -0.05));
   const OpenedSurface edge = cutGeodesicHole(tetrahedron(), holeAt(0.5, 0.0, 0.0));
   const OpenedSurface five = cutGeodesicHole(icosahedron());
@@ -161,7 +162,7 @@ TEST(GeodesicHole, TracesEveryVertexAndFace)
   }
 }
 
-// A power of two scales without rounding, so that not one decision may differ.
+// A power of two scales without rounding, so every decision must be the same.
 TEST(GeodesicHole, DoesNotDependOnTheUnit)
 {
   const TriangleMesh closed = sphere(3);
@@ -186,7 +187,7 @@ TEST(GeodesicHole, IsPlacedOnTheSideOfALongShape)
   EXPECT_EQ(geodesicCentre(cigar), centre);
 }
 
-// Of a long shape the best places are around its waist: all of one side is to be avoided.
+// The best places on a long shape are around its waist; here the hole must avoid one side of it.
 TEST(GeodesicHole, KeepsOffARegion)
 {
   TriangleMesh cigar = sphere(4);
@@ -206,7 +207,7 @@ TEST(GeodesicHole, KeepsOffARegion)
     lowest = std::min(lowest, opened.Surface.Mesh.Vertices(v, 2));
   }
   EXPECT_GT(lowest, 1.0);
-  // Still as near to the waist as that allows.
+  // The hole is as near to the waist as the region allows.
   EXPECT_LT(opened.Centre.z(), 1.0 + 4.0 * opened.Radius);
   options.Avoided.assign(cigar.vertexCount(), 0);
   EXPECT_EQ(cutGeodesicHole(cigar, options).Centre,
@@ -219,7 +220,8 @@ TEST(GeodesicHole, KeepsOffARegion)
       }())
       .Centre);
 
-  // Where the region leaves too little room the hole is as far from it as can be, and says so.
+  // If the region leaves too little room, the hole is as far from it as possible, and the report counts
+  // the vertices of the region that it takes.
   for (int v = 0; v < cigar.vertexCount(); ++v)
   {
     options.Avoided[v] = cigar.Vertices(v, 2) < 4.9;
@@ -247,7 +249,7 @@ TEST(GeodesicHole, LeavesHandlesAsTheyAre)
   EXPECT_GE(topology.BoundaryLoops[0].size(), 128u);
 }
 
-TEST(GeodesicHole, RefusesWhatItCannotCut)
+TEST(GeodesicHole, RejectsHolesThatCannotBeCut)
 {
   EXPECT_TRUE(contains(
     messageOf<TopologyError>([] { cutGeodesicHole(cylinder(8, 2, 1.0)); }), "2 boundary loops"));

@@ -58,7 +58,7 @@ double smallestAngleAtSeam(const CutSurface& cut)
   return smallest;
 }
 
-// Areas of the parts of every original face.
+// The area of all parts of every original face.
 Eigen::VectorXd areasOfOriginals(const DerivedMesh& surface, int faceCount)
 {
   const Eigen::VectorXd areas = faceAreas(surface.Mesh.Vertices, surface.Mesh.Faces);
@@ -77,7 +77,7 @@ TEST(GeodesicPath, OfATubeIsTheStraightLineOfItsNet)
   const EditableSurface tube(cylinder(n, m, 3.0));
   using Vertex = SurfaceMesh::Vertex_index;
   const double side = 2.0 * std::sin(Pi / n);
-  // Across both kinds of diagonals, and along an edge.
+  // Paths across both kinds of diagonals, and along an edge.
   const auto expectStraight = [&](int columns, int row, int otherRow)
   {
     const int from = row * n + 3;
@@ -93,7 +93,7 @@ TEST(GeodesicPath, OfATubeIsTheStraightLineOfItsNet)
   expectStraight(1, 7, 7);
 }
 
-TEST(GeodesicPath, ReportsWhileALibraryIsBusyWithIt)
+TEST(GeodesicPath, ReportsProgressWhileALibraryWorks)
 {
   const EditableSurface tube(cylinder(48, 40, 3.0));
   using Vertex = SurfaceMesh::Vertex_index;
@@ -126,7 +126,7 @@ TEST(GeodesicPath, ReportsWhileALibraryIsBusyWithIt)
 
 TEST(GeodesicSeam, OnASphereIsAnArcOfAGreatCircle)
 {
-  // The last one crosses few edges: it is refined.
+  // The last seam crosses few edges, so the mesh is refined.
   for (const int levels : { 3, 6 })
   {
     const TriangleMesh closed = sphere(levels);
@@ -215,7 +215,7 @@ TEST(GeodesicSeam, LengthensTheBoundaryOfAnOpenSurface)
   const std::size_t rim = requireDisk(cap).size();
   const Eigen::Vector3d start = cap.Vertices.row(requireDisk(cap)[5]);
   const Eigen::Vector3d pole(0, 0, 1);
-  // Whichever end is at the rim; it need not be met exactly.
+  // Either end of the seam may be at the rim, and the point need not lie on it exactly.
   const Eigen::Vector3d nearStart = (start + Eigen::Vector3d(0, 0, 0.03)).normalized();
   for (const Points& points :
     { Points{ start, pole }, Points{ pole, start }, Points{ nearStart, pole } })
@@ -239,7 +239,8 @@ TEST(GeodesicSeam, LengthensTheBoundaryOfAnOpenSurface)
     "touches the boundary"));
 }
 
-// Halving the edges of a corner of a cube ends at the wanted length up to rounding, which must do.
+// Halving the edges at a corner of a cube gives the wanted length only up to rounding; refinement must
+// end there.
 TEST(GeodesicSeam, EdgesMayBeLongerByRounding)
 {
   for (int turn = 0; turn < 6; ++turn)
@@ -277,7 +278,7 @@ TEST(GeodesicSeam, DoesNotDependOnTheUnitAndGivesTheSameTwice)
   }
 }
 
-TEST(GeodesicSeam, RefusesWhatIsNoSeam)
+TEST(GeodesicSeam, RejectsPointsThatMakeNoSeam)
 {
   const TriangleMesh closed = sphere(4);
   const Eigen::Vector3d a = onSphere(0.0, 0.0);

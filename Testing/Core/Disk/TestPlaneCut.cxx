@@ -114,7 +114,7 @@ TEST(PlaneCut, DoesNotDependOnTheUnit)
   }
 }
 
-TEST(PlaneCut, RefusesAPlaneThatMisses)
+TEST(PlaneCut, RejectsAPlaneThatMisses)
 {
   const TriangleMesh closed = sphere(2);
   EXPECT_TRUE(contains(messageOf<InvalidInput>(

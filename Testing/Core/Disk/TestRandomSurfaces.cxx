@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Every random surface becomes a disk, or an error that is known and says what to do. To repeat one
-/// alone:
+/// Every random surface becomes a disk or gives a known error that says what to do. One surface alone is
+/// repeated by
 ///   RANDOM_SURFACE=<seed> TestRandomSurfaces
-/// Temporary/RandomSurfaces.log names each seed before and after it runs, so that one that is named once
-/// is what crashed or hung.
+/// Temporary/RandomSurfaces.log names each seed before and after it runs: a seed that is named once
+/// crashed or hung.
 #include "Base/Errors.h"
 #include "Disk/SurfaceToDisk.h"
 #include "Mesh/MeshTopology.h"
@@ -58,7 +58,7 @@ const std::vector<KnownError> KnownErrors = {
   { "plane misses", "the cutting plane misses the surface" },
 };
 
-// A corner of any face; zero if it is not finite or there is none.
+// A random corner of a face; zero if it is not finite or there is no face.
 Eigen::Vector3d randomCorner(RandomNumbers& random, const TriangleMesh& mesh)
 {
   const int face = mesh.faceCount() > 0 ? random.integer(0, mesh.faceCount() - 1) : -1;
@@ -106,7 +106,7 @@ void chooseCut(RandomNumbers& random, const TriangleMesh& mesh, SurfaceToDiskOpt
   }
 }
 
-// The options take turns as well.
+// The options differ from seed to seed too.
 SurfaceToDiskOptions randomOptions(std::uint64_t seed, const TriangleMesh& mesh)
 {
   RandomNumbers random(seed + 1'000'000);
@@ -139,7 +139,7 @@ SurfaceToDiskOptions randomOptions(std::uint64_t seed, const TriangleMesh& mesh)
   return options;
 }
 
-// Every vertex and face says where it came from.
+// Expects correct origins of every vertex and face.
 std::string traceErrorOf(const DiskSurface& disk, const TriangleMesh& input)
 {
   const DerivedMesh& derived = disk.Surface;
@@ -283,7 +283,7 @@ TEST(RandomSurfaces, AreTheSameForTheSameSeed)
   EXPECT_NE(one.Mesh.faceCount(), randomSurface(6).Mesh.faceCount());
 }
 
-// What became of a seed.
+// The result of a seed.
 struct SeedRecord
 {
   std::string Recipe;
@@ -292,7 +292,7 @@ struct SeedRecord
   Outcome Result;
 };
 
-// Names the seeds in work, so that what crashes or hangs is among those that have no result.
+// Logs the seeds in work: one that crashes or hangs is logged without a result.
 class SeedLog
 {
 public:

@@ -17,7 +17,7 @@ namespace
 using namespace flattening;
 using samples::Pi;
 
-// Half axes 2, 1, 0.7.
+// An ellipsoid with half axes 2, 1 and 0.7.
 TriangleMesh ellipsoid()
 {
   TriangleMesh mesh = samples::sphere(4);
@@ -33,7 +33,7 @@ SeamOpenedSurface cutAt(const TriangleMesh& mesh, const std::vector<Eigen::Vecto
   return opened;
 }
 
-// Straight-line distance of the seam's vertices from the flagged ones.
+// The straight-line distance of the seam's vertices from the flagged vertices.
 double distanceFrom(const TriangleMesh& mesh,
   const std::vector<char>& flags,
   const SeamOpenedSurface& opened)

@@ -44,7 +44,8 @@ TEST(HoleFilling, ClosesOneEndOfATube)
   {
     EXPECT_EQ(surface.Mesh.Vertices(v, 2), 3.0);
   }
-  // Old parts first and untouched; the patch is refined, flat, and made of its rim alone.
+  // Old vertices and faces come first and unchanged; the patch is refined, flat, and made of its rim
+  // alone.
   EXPECT_EQ(surface.Mesh.Vertices.topRows(tube.vertexCount()), tube.Vertices);
   EXPECT_GT(surface.Mesh.vertexCount(), tube.vertexCount() + 20);
   EXPECT_LT(weightError(surface.Vertices), 1e-14);
@@ -100,7 +101,7 @@ TEST(IsotropicRemeshing, ReachesTheEdgeLengthAndTracesEveryVertex)
   }
 }
 
-TEST(IsotropicRemeshing, RefusesLengthsThatMakeNoSense)
+TEST(IsotropicRemeshing, RejectsLengthsThatMakeNoSense)
 {
   const TriangleMesh mesh = sphere(2);
   for (const double length : { -1.0, 0.0, double(INFINITY), double(NAN), 2.0 })
@@ -137,7 +138,7 @@ TEST(SurfaceToDisk, KeepsTheLongestBoundary)
   EXPECT_NEAR(disk.Report.BoundaryLength, 1.3 * 120.0 * std::sin(Pi / 60), 1e-12);
 }
 
-// A missing triangle does not make a sphere a disk that can be flattened.
+// A sphere without one triangle is a disk, but its boundary is too short for a flat map.
 TEST(SurfaceToDisk, WidensATinyBoundary)
 {
   const TriangleMesh whole = sphere(5);
@@ -157,7 +158,7 @@ TEST(SurfaceToDisk, WidensATinyBoundary)
   EXPECT_LT(distance, 1e-9);
 }
 
-// Of three vertices a polygon covers less than half of the disk.
+// A polygon of three vertices covers less than half of the disk.
 TEST(SurfaceToDisk, ABoundaryOfThreeVerticesIsRefined)
 {
   const TriangleMesh pyramid = meshOf({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.3, 0.3, 1 } },
@@ -191,7 +192,7 @@ TEST(SurfaceToDisk, RemovesAHandle)
   EXPECT_EQ(disk.Report.Genus, 1);
   EXPECT_EQ(disk.Report.Handles.Handles, 1);
   ASSERT_EQ(disk.Report.Handles.LoopLengths.size(), 1u);
-  // What the pieces of the account sum up to.
+  // The area of the disk is the area before, less what was removed, plus what was added.
   const SurfaceToDiskReport& report = disk.Report;
   EXPECT_NEAR(report.SurfaceArea,
     totalArea(whole) - report.Handles.RemovedArea + report.Handles.AddedArea - report.RemovedArea,
@@ -365,7 +366,7 @@ TEST(SurfaceToDisk, KeepsTheComponentAskedFor)
   EXPECT_TRUE(contains(message, "component 2") && contains(message, "has 2")) << message;
 }
 
-// The hole is remeshed around, not with the rest: its boundary stays resolved.
+// The hole is cut after remeshing, so its boundary keeps its vertices.
 TEST(SurfaceToDisk, RemeshesBeforeItCuts)
 {
   SurfaceToDiskOptions options;
@@ -383,7 +384,7 @@ TEST(SurfaceToDisk, RemeshesBeforeItCuts)
 
 TEST(SurfaceToDisk, SlitsOfNonManifoldEdgesDoNotStay)
 {
-  // Two spheres that touch along an edge: that of one is moved onto the other's.
+  // Two spheres share an edge: an edge of one is moved onto an edge of the other.
   TriangleMesh a = sphere(3);
   TriangleMesh b = moved(sphere(3), 0, 0, 2.5);
   const int u = a.Faces(0, 0);
@@ -433,7 +434,7 @@ TEST(SurfaceToDisk, ReportsProgressThatNeverFallsAndStopsWhenTold)
   }
 }
 
-TEST(SurfaceToDisk, RefusesOptionsThatMakeNoSense)
+TEST(SurfaceToDisk, RejectsOptionsThatMakeNoSense)
 {
   SurfaceToDiskOptions options;
   options.MergeTolerance = -1.0;

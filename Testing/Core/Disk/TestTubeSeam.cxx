@@ -18,7 +18,7 @@ namespace
 using namespace flattening;
 using namespace flattening::samples;
 
-// Inner vertices off their places along the cylinder, by a share of the edges.
+// Moves inner vertices along the cylinder by a share of the edges.
 TriangleMesh roughCylinder(int around, int along, double length)
 {
   TriangleMesh mesh = cylinder(around, along, length);
@@ -57,7 +57,7 @@ struct Tube
   double Tolerance; // of the modulus, relative: the square of the edge length
 };
 
-// What the test's name shows.
+// The name of a test's parameters.
 void PrintTo(const Tube& value, std::ostream* stream)
 {
   *stream << value.Length << " radii, " << value.Around << " by " << value.Along << " edges";
@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(TubeSeam,
   TubeSeam,
   testing::Values(Tube{ 6.0, 40, 40, 1e-2 }, Tube{ 6.0, 80, 80, 2.5e-3 }, Tube{ 30.0, 40, 150, 1e-2 }));
 
-// The prism that the mesh is unrolls exactly, whatever the cut's place.
+// The mesh is a prism, which unrolls exactly wherever it is cut.
 TEST(TubeSeam, APrismUnrollsToItself)
 {
   constexpr int around = 36;

@@ -98,7 +98,7 @@ TEST(HandleLoops, LeaveAPlanarSurface)
   EXPECT_EQ(handleLoops(slabWithTunnels(3, 3)).Surface.Mesh.Faces, slabWithTunnels(3, 3).Faces);
 }
 
-// There is no room for loops that do not meet.
+// These meshes have no room for loops that do not meet, so edges are split.
 TEST(HandleLoops, SplitEdgesOfCoarseMeshes)
 {
   for (int n = 1; n <= 8; ++n)

@@ -27,7 +27,7 @@ std::size_t selfIntersections(const TriangleMesh& mesh)
   return pairs.size();
 }
 
-/// Everything that must hold whatever the surface.
+/// Expects all properties that hold for every surface.
 void expectWithoutHandles(const TriangleMesh& mesh, const SurfaceWithoutHandles& result, int handles)
 {
   const MeshTopology before = analyseTopology(mesh.Faces, mesh.vertexCount());
@@ -42,7 +42,7 @@ void expectWithoutHandles(const TriangleMesh& mesh, const SurfaceWithoutHandles&
   EXPECT_EQ(topology.BoundaryLoops, before.BoundaryLoops);
   EXPECT_EQ(topology.Vertices, after.vertexCount());
 
-  // Old faces first; the area is what the report says.
+  // Old faces come first, and the areas agree with the report.
   double capArea = 0.0;
   const Eigen::VectorXd areas = faceAreas(after.Vertices, after.Faces);
   for (int f = 0; f < after.faceCount(); ++f)
@@ -57,7 +57,7 @@ void expectWithoutHandles(const TriangleMesh& mesh, const SurfaceWithoutHandles&
   EXPECT_NEAR(result.Report.AddedArea, capArea, 1e-12 * area);
   EXPECT_NEAR(totalArea(after), area - result.Report.RemovedArea + capArea, 1e-12 * area);
 
-  // Vertices are made of old ones, with weights; those kept moved no farther than reported.
+  // The weights of every vertex sum to 1, and old vertices moved no farther than reported.
   const Eigen::VectorXd sums = result.Surface.Vertices * Eigen::VectorXd::Ones(mesh.vertexCount());
   EXPECT_LT((sums.array() - 1.0).abs().maxCoeff(), 1e-14);
   const double moved =
@@ -122,7 +122,7 @@ TEST(HandleRemoval, TakesALongerLoopWhereTheCapOfTheShortestWouldPierceTheSurfac
   EXPECT_EQ(result.Report.PiercingCaps, 0);
   EXPECT_EQ(result.Report.NewIntersections, 0);
   EXPECT_EQ(selfIntersections(result.Surface.Mesh), 0u);
-  // Around the tube, where it is thicker. Loops of edges are longer than circles.
+  // The loop runs around the tube where it is thicker. Loops of edges are longer than circles.
   EXPECT_GT(result.Report.LoopLengths[0], 2 * Pi * 0.9 * small);
   EXPECT_LT(result.Report.LoopLengths[0], 1.3 * 2 * Pi * small);
 }
@@ -198,7 +198,7 @@ TEST(HandleRemoval, DoesNotDependOnTheScale)
 {
   const TriangleMesh mesh = slabWithTunnels(3, 2);
   const SurfaceWithoutHandles result = removeHandles(mesh);
-  // Powers of two: the same to the last bit.
+  // Powers of two scale without rounding.
   for (const double scale : { std::ldexp(1.0, -30), std::ldexp(1.0, 30) })
   {
     TriangleMesh scaled = mesh;

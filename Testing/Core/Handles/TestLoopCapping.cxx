@@ -66,7 +66,7 @@ Measured measure(const LoopCap& cap)
   return result;
 }
 
-// Faces as large as the loop let every search near them find half of the surface.
+// Caps must not have faces as large as the loop.
 TEST(LoopCapping, HasVerticesAsCloseAsTheLoopsAre)
 {
   const double side = 2.0 * std::sin(Pi / LoopSize);
@@ -82,7 +82,7 @@ TEST(LoopCapping, HasVerticesAsCloseAsTheLoopsAre)
   }
 }
 
-// Isovalues that are values of the volume make such loops.
+// An isovalue that is a value of the volume makes loops without area.
 TEST(LoopCapping, OfALoopWithoutAreaIsADisk)
 {
   const Eigen::Vector3d a(41.0, 32.0, 29.0);

@@ -39,7 +39,7 @@ TEST(ShortLoops, FindsTheMeridianOfATorusFromEverywhere)
     loops.tighten(loop);
     EXPECT_NEAR(loop.Length, meridian, 1e-12);
   }
-  // Beside it are others, along the tube; all are on the inner side of the torus or longer.
+  // Other loops beside it, along the tube, are not shorter.
   const std::vector<SurfaceLoop> beside = loops.findBeside(found[0], 1.1 * meridian);
   EXPECT_GE(beside.size(), 8u);
   for (const SurfaceLoop& loop : beside)
@@ -47,7 +47,7 @@ TEST(ShortLoops, FindsTheMeridianOfATorusFromEverywhere)
     EXPECT_GE(loop.Length, (1.0 - 1e-12) * meridian);
     EXPECT_LE(loop.Length, 1.1 * meridian);
   }
-  // Passed over, the next class is that of the longitude.
+  // Loops of a class that is ignored are not found.
   loops.Ignored = { loops.classHash(found[0]) };
   found = loops.find(loops.seeds(), meridian);
   EXPECT_TRUE(std::all_of(found.begin(),
@@ -124,11 +124,11 @@ TEST(RejectedLoops, GiveTheCheapestWithinADetour)
   rejected.add(loop(15.0, 5), 32);
   rejected.add(loop(13.0, 6), 36);
   EXPECT_EQ(rejected.due(12.0, 18.0)->Halfedges[0], 6); // 468
-  // Few pairs are taken at their own length.
+  // A loop with few pairs does not wait for a longer one.
   rejected.keepIf([](const SurfaceLoop& l) { return l.Halfedges[0] == 3 || l.Halfedges[0] == 4; });
   EXPECT_EQ(rejected.limit(), std::numeric_limits<double>::infinity());
   EXPECT_EQ(rejected.due(16.0, 16.0)->Halfedges[0], 3);
-  // Long loops have no longer detours than 10.
+  // A detour from a long loop is 10 at most.
   rejected.keepIf([](const SurfaceLoop&) { return false; });
   rejected.add(loop(100.0, 7), 400);
   EXPECT_EQ(rejected.limit(), 110.0);
