@@ -163,9 +163,8 @@ ComplexVector centredByBoundary(const ConvexCombinations& combinations,
 }
 
 // The map after all vertices have been moved by a Moebius map. The centre lies close to the boundary
-// vertex
-// @p nearest: distances from it keep their digits if it is the origin of the first map, and infinity in
-// the half-plane.
+// vertex @p nearest: distances from it keep their digits if it is the origin of the first map, and
+// infinity in the half-plane.
 ComplexVector centredByAll(const ConvexCombinations& combinations,
   const std::vector<int>& loop,
   const Eigen::VectorXd& angles,

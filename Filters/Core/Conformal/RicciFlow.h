@@ -20,8 +20,7 @@ struct RicciFlowOptions
 
 struct RicciFlowResult
 {
-  IntrinsicTriangulation::Factors
-    LogFactors; ///< one u per vertex: lengths become l exp((u_i + u_j) / 2)
+  IntrinsicTriangulation::Factors LogFactors; ///< u of l_ij exp((u_i + u_j) / 2), one per vertex
   int NewtonIterations = 0;
   int Flips = 0;
   double MaxCurvatureError = 0.0; ///< radians

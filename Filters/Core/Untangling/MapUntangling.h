@@ -23,11 +23,10 @@ struct UntanglingOptions
 
 struct UntanglingReport
 {
-  int RepairedFaces = 0; ///< faces that were flipped or of no area and are positively oriented now
-  int FlippedFaces = 0;  ///< faces that are still flipped or of no area
-  int MovedVertices = 0; ///< number of vertices whose positions have changed
-  double GreatestMove =
-    0.0; ///< longest move, in mean lengths of the sides of the vertex's faces after it
+  int RepairedFaces = 0;     ///< faces that were flipped or of no area and are positively oriented now
+  int FlippedFaces = 0;      ///< faces that are still flipped or of no area
+  int MovedVertices = 0;     ///< number of vertices whose positions have changed
+  double GreatestMove = 0.0; ///< longest move over the mean side of the faces around its vertex
 };
 
 /// Moves as few vertices of the flat map @p positions (n x 2) of @p faces by as little as possible until
@@ -48,8 +47,7 @@ UntanglingReport untangleMap(const FaceMatrix& faces,
   const ProgressCallback& progress = {});
 
 /// Untangles a conformal map of @p surface, in which every face should keep its shape
-/// (similarTriangles).
-/// @p fixed lists the vertices that stay.
+/// (similarTriangles). @p fixed lists the vertices that stay.
 /// @throws Cancelled.
 UntanglingReport untangleMap(const TriangleMesh& surface,
   const std::vector<int>& fixed,
