@@ -49,6 +49,19 @@ TriangleMesh flatMesh(const TriangleMesh& surface, const Points2& positions)
   return mesh;
 }
 
+// The position of a place, for vertices at the given positions.
+template <typename Positions>
+auto interpolated(const Positions& positions, const FaceMatrix& faces, const MapPlace& place)
+{
+  Eigen::Matrix<double, 1, Positions::ColsAtCompileTime> point;
+  point.setZero();
+  for (int k = 0; k < 3; ++k)
+  {
+    point += place.Weights[k] * positions.row(faces(place.Face, k));
+  }
+  return point;
+}
+
 void requireFinite(const Eigen::RowVector3d& point)
 {
   if (!point.allFinite())
@@ -148,22 +161,12 @@ MapPlace FlatMapLocation::onSurface(const Eigen::RowVector3d& point) const
 
 Eigen::RowVector3d FlatMapLocation::surfacePoint(const MapPlace& place) const
 {
-  Eigen::RowVector3d point = Eigen::RowVector3d::Zero();
-  for (int k = 0; k < 3; ++k)
-  {
-    point += place.Weights[k] * this->Surface.Vertices.row(this->Surface.Faces(place.Face, k));
-  }
-  return point;
+  return interpolated(this->Surface.Vertices, this->Surface.Faces, place);
 }
 
 Eigen::RowVector2d FlatMapLocation::mapPoint(const MapPlace& place) const
 {
-  Eigen::RowVector2d point = Eigen::RowVector2d::Zero();
-  for (int k = 0; k < 3; ++k)
-  {
-    point += place.Weights[k] * this->Positions.row(this->Surface.Faces(place.Face, k));
-  }
-  return point;
+  return interpolated(this->Positions, this->Surface.Faces, place);
 }
 
 } // namespace flattening

@@ -55,15 +55,6 @@ struct Neighbours
   Eigen::ArrayXf Share;  // share of the sample in the ball of the last query
   Eigen::ArrayXf Weight; // Gaussian of the last query
 
-  void reserve(Eigen::Index count)
-  {
-    for (Eigen::ArrayXf* array :
-      { &this->X, &this->Y, &this->Z, &this->Mass, &this->Integral, &this->Slope })
-    {
-      array->resize(count);
-    }
-  }
-
   void resize(Eigen::Index count)
   {
     for (Eigen::ArrayXf* array :
@@ -313,7 +304,7 @@ private:
     {
       count += last - first;
     }
-    around.reserve(count);
+    around.resize(count);
     Eigen::Index i = 0;
     for (const auto& [first, last] : ranges)
     {

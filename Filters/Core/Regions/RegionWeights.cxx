@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace flattening
@@ -51,27 +53,19 @@ void requireSmoothable(const TriangleMesh& mesh)
 // The vertices of the region that have a neighbour outside it.
 std::vector<int> borderOf(const TriangleMesh& mesh, const std::vector<char>& inside)
 {
-  std::vector<char> onBorder(inside.size(), 0);
+  std::set<int> border;
   for (int f = 0; f < mesh.faceCount(); ++f)
   {
     const auto face = mesh.Faces.row(f);
     if (!inside[face[0]] || !inside[face[1]] || !inside[face[2]])
     {
-      for (int k = 0; k < 3; ++k)
-      {
-        onBorder[face[k]] = inside[face[k]];
-      }
+      std::copy_if(face.begin(),
+        face.end(),
+        std::inserter(border, border.end()),
+        [&inside](int v) { return inside[v] != 0; });
     }
   }
-  std::vector<int> border;
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-  {
-    if (onBorder[v])
-    {
-      border.push_back(v);
-    }
-  }
-  return border;
+  return { border.begin(), border.end() };
 }
 
 // The share of the region in the weight of each vertex (n): 1 in the region, falling to 0 over the
