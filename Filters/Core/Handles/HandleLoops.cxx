@@ -57,23 +57,14 @@ private:
   // The surface without the copies of vertices.
   DerivedMesh uncut() const
   {
-    DerivedMesh cut = this->Surface.derived();
-    DerivedMesh result;
-    std::vector<Eigen::Triplet<double, int>> weights;
-    result.Mesh.Vertices.resize(static_cast<Eigen::Index>(this->Kept.size()), 3);
-    for (std::size_t v = 0; v < this->Kept.size(); ++v)
+    DerivedMesh result = this->Surface.derived();
+    result.Vertices =
+      VertexOrigins(keptVertices(this->Kept, result.Mesh.vertexCount()) * result.Vertices);
+    result.Mesh.Vertices = Points3(result.Mesh.Vertices(this->Kept, Eigen::all));
+    for (int& v : result.Mesh.Faces.reshaped())
     {
-      const auto row = static_cast<Eigen::Index>(v);
-      result.Mesh.Vertices.row(row) = cut.Mesh.Vertices.row(this->Kept[v]);
-      for (const auto& [original, weight] : this->Surface.origin(this->Kept[v]))
-      {
-        weights.emplace_back(static_cast<int>(row), original, weight);
-      }
+      v = this->Uncut[v];
     }
-    result.Vertices.resize(result.Mesh.vertexCount(), cut.Vertices.cols());
-    result.Vertices.setFromTriplets(weights.begin(), weights.end());
-    result.Mesh.Faces = cut.Mesh.Faces.unaryExpr([this](int v) { return this->Uncut[v]; });
-    result.Faces = std::move(cut.Faces);
     return result;
   }
 

@@ -67,18 +67,8 @@ double sum(const std::vector<double>& values)
 
 TriangleMesh meshOf(const Polyline& points, const Faces& faces)
 {
-  TriangleMesh mesh;
-  mesh.Vertices.resize(static_cast<Eigen::Index>(points.size()), 3);
-  mesh.Faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-  {
-    mesh.Vertices.row(v) = points[v].transpose();
-  }
-  for (int f = 0; f < mesh.faceCount(); ++f)
-  {
-    mesh.Faces.row(f) << faces[f][0], faces[f][1], faces[f][2];
-  }
-  return mesh;
+  return { Eigen::Map<const Points3>(points[0].data(), static_cast<Eigen::Index>(points.size()), 3),
+    Eigen::Map<const FaceMatrix>(faces[0].data(), static_cast<Eigen::Index>(faces.size()), 3) };
 }
 
 // Adds vertices until the faces are as dense as the loop's vertices.
