@@ -18,8 +18,7 @@ struct CutSurface
   /// Every face of the original, in its order. Vertices keep their index; the copies that the cut makes
   /// follow them, made of the original alone (weight 1).
   DerivedMesh Surface;
-  std::vector<char>
-    OnSeam; ///< per vertex: 1 where an edge of the seam ends, also at the ends of the seam
+  std::vector<char> OnSeam; ///< per vertex: 1 at both ends of every edge of the seam
 };
 
 /// Around each vertex of the seam, every sector of faces between two edges of the seam (or the boundary)
