@@ -31,6 +31,7 @@ vtkStandardNewMacro(vtkConformalDiskFilter);
 namespace
 {
 
+// The candidate that is nearest to a point in space.
 int nearestVertex(const flattening::Points3& vertices,
   const std::vector<int>& candidates,
   const double point[3])

@@ -95,6 +95,7 @@ std::vector<Label> faceLabels(const flattening::ChosenArray& chosen, const Trian
   return result;
 }
 
+// The faces of each label; empty if no array is chosen.
 Regions facesOfRegions(const flattening::ChosenArray& chosen, const TriangleMesh& surface)
 {
   Regions regions;
@@ -159,6 +160,7 @@ void setReport(vtkFieldData* fieldData, const DistortionSummary& total)
     { flattening::setDatum(fieldData, name.c_str(), value); });
 }
 
+// A row of the table.
 struct Row
 {
   vtkIdType Id;

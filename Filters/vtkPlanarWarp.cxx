@@ -27,6 +27,7 @@ namespace
 
 using flattening::InvalidInput;
 
+// The greatest length of a segment; 0 for no limit.
 double segmentLength(bool subdivide, double maximum, double meanSide)
 {
   if (!(maximum >= 0.0) || !std::isfinite(maximum))
@@ -41,6 +42,7 @@ double segmentLength(bool subdivide, double maximum, double meanSide)
   return maximum > 0.0 ? maximum : 0.5 * meanSide;
 }
 
+// Whether the size of the image was set.
 bool chosenSize(const int size[2])
 {
   return size[0] != 0 || size[1] != 0;

@@ -36,7 +36,8 @@ namespace
 
 using flattening::InvalidInput;
 
-// Triangulating a polygon needs finite points, so they are checked before, by the ids the user knows.
+// Checks the points of the cells before triangulation, which needs finite points and changes the ids of
+// the cells.
 void requireFinitePoints(vtkPolyData* input, vtkCellArray* cells)
 {
   auto cell = vtk::TakeSmartPointer(cells->NewIterator());
@@ -64,7 +65,7 @@ void requireFinitePoints(vtkPolyData* input, vtkCellArray* cells)
   }
 }
 
-// The triangles of all polygons and strips, with the input cell of each.
+// The triangles of all polygons and strips, with the id of the input cell of each.
 vtkSmartPointer<vtkPolyData> triangulate(vtkPolyData* input)
 {
   requireFinitePoints(input, input->GetPolys());
@@ -89,6 +90,7 @@ vtkSmartPointer<vtkPolyData> triangulate(vtkPolyData* input)
   return triangles->GetOutput();
 }
 
+// The input cell of each triangle.
 std::vector<vtkIdType> cellsOf(vtkPolyData* triangles)
 {
   auto* ids =

@@ -15,6 +15,7 @@
 #include <vtkSelectionNode.h>
 #include <vtkSmartPointer.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -67,12 +68,33 @@ std::vector<char> insidedness(vtkDataSetAttributes* attributes)
   return inside;
 }
 
+// The flags of the selected cells and points; empty if the selection has none of the kind.
+struct Selected
+{
+  std::vector<char> Cells;
+  std::vector<char> Points;
+};
+
+Selected selectedIn(vtkPolyData* data, vtkSelection* selection)
+{
+  const vtkSmartPointer<vtkDataSet> result = marked(data, selection);
+  return result ? Selected{ insidedness(result->GetCellData()), insidedness(result->GetPointData()) }
+                : Selected{};
+}
+
+// The points of a cell.
+std::vector<vtkIdType> cornersOf(vtkPolyData* data, vtkIdType cell)
+{
+  vtkNew<vtkIdList> corners;
+  data->GetCellPoints(cell, corners);
+  return { corners->GetPointer(0), corners->GetPointer(0) + corners->GetNumberOfIds() };
+}
+
 } // namespace
 
 std::vector<char> pointsWhereNotZero(vtkPolyData* data, const ChosenArray& array)
 {
   std::vector<char> marked(data->GetNumberOfPoints(), 0);
-  vtkNew<vtkIdList> corners;
   for (vtkIdType i = 0; i < array.Array->GetNumberOfTuples(); ++i)
   {
     const double value = array.Array->GetTuple1(i);
@@ -81,19 +103,12 @@ std::vector<char> pointsWhereNotZero(vtkPolyData* data, const ChosenArray& array
       throw InvalidInput("the array " + std::string(array.Array->GetName()) + " has no number at " +
                          std::to_string(i) + ": give every point or cell a value");
     }
-    if (value == 0.0)
+    if (value != 0.0)
     {
-      continue;
-    }
-    if (!array.OnCells)
-    {
-      marked[i] = 1;
-      continue;
-    }
-    data->GetCellPoints(i, corners);
-    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
-    {
-      marked[corners->GetId(k)] = 1;
+      for (const vtkIdType point : array.OnCells ? cornersOf(data, i) : std::vector<vtkIdType>{ i })
+      {
+        marked[point] = 1;
+      }
     }
   }
   return marked;
@@ -101,27 +116,19 @@ std::vector<char> pointsWhereNotZero(vtkPolyData* data, const ChosenArray& array
 
 std::vector<char> pointsInSelection(vtkPolyData* data, vtkSelection* selection)
 {
-  const vtkSmartPointer<vtkDataSet> result = marked(data, selection);
+  const Selected selected = selectedIn(data, selection);
+  if (selected.Cells.empty() && !selected.Points.empty())
+  {
+    return selected.Points;
+  }
   std::vector<char> inside(data->GetNumberOfPoints(), 0);
-  if (!result)
+  for (std::size_t cell = 0; cell < selected.Cells.size(); ++cell)
   {
-    return inside;
-  }
-  const std::vector<char> cells = insidedness(result->GetCellData());
-  const std::vector<char> points = insidedness(result->GetPointData());
-  if (cells.empty() && !points.empty())
-  {
-    return points;
-  }
-  vtkNew<vtkIdList> corners;
-  for (std::size_t cell = 0; cell < cells.size(); ++cell)
-  {
-    if (cells[cell])
+    if (selected.Cells[cell])
     {
-      data->GetCellPoints(static_cast<vtkIdType>(cell), corners);
-      for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+      for (const vtkIdType point : cornersOf(data, static_cast<vtkIdType>(cell)))
       {
-        inside[corners->GetId(k)] = 1;
+        inside[point] = 1;
       }
     }
   }
@@ -130,28 +137,18 @@ std::vector<char> pointsInSelection(vtkPolyData* data, vtkSelection* selection)
 
 std::vector<char> cellsInSelection(vtkPolyData* data, vtkSelection* selection)
 {
-  const vtkSmartPointer<vtkDataSet> result = marked(data, selection);
+  const Selected selected = selectedIn(data, selection);
+  if (!selected.Cells.empty())
+  {
+    return selected.Cells;
+  }
   std::vector<char> inside(data->GetNumberOfCells(), 0);
-  if (!result)
+  for (vtkIdType cell = 0; !selected.Points.empty() && cell < data->GetNumberOfCells(); ++cell)
   {
-    return inside;
-  }
-  const std::vector<char> cells = insidedness(result->GetCellData());
-  const std::vector<char> points = insidedness(result->GetPointData());
-  if (!cells.empty() || points.empty())
-  {
-    return cells.empty() ? inside : cells;
-  }
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
-  {
-    data->GetCellPoints(cell, corners);
-    int count = 0;
-    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
-    {
-      count += points[corners->GetId(k)];
-    }
-    inside[cell] = count >= 2;
+    const std::vector<vtkIdType> corners = cornersOf(data, cell);
+    inside[cell] = std::count_if(corners.begin(),
+                     corners.end(),
+                     [&](vtkIdType point) { return selected.Points[point] != 0; }) >= 2;
   }
   return inside;
 }

@@ -88,6 +88,7 @@ long long addMask(vtkPolyData* output, const Layers& layers)
 namespace
 {
 
+// Whether the depths ascend in equal steps.
 bool haveEqualSteps(const std::vector<double>& depths)
 {
   for (std::size_t d = 2; d < depths.size(); ++d)

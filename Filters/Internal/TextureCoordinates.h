@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Texture coordinates of flat maps, and the square of the plane that a texture covers.
+/// Texture coordinates of flat maps, and the square in the plane that a texture covers.
 #pragma once
 
 #include "Core/Mesh/TriangleMesh.h"
@@ -9,25 +9,26 @@ class vtkPolyData;
 namespace flattening
 {
 
-/// Name of the point array (float x 2), the active texture coordinates.
+/// Name of the point array (float x 2) of the active texture coordinates.
 inline constexpr const char* TextureCoordinatesName = "TCoords";
-/// Name that an array TCoords of the surface itself, such as of a photograph on it, keeps on the map.
+/// Name on the map of the texture coordinates of the surface itself, such as those of a photograph.
 inline constexpr const char* SurfaceTextureCoordinatesName = "SurfaceTCoords";
 
-/// The smallest square around a flat map with the same centre: [0,1]^2 of its texture.
+/// The smallest square around a flat map with the same centre. Its texture coordinates are [0,1]^2.
 struct TextureSquare
 {
-  Eigen::RowVector2d Low; ///< its lower left corner
-  double Side;
+  Eigen::RowVector2d Low; ///< lower left corner
+  double Side;            ///< length of a side
 };
 
+/// The square around the given positions (n x 2).
 TextureSquare textureSquare(const Points2& positions);
 
-/// Sets TCoords, made active, to the places of @p positions in their textureSquare. Replaces an array of
-/// that name.
+/// Adds the active array TCoords: the given positions (n x 2) relative to their square. Replaces an
+/// array of that name.
 void setTextureCoordinates(vtkPolyData* output, const Points2& positions);
 
-/// Renames an array TCoords to SurfaceTCoords, where @p output has those of the surface itself.
+/// Renames the array TCoords of the surface itself, if there is one, to SurfaceTCoords.
 void keepSurfaceTextureCoordinates(vtkPolyData* output);
 
 } // namespace flattening

@@ -199,7 +199,7 @@ TEST(ConformalDiskFilter, EveryMethodHasItsOwnFigures)
   vtkNew<vtkConformalDiskFilter> filter;
   EXPECT_EQ(filter->GetMethod(), vtkConformalDiskFilter::RICCI_FLOW);
   const auto input = polyDataOf(hemisphere().Mesh);
-  // What a map of another surface left in the field data is not taken for this one's.
+  // The filter removes values that the map of another surface left in the field data.
   vtkNew<vtkDoubleArray> stale;
   stale->SetName("MaxCurvatureError");
   stale->InsertNextValue(0.0);

@@ -113,7 +113,7 @@ TEST_F(FlatMapImage, SamplesPointsAndCellsUnderTheCentreOfEachPixel)
       ASSERT_EQ(pixels->GetArray("Number")->GetTuple1(i), 5.0 * cells->GetTuple1(i));
       ASSERT_EQ(pixels->GetArray("SideCell")->GetTuple1(i), std::fmod(cells->GetTuple1(i), 2.0));
       labels.insert(pixels->GetArray("Side")->GetTuple1(i));
-      // What lies at this distance from the centre on the hemisphere, by area.
+      // The point of the hemisphere at this distance from the centre, by area.
       const double height = 30.0 * (1.0 - std::pow(distance / radius, 2));
       ASSERT_NEAR(surface->GetComponent(i, 2), height, 0.5);
     }
@@ -200,7 +200,7 @@ TEST_F(FlatMapImage, PixelsOfAGivenLength)
   EXPECT_EQ(filter->GetOutput()->GetDimensions()[0], extent[1] + 1);
 }
 
-// Of blocks of different size, each has its image.
+// Each of several blocks of different sizes has its own image.
 TEST_F(FlatMapImage, EveryBlockHasItsImage)
 {
   vtkNew<vtkTransform> twice;

@@ -177,7 +177,7 @@ TEST_F(FlatMapSlab, TheStackHasALayerPerDepth)
   EXPECT_EQ(stack->GetNumberOfPoints(), 0);
 }
 
-// With more pixels than are sampled at once.
+// The stack has more pixels than are sampled at once.
 TEST_F(FlatMapSlab, ALargeStackIsSampledInParts)
 {
   vtkNew<vtkFlatMapSlab> slab;
@@ -293,8 +293,7 @@ TEST_F(FlatMapSlab, ReportsWhatIsWrong)
   EXPECT_GT(slab->GetOutput()->GetNumberOfCells(), 1000);
 }
 
-// What ParaView's Resample To Image calls the array that it adds, as the filter's own means of sampling
-// does.
+// The names are those of the arrays that ParaView's Resample To Image, this filter and its probe add.
 TEST_F(FlatMapSlab, AVolumeMayHaveAnArrayOfAnyName)
 {
   const auto volume = volumeOf<vtkDoubleArray>("Distance", distance);

@@ -28,7 +28,7 @@ using namespace flattening::analytic;
 using namespace flattening::testing;
 using samples::Pi;
 
-// Of a hemisphere of radius 30 with about n points.
+// The conformal map of a hemisphere of radius 30 with about n points.
 vtkSmartPointer<vtkPolyData> conformalHemisphere(int n)
 {
   TriangleMesh mesh = ringMesh(sphericalCap(0.5 * Pi), n).Mesh;
@@ -237,7 +237,7 @@ TEST(OMTAreaPreservingFilter, GoesOnFromThePointsOfAnEarlierRun)
     vtkDataArray* now = filter->GetOutput()->GetPointData()->GetArray("FlatPoints");
     EXPECT_NE(now->GetComponent(300, 0), flatPoints->GetComponent(300, 0)) << "of this run";
 
-    // Of another size it is no map to this domain.
+    // Scaled to another size, it is not a map to this domain.
     filter->SetNormalizeTo(
       unit ? vtkOMTAreaPreservingFilter::SURFACE_AREA : vtkOMTAreaPreservingFilter::UNIT_DOMAIN);
     filter->Update();

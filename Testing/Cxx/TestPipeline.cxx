@@ -77,7 +77,7 @@ struct Pipeline
   }
 };
 
-// What holds on every surface.
+// Checks that hold on every surface.
 void expectSoundMaps(Pipeline& pipeline)
 {
   vtkPolyData* surface = pipeline.ToDisk->GetOutput();

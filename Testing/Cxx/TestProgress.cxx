@@ -184,7 +184,7 @@ void expectAbortAtAnyReport(vtkAlgorithm* filter)
   EXPECT_EQ(sizeOf(filter->GetOutputDataObject(0)), size);
 }
 
-// With the point array Label, 1 on one side.
+// The surface with the point array Label, 1 on one side.
 vtkSmartPointer<vtkPolyData> labelledDisk(vtkPolyData* disk)
 {
   auto labelled = vtkSmartPointer<vtkPolyData>::New();

@@ -263,7 +263,7 @@ TEST(MeshSaliency, WeightedByAreaDoesNotDependOnTheTriangles)
 
 TEST(MeshSaliency, NothingStandsOutOnASphere)
 {
-  // Of curvature 1, to the accuracy of the mesh. The ball of the smallest scale is three edges wide.
+  // The curvature is 1, to the accuracy of the mesh. The ball of the smallest scale is three edges wide.
   const MeshSaliency saliency = meshSaliency(sphere(6), { 0.02 });
   for (const Eigen::VectorXd& scale : saliency.PerScale)
   {

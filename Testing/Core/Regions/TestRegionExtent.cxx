@@ -76,7 +76,7 @@ double regionArea(const RegionDisk& disk)
   return sum;
 }
 
-// Of half an ellipse with semi-axes a and b, from tip to tip of a.
+// The arc length of half an ellipse with semi-axes a and b, from tip to tip of a.
 double halfEllipse(double a, double b)
 {
   return gauss_kronrod<double, 61>::integrate(
