@@ -9,10 +9,9 @@
  * called once for each of its blocks (leaves), and every output port holds a composite data set of the
  * same structure and names. The progress runs once from 0 to 1 over all blocks.
  *
- * VTK's own executives can also loop over the blocks of a composite data set. This class does so itself
- * because they neither name the block in an error, nor go on with the other blocks after one has
- * failed, nor pair the blocks of several inputs, nor scale the progress; and because they fix the type
- * of an output before they know the type of the block.
+ * vtkCompositeDataPipeline can loop over the blocks of a composite data set, too. This class does so
+ * itself, because that executive loops over one input only and does not pair the blocks of several
+ * inputs, does not name the block in an error, and leaves no record of the errors in the output.
  *
  * A block that fails is left out of the output (its leaf is null), and the other blocks go on. Its one
  * error begins with the name of the block or, if it has none, with its flat index:
