@@ -16,7 +16,7 @@
  * A block that fails is left out of the output (its leaf is null), and the other blocks go on. Its one
  * error begins with the name of the block or, if it has none, with its flat index:
  *
- * block "left": the surface is closed, ...
+ *     block "left": the surface is closed, ...
  *
  * The field data of each output block holds what the filter reports of that block.
  *
