@@ -14,7 +14,7 @@ namespace
 {
 
 // Faces or vertices of one task of a thread. It fixes the order of summation, and with it the last bits.
-constexpr int PerTask = 2048;
+constexpr int ElementsPerTask = 2048;
 // The share of the bound of the areas' second derivative in the Hessian: half of it converges twice as
 // fast as all of it and is enough, since damping catches the rest.
 constexpr double BoundShare = 0.5;
@@ -26,14 +26,14 @@ constexpr double GapWeight = 1e-3;
 template <typename Function>
 double orderedSum(int count, const Function& function)
 {
-  const int tasks = (count + PerTask - 1) / PerTask;
+  const int tasks = (count + ElementsPerTask - 1) / ElementsPerTask;
   std::vector<double> parts(tasks, 0.0);
   tbb::parallel_for(0,
     tasks,
     [&](int task)
     {
       double sum = 0.0;
-      for (int i = task * PerTask; i < std::min(count, (task + 1) * PerTask); ++i)
+      for (int i = task * ElementsPerTask; i < std::min(count, (task + 1) * ElementsPerTask); ++i)
       {
         sum += function(i);
       }
@@ -150,7 +150,7 @@ double RefinementEnergy::gradient(const DomainMap& map, Eigen::VectorXd& gradien
       return this->Values[f].Energy;
     });
   gradient.setZero(this->Dofs.count());
-  tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(map.Positions.rows()), PerTask),
+  tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(map.Positions.rows()), ElementsPerTask),
     [&](const tbb::blocked_range<int>& range)
     {
       for (int v = range.begin(); v < range.end(); ++v)
@@ -324,7 +324,7 @@ const SparseMatrix& RefinementEnergy::hessian(const DomainMap& map)
   {
     this->findPattern();
   }
-  tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(map.Positions.rows()), PerTask),
+  tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(map.Positions.rows()), ElementsPerTask),
     [&](const tbb::blocked_range<int>& range)
     {
       for (int v = range.begin(); v < range.end(); ++v)

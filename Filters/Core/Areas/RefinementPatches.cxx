@@ -25,7 +25,7 @@ constexpr double Turn = 1.0;
 // A patch with at most this share of faces that are not right is skipped: 4 faces of 4000.
 constexpr double EnoughPatchShare = 0.001;
 // A round that lowers the energy of a patch by a smaller share is its last one in the pass.
-constexpr double LeastGain = 0.1;
+constexpr double LeastPatchGain = 0.1;
 
 } // namespace
 
@@ -106,7 +106,7 @@ private:
     {
       const double gain = descent.round(map);
       const Eigen::Index off = ((energy.areaRatios(map).array() - 1.0).abs() > AreaTolerance).count();
-      if (off == 0 || gain < LeastGain)
+      if (off == 0 || gain < LeastPatchGain)
       {
         break;
       }

@@ -12,7 +12,7 @@ namespace
 
 // How far a boundary vertex may lie from the boundary of a domain of area pi. A guard: scaling to the
 // units of the output and back costs rounding only, and edges of the boundary are longer.
-constexpr double BoundaryTolerance = 1e-6;
+constexpr double OnBoundaryTolerance = 1e-6;
 // A guard: a carried map that flips a greater share of its faces is no better a start than the
 // transport.
 constexpr double LargestFlippedShare = 0.01;
@@ -28,7 +28,7 @@ bool isMapToDomain(const Points2& positions,
   }
   const std::vector<int>& loop = boundary.Vertices;
   const auto isAt = [&](int v, double parameter)
-  { return (domain.at(parameter).transpose() - positions.row(v)).norm() <= BoundaryTolerance; };
+  { return (domain.at(parameter).transpose() - positions.row(v)).norm() <= OnBoundaryTolerance; };
   const Eigen::VectorXd parameters = domain.parametersOf(positions, loop);
   for (std::size_t k = 0; k < loop.size(); ++k)
   {

@@ -13,7 +13,7 @@ namespace
 {
 
 // Faces per task of a parallel loop: enough to outweigh the cost of a task.
-constexpr int FacesPerTask = 1024;
+constexpr int AngleFacesPerTask = 1024;
 
 } // namespace
 
@@ -57,7 +57,7 @@ void CurvatureSystem::evaluate(const IntrinsicTriangulation::Factors& u)
 {
   const IntrinsicTriangulation& t = this->Triangulation;
   this->Angles.resize(t.faceCount());
-  tbb::parallel_for(tbb::blocked_range<int>(0, t.faceCount(), FacesPerTask),
+  tbb::parallel_for(tbb::blocked_range<int>(0, t.faceCount(), AngleFacesPerTask),
     [&](const tbb::blocked_range<int>& faces)
     {
       for (int f = faces.begin(); f < faces.end(); ++f)

@@ -25,7 +25,7 @@ constexpr double CentringTolerance = 1e-14;
 // that are off by more are refused.
 constexpr double AcceptedOffset = 1e-9;
 // Guards against endless loops: convergence takes a few iterations, and 2^-50 of a step moves nothing.
-constexpr int MostIterations = 200;
+constexpr int MostNewtonSteps = 200;
 constexpr int MostHalvings = 50;
 // Longest step, in radii of the disk: the step is worked out for small ones.
 constexpr double LongestStep = 0.5;
@@ -114,7 +114,7 @@ Complex centreOfMass(const ComplexVector& halfPlane, const Eigen::VectorXd& mass
   }
   const double total = masses.sum();
   Moments m = moments(cayley(halfPlane, centre), masses);
-  for (int iteration = 0; iteration < MostIterations; ++iteration)
+  for (int iteration = 0; iteration < MostNewtonSteps; ++iteration)
   {
     const double error = std::abs(m.First) / total;
     if (error < CentringTolerance)

@@ -26,7 +26,7 @@ constexpr double LargestLayoutError = 1e-3;
 // Shortest edge whose relative error counts, as a share of the embedding's extent. Along a protrusion
 // lengths fall exponentially, past the resolution of doubles; with a smaller share, maps of real
 // surfaces are refused for edges that nobody can see.
-constexpr double LeastResolved = 1e-11;
+constexpr double LeastResolvedLength = 1e-11;
 // Half-edges per task of a parallel loop: enough to outweigh the cost of a task.
 constexpr int HalfedgesPerTask = 4096;
 const Complex Infinity(std::numeric_limits<double>::infinity(), 0.0);
@@ -136,7 +136,8 @@ double layoutError(const IntrinsicTriangulation& t,
       {
         const double wanted = std::exp(static_cast<double>(t.scaledLogLength(h, u)));
         const double found = std::abs(position[t.origin(h)] - position[t.tip(h)]);
-        worst = std::max(worst, std::abs(found - wanted) / std::max(wanted, LeastResolved * extent));
+        worst =
+          std::max(worst, std::abs(found - wanted) / std::max(wanted, LeastResolvedLength * extent));
       }
       return worst;
     },

@@ -46,7 +46,7 @@ constexpr int MostLocalSteps = 20;
 // Greatest change in one step of the difference between the factors of two neighbours. A triangle whose
 // sides differ by more than a factor of 1e9 has no angles in the precision at hand. A bound on the
 // factors themselves would slow down deep protrusions.
-constexpr double LongestStep = 8.0;
+constexpr double LongestFlowStep = 8.0;
 // Error (radians) below which convergence is quadratic. The iterations of conjugate gradients of all
 // systems to come are then those that reduce a residual as much as the error is to fall.
 constexpr double QuadraticError = 0.1;
@@ -250,7 +250,8 @@ private:
     const double slope = this->System.gradient().dot(step);
     const double previous = this->System.error();
     const IntrinsicTriangulation::Factors origin = this->Result.LogFactors;
-    double length = std::min(1.0, LongestStep / std::max(this->System.greatestDifference(step), 1e-300));
+    double length =
+      std::min(1.0, LongestFlowStep / std::max(this->System.greatestDifference(step), 1e-300));
     for (int trial = 0; trial < MostTrials; ++trial)
     {
       report(progress, 0.0, "Ricci flow: step");

@@ -20,7 +20,7 @@ namespace
 constexpr double Planarity = 1e-6;
 
 // The number of points between two reports of progress, at which an abort is noticed.
-constexpr Eigen::Index Batch = 1 << 14;
+constexpr Eigen::Index WarpedBatch = 1 << 14;
 
 double heightOf(const TriangleMesh& mesh)
 {
@@ -76,11 +76,11 @@ WarpedPoints warped(const Points2& points,
   Position&& position)
 {
   WarpedPoints result{ points, std::vector<char>(points.rows(), 0) };
-  for (Eigen::Index begin = 0; begin < points.rows(); begin += Batch)
+  for (Eigen::Index begin = 0; begin < points.rows(); begin += WarpedBatch)
   {
     report(progress, static_cast<double>(begin) / static_cast<double>(points.rows()), "Warping points");
     tbb::parallel_for(begin,
-      std::min(begin + Batch, points.rows()),
+      std::min(begin + WarpedBatch, points.rows()),
       [&](Eigen::Index i)
       {
         if (points.row(i).allFinite())

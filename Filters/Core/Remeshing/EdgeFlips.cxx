@@ -22,7 +22,7 @@ using Vector = Kernel::Vector_3;
 constexpr double FlatTilt = 0.98;
 // The share by which the smallest angle must grow: a guard against rounding, which could flip an edge to
 // and fro.
-constexpr double Rounding = 1e-6;
+constexpr double FlipRounding = 1e-6;
 
 bool flipImproves(const SurfaceMesh& mesh, Halfedge h)
 {
@@ -34,7 +34,7 @@ bool flipImproves(const SurfaceMesh& mesh, Halfedge h)
   const Point& s = mesh.point(right);
   const double before = std::min(smallestAngle({ p, q, r }), smallestAngle({ q, p, s }));
   const double after = std::min(smallestAngle({ s, q, r }), smallestAngle({ p, s, r }));
-  if (!(after > (1.0 + Rounding) * before))
+  if (!(after > (1.0 + FlipRounding) * before))
   {
     return false;
   }

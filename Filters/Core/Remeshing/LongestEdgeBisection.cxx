@@ -18,7 +18,7 @@ using Face = EditableSurface::Face;
 // How much a squared length may exceed its limit: an edge as long as the limit is then kept at any scale
 // of the mesh. A guard against rounding (1e-16), so that any value between that and a visible length
 // works.
-constexpr double Rounding = 1e-6;
+constexpr double LengthRounding = 1e-6;
 
 // A strict order of the edges, without which the propagation could run in circles. Lengths are compared
 // in single precision, so that edges equal up to rounding tie, and the same mesh at another scale is
@@ -66,7 +66,7 @@ void bisectLongEdges(EditableSurface& surface, const std::vector<Face>& faces, d
   {
     wanted[f] = 1;
   }
-  const double limit = (1.0 + Rounding) * longestEdge * longestEdge;
+  const double limit = (1.0 + LengthRounding) * longestEdge * longestEdge;
   std::deque<Face> queue(faces.begin(), faces.end());
   while (!queue.empty())
   {

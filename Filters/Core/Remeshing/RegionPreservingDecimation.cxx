@@ -27,7 +27,7 @@ using Fixed = SurfaceMesh::Property_map<SurfaceMesh::Edge_index, bool>;
 using Origins = SurfaceMesh::Property_map<Vertex, int>; // -1 for a new vertex
 
 // An abort is noticed after so many edges.
-constexpr int ReportInterval = 1 << 12;
+constexpr int DecimationReportInterval = 1 << 12;
 
 void requireFits(const TriangleMesh& mesh, const std::vector<char>& inRegion, int contextFaces)
 {
@@ -75,7 +75,7 @@ struct Visitor : simplification::Edge_collapse_visitor_base<SurfaceMesh>
 
   void OnSelected(const Profile&, const boost::optional<FT>&, size_type initial, size_type current)
   {
-    if (this->Selected++ % ReportInterval == 0)
+    if (this->Selected++ % DecimationReportInterval == 0)
     {
       report(this->Report,
         0.8 * (1.0 - static_cast<double>(current) / static_cast<double>(initial)),

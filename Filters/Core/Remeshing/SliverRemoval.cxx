@@ -22,13 +22,13 @@ using Halfedge = MeshOnSurface::Halfedge;
 using Face = MeshOnSurface::Face;
 
 // A guard: the rounds usually end because nothing changes any more.
-constexpr int Rounds = 10;
+constexpr int SliverRounds = 10;
 // The factor by which a change must enlarge the sine of the smallest angle: a smaller gain is not worth
 // a change of the surface, and might repeat without end.
 constexpr double Gain = 1.01;
 // Cosine of 80 degrees, the largest angle between a changed face and the old surface: a guard against
 // folds.
-constexpr double LeastAlignment = 0.17;
+constexpr double LeastSliverAlignment = 0.17;
 
 bool opensSmallAngle(const LocalChange& change)
 {
@@ -39,7 +39,7 @@ bool opensSmallAngle(const LocalChange& change)
 bool opensSmallAngleAligned(const LocalChange& change)
 {
   const double aligned = smallestAlignment(change.After);
-  return (aligned >= LeastAlignment || aligned >= smallestAlignment(change.Before)) &&
+  return (aligned >= LeastSliverAlignment || aligned >= smallestAlignment(change.Before)) &&
          opensSmallAngle(change);
 }
 
@@ -97,9 +97,9 @@ void removeSlivers(MeshOnSurface& surface, double degrees, const ProgressCallbac
   const double bound = std::sin(degrees * EIGEN_PI / 180.0);
   const double tiny = std::sin(slivers::TinyAngle * EIGEN_PI / 180.0);
   bool changed = true;
-  for (int round = 0; changed && round < Rounds; ++round)
+  for (int round = 0; changed && round < SliverRounds; ++round)
   {
-    report(progress, static_cast<double>(round) / Rounds, "opening small angles");
+    report(progress, static_cast<double>(round) / SliverRounds, "opening small angles");
     std::vector<Face> narrow;
     for (const Face f : surface.mesh().faces())
     {

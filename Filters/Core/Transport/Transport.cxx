@@ -37,7 +37,7 @@ constexpr double LeastDecrease = 0.9;
 // get there. Newton's method does not need more digits; one refinement is enough but for protrusions.
 constexpr double StepError = 1e-3;
 constexpr int LargestRefinements = 10;
-constexpr const char* Stage = "Optimal mass transport";
+constexpr const char* TransportStage = "Optimal mass transport";
 
 double relativeError(const Eigen::VectorXd& areas, const Eigen::VectorXd& targets)
 {
@@ -124,7 +124,7 @@ PowerDiagram::Weights newtonStep(SparseCholesky& cholesky,
   const ProgressCallback& progress)
 {
   const ReducedSystem system(aims);
-  cholesky.compute(system.jacobian(diagram), progress, 0.0, Stage);
+  cholesky.compute(system.jacobian(diagram), progress, 0.0, TransportStage);
   if (cholesky.info() != Eigen::Success)
   {
     return {};
@@ -197,7 +197,7 @@ public:
       this->measure();
     }
     this->requireTolerance();
-    report(this->Progress, 1.0, Stage);
+    report(this->Progress, 1.0, TransportStage);
     return std::move(this->Result);
   }
 
@@ -224,12 +224,12 @@ private:
                             std::log(std::min(this->Result.MaxCellError, 1.0) / this->Options.Tolerance);
     this->Fraction =
       std::max(this->Fraction, std::clamp(1.0 - distance / this->StartDistance, 0.0, 1.0));
-    report(this->Progress, this->Fraction, Stage);
+    report(this->Progress, this->Fraction, TransportStage);
   }
 
   ProgressCallback atFraction() const
   {
-    return flattening::atFraction(this->Progress, this->Fraction, Stage);
+    return flattening::atFraction(this->Progress, this->Fraction, TransportStage);
   }
 
   // The areas on the geometric way to the targets that lie as far off as Way allows.
@@ -256,7 +256,7 @@ private:
     double length = 1.0;
     for (int trial = 0; trial < LargestHalvings; ++trial, length *= 0.5)
     {
-      report(this->Progress, this->Fraction, Stage);
+      report(this->Progress, this->Fraction, TransportStage);
       PowerDiagram::Weights weights = this->Result.Weights + DoubleDouble(length) * step;
       const auto approaches = [&]
       { return (this->Diagram.areas() - aims).norm() <= (1.0 - 0.5 * length) * gap.norm(); };
