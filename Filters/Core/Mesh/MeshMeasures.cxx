@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/MeshMeasures.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
