@@ -283,8 +283,7 @@ void vtkAreaWeights::Execute(vtkInformationVector** inputVector, vtkInformationV
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const TriangleMesh mesh = flattening::surfaceInSpace(input);
-  const Eigen::VectorXd areas = flattening::vertexAreas(
-    mesh.Faces, flattening::faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount());
+  const Eigen::VectorXd areas = flattening::vertexAreas(mesh);
   Eigen::VectorXd weights = earlierWeights(input);
   std::vector<WeightedRegion> regions;
   const flattening::ProgressCallback progress = flattening::progressOf(this);

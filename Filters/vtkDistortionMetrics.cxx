@@ -60,8 +60,7 @@ Eigen::VectorXd weightsFromTargetArea(vtkPolyData* input, const TriangleMesh& su
                        std::to_string(targets->GetNumberOfComponents()) +
                        " components, not 1: run OMT Area Preserving again or turn UseTargetArea off");
   }
-  Eigen::VectorXd weights = flattening::vertexAreas(
-    surface.Faces, flattening::faceAreas(surface.Vertices, surface.Faces), surface.vertexCount());
+  Eigen::VectorXd weights = flattening::vertexAreas(surface);
   for (int v = 0; v < surface.vertexCount(); ++v)
   {
     const double target = targets->GetComponent(v, 0);

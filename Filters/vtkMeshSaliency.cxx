@@ -29,8 +29,7 @@ using flattening::TriangleMesh;
 
 void addRegions(vtkPolyData* output, const TriangleMesh& mesh, const std::vector<int>& regions)
 {
-  const Eigen::VectorXd areas = flattening::vertexAreas(
-    mesh.Faces, flattening::faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount());
+  const Eigen::VectorXd areas = flattening::vertexAreas(mesh);
   const int count = regions.empty() ? 0 : *std::max_element(regions.begin(), regions.end());
   std::vector<double> regionAreas(count, 0.0);
   for (std::size_t v = 0; v < regions.size(); ++v)

@@ -62,8 +62,7 @@ void requireResolved(const Eigen::VectorXd& areas,
 
 Eigen::VectorXd targetAreas(const TriangleMesh& mesh, const Eigen::VectorXd& weights)
 {
-  Eigen::VectorXd areas =
-    vertexAreas(mesh.Faces, faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount());
+  Eigen::VectorXd areas = vertexAreas(mesh);
   for (int v = 0; v < mesh.vertexCount(); ++v)
   {
     if (!(areas[v] > 0.0))

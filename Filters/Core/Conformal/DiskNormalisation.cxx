@@ -177,7 +177,7 @@ std::optional<double> intrinsicRotation(const ComplexVector& disk,
 }
 
 DiskCentring::DiskCentring(const TriangleMesh& mesh)
-  : Weights(vertexAreas(mesh.Faces, faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount()))
+  : Weights(vertexAreas(mesh))
 {
   this->Weights /= this->Weights.sum();
 }

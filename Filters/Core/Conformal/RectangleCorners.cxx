@@ -175,8 +175,7 @@ std::vector<int> seamCorners(const TriangleMesh& mesh,
 std::vector<int> rectangleCorners(const TriangleMesh& mesh, const std::vector<int>& loop)
 {
   const int count = static_cast<int>(loop.size());
-  const Eigen::VectorXd areas =
-    vertexAreas(mesh.Faces, faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount());
+  const Eigen::VectorXd areas = vertexAreas(mesh);
   const Eigen::RowVector3d centroid = areas.transpose() * mesh.Vertices / areas.sum();
   const auto distance = [&](int k) { return (mesh.Vertices.row(loop[k]) - centroid).norm(); };
 

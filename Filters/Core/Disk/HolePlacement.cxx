@@ -47,8 +47,7 @@ int geodesicCentre(const TriangleMesh& mesh,
   {
     return indexOfLargest(distanceFromAvoided);
   }
-  const Eigen::VectorXd area =
-    vertexAreas(mesh.Faces, faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount());
+  const Eigen::VectorXd area = vertexAreas(mesh);
 
   // Each sample is the vertex farthest from those before it, and stands for the area that is nearest to
   // it.

@@ -61,12 +61,6 @@ Eigen::VectorXd componentAreas(const TriangleMesh& mesh, const SurfaceComponents
   return areas;
 }
 
-int componentsAbove(const TriangleMesh& mesh, const SurfaceComponents& components, double share)
-{
-  const Eigen::VectorXd areas = componentAreas(mesh, components);
-  return static_cast<int>((areas.array() >= share * areas.sum()).count());
-}
-
 int chooseComponent(const TriangleMesh& mesh,
   const SurfaceComponents& components,
   const ComponentChoice& choice)

@@ -26,10 +26,6 @@ SurfaceComponents connectedComponents(const TriangleMesh& mesh);
 /// Area of every component, input units squared.
 Eigen::VectorXd componentAreas(const TriangleMesh& mesh, const SurfaceComponents& components);
 
-/// How many components have at least the part @p share (0 to 1) of the whole area; smaller ones are
-/// fragments.
-int componentsAbove(const TriangleMesh& mesh, const SurfaceComponents& components, double share);
-
 /// Which component of a surface is meant.
 struct ComponentChoice
 {

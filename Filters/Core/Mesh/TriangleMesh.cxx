@@ -55,4 +55,9 @@ Eigen::VectorXd vertexAreas(const FaceMatrix& faces, const Eigen::VectorXd& face
   return areas;
 }
 
+Eigen::VectorXd vertexAreas(const TriangleMesh& mesh)
+{
+  return vertexAreas(mesh.Faces, faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount());
+}
+
 } // namespace flattening

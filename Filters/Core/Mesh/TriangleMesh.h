@@ -37,5 +37,7 @@ Eigen::VectorXd signedFaceAreas(const Points2& positions, const FaceMatrix& face
 Eigen::VectorXd vertexAreas(const FaceMatrix& faces,
   const Eigen::VectorXd& faceMeasure,
   int vertexCount);
+/// The same of the areas of the faces of @p mesh, input units squared.
+Eigen::VectorXd vertexAreas(const TriangleMesh& mesh);
 
 } // namespace flattening

@@ -128,8 +128,7 @@ MeshSaliency meshSaliency(const TriangleMesh& mesh,
   MeshSaliency result;
   result.Unit = requireUnit(mesh, options);
   report(progress, 0.0, "Curvature");
-  const Eigen::VectorXd areas =
-    vertexAreas(mesh.Faces, faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount());
+  const Eigen::VectorXd areas = vertexAreas(mesh);
   const WeightedPoints points = samplesOf(mesh, areas, options.AreaWeighted);
   if (!(points.Mass.sum() > 0.0))
   {
@@ -170,8 +169,7 @@ double areaPercentile(const TriangleMesh& mesh, const Eigen::VectorXd& values, d
   {
     throw InvalidInput("a percentile must be from 0 to 100");
   }
-  const Eigen::VectorXd areas =
-    vertexAreas(mesh.Faces, faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount());
+  const Eigen::VectorXd areas = vertexAreas(mesh);
   std::vector<int> order(values.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(),
@@ -210,7 +208,7 @@ std::vector<int> salientRegions(const TriangleMesh& mesh,
       }
     }
   }
-  const Eigen::VectorXd areas = vertexAreas(mesh.Faces, faceAreas(mesh.Vertices, mesh.Faces), n);
+  const Eigen::VectorXd areas = vertexAreas(mesh);
   std::vector<double> areaOf(n, 0.0); // by representative
   std::vector<int> firstOf(n, -1);
   std::vector<int> representatives;

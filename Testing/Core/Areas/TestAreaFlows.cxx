@@ -128,8 +128,7 @@ void expectTurnIsTakenBack(const SurfaceOfRevolution& surface)
   EXPECT_LT(rms(flow.Positions - known), 0.2 * rms(start - known));
   EXPECT_LT(meanAreaError(mesh.Mesh, flow.Positions), 0.02);
   // The least costly map is the one without curl.
-  const Eigen::VectorXd mass = vertexAreas(
-    mesh.Mesh.Faces, faceAreas(mesh.Mesh.Vertices, mesh.Mesh.Faces), mesh.Mesh.vertexCount());
+  const Eigen::VectorXd mass = vertexAreas(mesh.Mesh);
   const auto cost = [&](const Points2& map)
   { return mass.dot((map - conformal).rowwise().squaredNorm()); };
   EXPECT_LT(cost(flow.Positions), cost(start));

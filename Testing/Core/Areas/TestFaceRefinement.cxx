@@ -185,8 +185,7 @@ TEST(FaceRefinement, RegionsKeepTheirAreaOnAnUnevenSurface)
   const int n = mesh.vertexCount();
   const Eigen::VectorXd has = vertexAreas(mesh.Faces, signedFaceAreas(map.Positions, mesh.Faces), n) /
                               signedFaceAreas(map.Positions, mesh.Faces).sum();
-  const Eigen::VectorXd wants = vertexAreas(mesh.Faces, faceAreas(mesh.Vertices, mesh.Faces), n) /
-                                faceAreas(mesh.Vertices, mesh.Faces).sum();
+  const Eigen::VectorXd wants = vertexAreas(mesh) / faceAreas(mesh.Vertices, mesh.Faces).sum();
   double largest = 0.0;
   for (const std::vector<int>& region : recursiveBisection(flat, 400, 0.3))
   {

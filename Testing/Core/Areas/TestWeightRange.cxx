@@ -83,8 +83,7 @@ struct WeightedRegions
 
   std::vector<double> cellGains(const AreaPreservingMap& map) const
   {
-    const Eigen::VectorXd surface = vertexAreas(
-      this->Mesh.Faces, faceAreas(this->Mesh.Vertices, this->Mesh.Faces), this->Mesh.vertexCount());
+    const Eigen::VectorXd surface = vertexAreas(this->Mesh);
     return this->gains(map.CellAreas, surface, this->RegionOf);
   }
 

@@ -52,8 +52,7 @@ void expectConformalDisk(const TriangleMesh& mesh, const ConformalDiskMap& map)
 
 Eigen::Vector2d areaCentroid(const TriangleMesh& mesh, const Points2& positions)
 {
-  const Eigen::VectorXd masses =
-    vertexAreas(mesh.Faces, faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount());
+  const Eigen::VectorXd masses = vertexAreas(mesh);
   return (masses.transpose() * positions).transpose() / masses.sum();
 }
 

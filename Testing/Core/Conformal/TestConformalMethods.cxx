@@ -51,8 +51,7 @@ double largestDifference(const Points2& a, const Points2& b)
 
 Eigen::Vector2d areaCentroid(const TriangleMesh& mesh, const Points2& positions)
 {
-  const Eigen::VectorXd masses =
-    vertexAreas(mesh.Faces, faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount());
+  const Eigen::VectorXd masses = vertexAreas(mesh);
   return (masses.transpose() * positions).transpose() / masses.sum();
 }
 
@@ -156,8 +155,7 @@ TEST_P(ConformalMethods, ShareOneNormalisation)
   // Without a boundary vertex the rotation is the one that the method's own shape of the disk implies:
   // the mass that is far from the surface's centroid lies to the right.
   const ConformalDiskMap map = conformalDiskMap(part.Mesh, optionsOf(GetParam()));
-  const Eigen::VectorXd masses = vertexAreas(
-    part.Mesh.Faces, faceAreas(part.Mesh.Vertices, part.Mesh.Faces), part.Mesh.vertexCount());
+  const Eigen::VectorXd masses = vertexAreas(part.Mesh);
   const Eigen::RowVector3d centroid = masses.transpose() * part.Mesh.Vertices / masses.sum();
   const Eigen::VectorXd far =
     masses.cwiseProduct((part.Mesh.Vertices.rowwise() - centroid).rowwise().norm());

@@ -49,8 +49,7 @@ TEST(ColonPolyps, AllOfSixMillimetresAreFound)
     const std::vector<int> regions = salientRegions(
       colon.Mesh, saliency.Saliency, threshold, 5.0, std::numeric_limits<double>::infinity());
     const int count = *std::max_element(regions.begin(), regions.end());
-    const Eigen::VectorXd areas = vertexAreas(
-      colon.Mesh.Faces, faceAreas(colon.Mesh.Vertices, colon.Mesh.Faces), colon.Mesh.vertexCount());
+    const Eigen::VectorXd areas = vertexAreas(colon.Mesh);
     std::vector<double> areaOf(count + 1, 0.0);
     for (int v = 0; v < colon.Mesh.vertexCount(); ++v)
     {

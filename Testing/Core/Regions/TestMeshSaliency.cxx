@@ -22,7 +22,7 @@ using namespace flattening::samples;
 
 Eigen::VectorXd areasOf(const TriangleMesh& mesh)
 {
-  return vertexAreas(mesh.Faces, faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount());
+  return vertexAreas(mesh);
 }
 
 // A sphere with hills and dents, about 2,600 points for 4 levels.

@@ -20,7 +20,7 @@ TriangleMesh sheet()
 
 Eigen::VectorXd areasOf(const TriangleMesh& mesh)
 {
-  return vertexAreas(mesh.Faces, faceAreas(mesh.Vertices, mesh.Faces), mesh.vertexCount());
+  return vertexAreas(mesh);
 }
 
 WeightedRegion ball(const TriangleMesh& mesh, double x, double radius, double factor)
