@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Intrinsic/IntrinsicTriangulation.h"
 
+#include "Mesh/FaceSides.h"
 #include "Mesh/SliverThresholds.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
 namespace flattening
@@ -23,23 +22,14 @@ constexpr int LogarithmsPerTask = 4096;
 // The opposite half-edge of each half-edge; -1 on the boundary.
 std::vector<int> findTwins(const FaceMatrix& faces)
 {
-  std::vector<std::pair<std::uint64_t, int>> keyed(3 * faces.rows());
-  for (int h = 0; h < static_cast<int>(keyed.size()); ++h)
+  const std::vector<FaceSide> sides = sortedSides(faces);
+  std::vector<int> twins(sides.size(), -1);
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
   {
-    const int a = faces(h / 3, h % 3);
-    const int b = faces(h / 3, (h + 1) % 3);
-    keyed[h] = {
-      (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint64_t>(std::max(a, b)), h
-    };
-  }
-  tbb::parallel_sort(keyed.begin(), keyed.end());
-  std::vector<int> twins(keyed.size(), -1);
-  for (std::size_t i = 0; i + 1 < keyed.size(); ++i)
-  {
-    if (keyed[i].first == keyed[i + 1].first)
+    if (sides[i].Edge == sides[i + 1].Edge)
     {
-      twins[keyed[i].second] = keyed[i + 1].second;
-      twins[keyed[i + 1].second] = keyed[i].second;
+      twins[sides[i].Halfedge] = sides[i + 1].Halfedge;
+      twins[sides[i + 1].Halfedge] = sides[i].Halfedge;
     }
   }
   return twins;

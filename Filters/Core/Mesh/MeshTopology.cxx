@@ -2,12 +2,11 @@
 #include "Mesh/MeshTopology.h"
 
 #include "Base/Errors.h"
+#include "Mesh/FaceSides.h"
 
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
-#include <cstdint>
-#include <numeric>
 #include <string>
 
 namespace flattening
@@ -15,72 +14,34 @@ namespace flattening
 namespace
 {
 
-// A side of a face.
-struct Side
+void requireVertices(const FaceMatrix& faces, int vertexCount)
 {
-  std::uint64_t Edge; // the same for all sides of an edge
-  int From;
-  int To;
-  int Face;
-};
-
-// The sides of all faces, sorted by edge and then by face.
-std::vector<Side> sortedSides(const FaceMatrix& faces, int vertexCount)
-{
-  // A counting sort by the smaller vertex of each side leaves few sides per vertex to be sorted.
-  std::vector<std::size_t> begin(static_cast<std::size_t>(vertexCount) + 1, 0);
   for (int f = 0; f < faces.rows(); ++f)
   {
     for (int k = 0; k < 3; ++k)
     {
-      const int from = faces(f, k);
-      const int to = faces(f, (k + 1) % 3);
-      if (from < 0 || from >= vertexCount)
+      const int v = faces(f, k);
+      if (v < 0 || v >= vertexCount)
       {
-        throw InvalidInput("face " + std::to_string(f) + " names vertex " + std::to_string(from) +
+        throw InvalidInput("face " + std::to_string(f) + " names vertex " + std::to_string(v) +
                            ", but there are " + std::to_string(vertexCount) + " vertices");
       }
-      if (from == to)
+      if (v == faces(f, (k + 1) % 3))
       {
-        throw InvalidInput("face " + std::to_string(f) + " uses vertex " + std::to_string(from) +
+        throw InvalidInput("face " + std::to_string(f) + " uses vertex " + std::to_string(v) +
                            " twice: run Surface To Disk first");
       }
-      if (to >= 0 && to < vertexCount)
-      {
-        ++begin[std::min(from, to) + 1];
-      }
     }
   }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<Side> sides(3 * static_cast<std::size_t>(faces.rows()));
-  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  for (int f = 0; f < faces.rows(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const int from = faces(f, k);
-      const int to = faces(f, (k + 1) % 3);
-      const auto key = (static_cast<std::uint64_t>(std::min(from, to)) << 32) |
-                       static_cast<std::uint64_t>(std::max(from, to));
-      sides[next[std::min(from, to)]++] = { key, from, to, f };
-    }
-  }
-  for (int v = 0; v < vertexCount; ++v)
-  {
-    std::sort(sides.begin() + static_cast<std::ptrdiff_t>(begin[v]),
-      sides.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]),
-      [](const Side& a, const Side& b) { return a.Edge != b.Edge ? a.Edge < b.Edge : a.Face < b.Face; });
-  }
-  return sides;
 }
 
-std::string edgeName(const Side& side)
+std::string edgeName(const FaceSide& side)
 {
   return "edge (" + std::to_string(side.From) + ", " + std::to_string(side.To) + ")";
 }
 
 // The corners of the faces around a vertex must be one fan, in which neighbours share an edge.
-void requireOneFanPerVertex(const FaceMatrix& faces, const std::vector<Side>& sides, int vertexCount)
+void requireOneFanPerVertex(const FaceMatrix& faces, const std::vector<FaceSide>& sides, int vertexCount)
 {
   const auto corner = [&faces](int face, int vertex) {
     return 3 * face + (faces(face, 0) == vertex ? 0 : faces(face, 1) == vertex ? 1 : 2);
@@ -88,12 +49,12 @@ void requireOneFanPerVertex(const FaceMatrix& faces, const std::vector<Side>& si
   boost::disjoint_sets_with_storage<> corners(3 * faces.rows());
   for (std::size_t s = 0; s + 1 < sides.size(); ++s)
   {
-    const Side& a = sides[s];
-    const Side& b = sides[s + 1];
+    const FaceSide& a = sides[s];
+    const FaceSide& b = sides[s + 1];
     if (a.Edge == b.Edge)
     {
-      corners.union_set(corner(a.Face, a.From), corner(b.Face, a.From));
-      corners.union_set(corner(a.Face, a.To), corner(b.Face, a.To));
+      corners.union_set(corner(a.face(), a.From), corner(b.face(), a.From));
+      corners.union_set(corner(a.face(), a.To), corner(b.face(), a.To));
     }
   }
   std::vector<int> fan(vertexCount, -1);
@@ -118,7 +79,7 @@ void requireOneFanPerVertex(const FaceMatrix& faces, const std::vector<Side>& si
 }
 
 // @param count  number of sides of the edge, of which @p side is the first
-void requireManifoldEdge(const Side* side, std::ptrdiff_t count)
+void requireManifoldEdge(const FaceSide* side, std::ptrdiff_t count)
 {
   if (count > 2)
   {
@@ -127,20 +88,20 @@ void requireManifoldEdge(const Side* side, std::ptrdiff_t count)
   }
   if (count == 2 && side[0].From == side[1].From)
   {
-    throw TopologyError("faces " + std::to_string(side[0].Face) + " and " +
-                        std::to_string(side[1].Face) + " at " + edgeName(*side) +
+    throw TopologyError("faces " + std::to_string(side[0].face()) + " and " +
+                        std::to_string(side[1].face()) + " at " + edgeName(*side) +
                         " are oriented against each other: run Surface To Disk first");
   }
 }
 
 // Counts the edges, which must be manifold, the vertices that have an edge, and the components.
-void countParts(const std::vector<Side>& sides, int vertexCount, MeshTopology& topology)
+void countParts(const std::vector<FaceSide>& sides, int vertexCount, MeshTopology& topology)
 {
   boost::disjoint_sets_with_storage<> parts(vertexCount);
   std::vector<char> used(vertexCount, 0);
   for (std::size_t s = 0; s < sides.size();)
   {
-    const Side& side = sides[s];
+    const FaceSide& side = sides[s];
     std::size_t end = s + 1;
     while (end < sides.size() && sides[end].Edge == side.Edge)
     {
@@ -161,7 +122,7 @@ void countParts(const std::vector<Side>& sides, int vertexCount, MeshTopology& t
 
 // The loops, each from its smallest vertex on, in ascending order of these. Every vertex must have one
 // fan of faces, so that it has at most one outgoing boundary side.
-std::vector<std::vector<int>> boundaryLoops(const std::vector<Side>& sides, int vertexCount)
+std::vector<std::vector<int>> boundaryLoops(const std::vector<FaceSide>& sides, int vertexCount)
 {
   std::vector<int> next(vertexCount, -1);
   for (std::size_t s = 0; s < sides.size(); ++s)
@@ -194,7 +155,8 @@ std::vector<std::vector<int>> boundaryLoops(const std::vector<Side>& sides, int 
 
 MeshTopology analyseTopology(const FaceMatrix& faces, int vertexCount)
 {
-  const std::vector<Side> sides = sortedSides(faces, vertexCount);
+  requireVertices(faces, vertexCount);
+  const std::vector<FaceSide> sides = sortedSides(faces);
   MeshTopology topology;
   topology.Faces = static_cast<int>(faces.rows());
   countParts(sides, vertexCount, topology);

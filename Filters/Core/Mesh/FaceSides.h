@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The sides of all faces of a mesh, those of an edge next to each other.
+#pragma once
+
+#include "Mesh/TriangleMesh.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace flattening
+{
+
+/// A side of a face, directed as the face is.
+struct FaceSide
+{
+  std::uint64_t Edge; ///< the same for all sides of an edge; grows with its smaller, then greater vertex
+  int From;
+  int To;
+  int Halfedge; ///< 3 * face + corner, the corner being where the side begins
+
+  int face() const { return this->Halfedge / 3; }
+};
+
+/// The sides of all @p faces, whose vertex numbers are >= 0, sorted by edge and then by half-edge.
+std::vector<FaceSide> sortedSides(const FaceMatrix& faces);
+
+} // namespace flattening
