@@ -21,32 +21,11 @@ constexpr const char* SolutionStage = "Solution";
 
 bool LaggedCholeskySolver::factor(const SparseMatrix& lower, const ProgressCallback& progress)
 {
-  this->takeNewOrder();
   this->Factor.compute(lower, progress, 0.0, FactorStage);
   ++this->Factorizations;
   this->LogReduction = -HUGE_VAL;
   this->Size = this->Factor.info() == Eigen::Success ? lower.rows() : -1;
   return this->Size >= 0;
-}
-
-void LaggedCholeskySolver::renewOrder(const SparseMatrix& lower)
-{
-  this->NewOrder = std::async(std::launch::async,
-    [lower]() { return SparseCholesky::orderOf(lower, SparseCholesky::Ordering::Quick); });
-}
-
-void LaggedCholeskySolver::takeNewOrder()
-{
-  if (this->NewOrder.valid())
-  {
-    this->Factor.setOrder(this->NewOrder.get());
-  }
-}
-
-const EliminationOrder& LaggedCholeskySolver::order()
-{
-  this->takeNewOrder();
-  return this->Factor.order();
 }
 
 bool LaggedCholeskySolver::iterate(const SparseMatrix& lower,

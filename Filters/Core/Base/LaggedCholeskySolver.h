@@ -5,8 +5,6 @@
 #include "Base/Progress.h"
 #include "Base/SparseFactorization.h"
 
-#include <future>
-
 namespace flattening
 {
 
@@ -32,12 +30,6 @@ public:
   void forgetFactor() { this->Size = -1; }
   bool hasFactor() const { return this->Size >= 0; }
 
-  /// Begins to look for an order of elimination for matrices of the pattern of @p lower in another
-  /// thread, while systems are solved with the present factor. The next factor uses that order.
-  void renewOrder(const SparseMatrix& lower);
-  /// The last order of elimination that was found, for the last factor or by renewOrder().
-  const EliminationOrder& order();
-
   int factorizations() const { return this->Factorizations; }
   int iterations() const { return this->Iterations; }
 
@@ -49,9 +41,6 @@ private:
     Eigen::VectorXd& solution,
     const ProgressCallback& progress);
 
-  void takeNewOrder();
-
-  std::future<EliminationOrder> NewOrder;
   SparseCholesky Factor{ SparseCholesky::Ordering::Quick };
   Eigen::Index Size = -1;    // number of rows of the factor; -1 without one
   double LogReduction = 0.0; // logarithm of the ratio by which an iteration reduced the last residual

@@ -201,11 +201,6 @@ const EliminationOrder& SparseCholesky::order() const
   return this->Shared->Order;
 }
 
-void SparseCholesky::setOrder(EliminationOrder order)
-{
-  this->Shared->Order = std::move(order);
-}
-
 EliminationOrder SparseCholesky::orderOf(const SparseMatrix& pattern, Ordering ordering)
 {
   Factor factor(ordering, {}, Kernel::Blocks);

@@ -76,8 +76,6 @@ public:
 
   /// The order of the last matrix, with the fill of the matrix that it was found for.
   const EliminationOrder& order() const;
-  /// Sets the order to try for the next matrix.
-  void setOrder(EliminationOrder order);
 
   /// An order for matrices of the pattern of @p pattern (lower triangle).
   static EliminationOrder orderOf(const SparseMatrix& pattern, Ordering ordering);

@@ -125,7 +125,6 @@ struct Rectangle
 Rectangle embed(const IntrinsicTriangulation& t,
   const IntrinsicTriangulation::Factors& u,
   const std::vector<int>& corners,
-  const EliminationOrder& order,
   ComplexVector& position,
   const ProgressCallback& progress)
 {
@@ -139,7 +138,7 @@ Rectangle embed(const IntrinsicTriangulation& t,
     position[p.Vertex] = rectangle.at(p.Side, p.Along / lengths[p.Side], p.Inside);
     placed[p.Vertex] = 1;
   }
-  relaxSprings(cotangentSprings(t, u), placed, position, order, progress);
+  relaxSprings(cotangentSprings(t, u), placed, position, progress);
   return rectangle;
 }
 
@@ -183,7 +182,7 @@ ConformalRectangleMap conformalRectangleMap(const TriangleMesh& mesh,
 
   ComplexVector position;
   const Rectangle rectangle =
-    embed(t, flow.LogFactors, result.Corners, flow.Elimination, position, subrange(progress, 0.9, 0.95));
+    embed(t, flow.LogFactors, result.Corners, position, subrange(progress, 0.9, 0.95));
   map.LayoutError = layoutError(t, flow.LogFactors, position);
   requireLayout(map.LayoutError);
   result.Modulus = rectangle.Width / rectangle.Height;

@@ -157,17 +157,6 @@ SparseMatrix CurvatureSystem::hessian() const
   return matrix;
 }
 
-std::vector<int> CurvatureSystem::vertices(const std::vector<int>& unknowns) const
-{
-  std::vector<int> vertices;
-  vertices.reserve(unknowns.size());
-  for (const int r : unknowns)
-  {
-    vertices.push_back(this->Vertex[r]);
-  }
-  return vertices;
-}
-
 double CurvatureSystem::greatestDifference(const Eigen::VectorXd& step) const
 {
   const auto at = [this, &step](int v) { return this->Row[v] >= 0 ? step[this->Row[v]] : 0.0; };

@@ -45,9 +45,6 @@ public:
   /// The lower triangle of the Hessian, half the cotangent Laplacian.
   SparseMatrix hessian() const;
 
-  /// The vertices that belong to the given unknowns.
-  std::vector<int> vertices(const std::vector<int>& unknowns) const;
-
   /// The greatest change by @p step of the difference between the factors at the ends of an edge.
   double greatestDifference(const Eigen::VectorXd& step) const;
 

@@ -102,7 +102,6 @@ std::vector<char> embedBoundary(const IntrinsicTriangulation& t,
 ComplexVector embedInHalfPlane(const IntrinsicTriangulation& t,
   const IntrinsicTriangulation::Factors& u,
   int firstEdge,
-  const EliminationOrder& order,
   const ProgressCallback& progress)
 {
   ComplexVector position(t.vertexCount(), Infinity);
@@ -114,7 +113,7 @@ ComplexVector embedInHalfPlane(const IntrinsicTriangulation& t,
     fixed[v] = placed[v];
     position[v] = placed[v] ? position[v] : 0.0;
   }
-  relaxSprings(cotangentSprings(t, u), fixed, position, order, progress);
+  relaxSprings(cotangentSprings(t, u), fixed, position, progress);
   return position;
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Base/SparseFactorization.h"
 #include "Intrinsic/IntrinsicTriangulation.h"
 #include "Mesh/ComplexPositions.h"
 
@@ -17,12 +16,10 @@ namespace flattening
 /// Coordinates are harmonic in a flat metric, so that one linear solve gives them all once the boundary
 /// is known. Laying out face by face from the boundary would be a Cauchy problem, whose rounding errors
 /// grow exponentially. Vertices that are neither on the boundary nor on a face get (infinity, 0).
-/// @param order  as for relaxSprings
 /// @throws ConvergenceError if the linear system cannot be factored; Cancelled.
 ComplexVector embedInHalfPlane(const IntrinsicTriangulation& triangulation,
   const IntrinsicTriangulation::Factors& u,
   int firstEdge,
-  const EliminationOrder& order = {},
   const ProgressCallback& progress = {});
 
 /// The greatest error of an edge's length in @p position, relative to that length or to 1e-11 of the

@@ -52,12 +52,6 @@ constexpr double LongestFlowStep = 8.0;
 constexpr double QuadraticError = 0.1;
 // Number of such iterations from which on a new factor is cheaper: one costs about as much as twenty.
 constexpr double WorthAFactor = 30.0;
-// Flips since the last factorization, as a share of the half-edges, after which its elimination order is
-// a bad one for the layout.
-constexpr double WornOrder = 1e-4;
-// Unknowns from which on a new order is worth a thread that looks for it while the last systems are
-// solved.
-constexpr int WorthAThread = 10000;
 // Number that is added to the diagonal of the Hessian, whose entries are cotangents, where the energy is
 // flat because triangles are degenerate. A guard: small against cotangents, large against rounding.
 constexpr double Ridge = 1e-3;
@@ -154,11 +148,6 @@ public:
               << " degenerate triangles: remesh the surface (Surface To Disk, Remesh)";
       throw ConvergenceError(message.str());
     }
-    const EliminationOrder& order = this->Solver.order();
-    if (static_cast<int>(order.Unknowns.size()) == this->System.unknowns())
-    {
-      this->Result.Elimination = { this->System.vertices(order.Unknowns), order.Fill };
-    }
     return this->Result;
   }
 
@@ -210,7 +199,6 @@ private:
     {
       this->Solver.forgetFactor();
     }
-    this->renewOrder(hessian);
     const double tolerance =
       std::max(std::min(LinearTolerance, error), 0.1 * this->Options.Tolerance / error);
     Eigen::VectorXd step;
@@ -223,21 +211,6 @@ private:
                              " Newton steps: remesh the surface (Surface To Disk, Remesh)");
     }
     return step;
-  }
-
-  void renewOrder(const SparseMatrix& hessian)
-  {
-    const int flips = this->Result.Flips - this->OrderedAtFlips;
-    if (!this->Solver.hasFactor())
-    {
-      this->OrderedAtFlips = this->Result.Flips;
-    }
-    else if (this->System.error() < QuadraticError && this->System.unknowns() >= WorthAThread &&
-             flips > WornOrder * this->Triangulation.halfedgeCount())
-    {
-      this->Solver.renewOrder(hessian);
-      this->OrderedAtFlips = this->Result.Flips;
-    }
   }
 
   // The energy is convex: along a descent direction its derivative grows, and a step is long enough as
@@ -329,7 +302,6 @@ private:
   CurvatureSystem System;
   LaggedCholeskySolver Solver;
   RicciFlowResult Result;
-  int OrderedAtFlips = 0;
 };
 
 } // namespace

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Base/SparseFactorization.h"
 #include "Intrinsic/IntrinsicTriangulation.h"
 
 #include <vector>
@@ -24,7 +23,6 @@ struct RicciFlowResult
   int NewtonIterations = 0;
   int Flips = 0;
   double MaxCurvatureError = 0.0; ///< radians
-  EliminationOrder Elimination;   ///< order of the vertices in the last factorization, for the layout
 };
 
 /// Minimises the convex energy whose gradient is (target angle sum - angle sum) by Newton's method with

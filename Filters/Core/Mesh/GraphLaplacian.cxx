@@ -2,6 +2,7 @@
 #include "Mesh/GraphLaplacian.h"
 
 #include "Base/Errors.h"
+#include "Base/SparseFactorization.h"
 
 #include <algorithm>
 #include <utility>
@@ -18,42 +19,11 @@ using Complex = std::complex<double>;
 constexpr int Refinements = 2;
 constexpr const char* Stage = "Layout";
 
-// The order of elimination of the rows from one of the points; points that it does not name come last.
-EliminationOrder orderOfRows(const EliminationOrder& order,
-  const std::vector<int>& row,
-  const std::vector<int>& vertex)
-{
-  EliminationOrder result;
-  if (order.Unknowns.empty())
-  {
-    return result;
-  }
-  result.Fill = order.Fill;
-  std::vector<char> named(vertex.size(), 0);
-  for (const int v : order.Unknowns)
-  {
-    if (row[v] >= 0)
-    {
-      named[row[v]] = 1;
-      result.Unknowns.push_back(row[v]);
-    }
-  }
-  for (std::size_t r = 0; r < vertex.size(); ++r)
-  {
-    if (!named[r])
-    {
-      result.Unknowns.push_back(static_cast<int>(r));
-    }
-  }
-  return result;
-}
-
 } // namespace
 
 void relaxSprings(const std::vector<Spring>& springs,
   const std::vector<char>& fixed,
   ComplexVector& position,
-  const EliminationOrder& order,
   const ProgressCallback& progress)
 {
   report(progress, 0.0, Stage);
@@ -91,7 +61,7 @@ void relaxSprings(const std::vector<Spring>& springs,
   }
   SparseMatrix laplacian(vertex.size(), vertex.size());
   laplacian.setFromTriplets(entries.begin(), entries.end());
-  SparseCholesky cholesky(orderOfRows(order, row, vertex));
+  SparseCholesky cholesky(SparseCholesky::Ordering::Quick);
   cholesky.compute(std::move(laplacian), progress, 0.2, Stage);
   if (cholesky.info() != Eigen::Success)
   {

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "Base/Progress.h"
-#include "Base/SparseFactorization.h"
 #include "Mesh/ComplexPositions.h"
 
 #include <vector>
@@ -23,14 +22,10 @@ struct Spring
 /// Moves all points except the @p fixed ones (one flag per point) to where the springs are in
 /// equilibrium. Springs must connect every point with a fixed one. Within a convex boundary no triangle
 /// of a planar triangulation is flipped (Tutte 1963, Floater 1997).
-/// @param order  order of elimination of some or all points; where it does not serve, another one is
-/// found,
-///               which takes time
 /// @throws ConvergenceError if the linear system cannot be factored; Cancelled.
 void relaxSprings(const std::vector<Spring>& springs,
   const std::vector<char>& fixed,
   ComplexVector& position,
-  const EliminationOrder& order = {},
   const ProgressCallback& progress = {});
 
 } // namespace flattening

@@ -120,29 +120,6 @@ TEST(LaggedCholeskySolver, ForetellsIterationsAndForgets)
   EXPECT_EQ(solver.factorizations(), 2);
 }
 
-TEST(LaggedCholeskySolver, TakesTheNewOrderForTheNextFactor)
-{
-  const SparseMatrix matrix = springs(50, 0.5, 1);
-  SparseMatrix similar = matrix;
-  for (int v = 500; v < 1000; v += 50)
-  {
-    similar.coeffRef(v + 2, v) = -0.1; // a spring more
-  }
-  const auto orderOf = [](const SparseMatrix& m)
-  { return SparseCholesky::orderOf(m, SparseCholesky::Ordering::Quick).Unknowns; };
-  ASSERT_NE(orderOf(matrix), orderOf(similar));
-  LaggedCholeskySolver solver;
-  EXPECT_FALSE(solver.hasFactor());
-  relativeResidual(solver, matrix, 1e-8);
-  EXPECT_TRUE(solver.hasFactor());
-  EXPECT_EQ(solver.order().Unknowns, orderOf(matrix));
-  solver.renewOrder(similar);
-  solver.forgetFactor();
-  EXPECT_LE(relativeResidual(solver, matrix, 1e-8), 1e-8);
-  EXPECT_EQ(solver.factorizations(), 2);
-  EXPECT_EQ(solver.order().Unknowns, orderOf(similar));
-}
-
 TEST(LaggedCholeskySolver, SaysThatAMatrixIsIndefinite)
 {
   LaggedCholeskySolver solver;
