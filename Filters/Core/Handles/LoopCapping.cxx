@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
-#include <random>
 #include <utility>
 
 namespace flattening
@@ -24,6 +23,11 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 using Polyline = std::vector<Eigen::Vector3d>;
 using Faces = std::vector<std::array<int, 3>>;
+
+// The longest loop, in vertices, for which all triangulations are searched, O(n^3): this takes 3 s.
+// Longer loops get cones alone. CGAL's faster search is not used: where triangulations are equally good,
+// as for points of a grid or a circle, its choice depends on addresses in memory.
+constexpr std::size_t LongestSpanned = 500;
 
 // Reverses the faces if their sides do not have the direction of the loop.
 void orientAlongLoop(Faces& faces, int n)
@@ -154,27 +158,6 @@ LoopCap capOf(const SurfaceMesh& mesh, const TriangleMesh& coarse, std::size_t l
   return cap;
 }
 
-// Moves the points by up to half of a hundred-thousandth of the mean side. Among triangulations that are
-// equally good, as for points of a grid or a plane, CGAL's choice depends on addresses in memory; for
-// points in general position no two are equally good. The share is a convention: it is far above
-// rounding and far below what changes a triangulation that is better than others.
-std::vector<Kernel::Point_3> inGeneralPosition(const Polyline& loop)
-{
-  constexpr double Share = 1e-5;
-  const double size = Share * sum(sideLengths(loop)) / static_cast<double>(loop.size());
-  std::mt19937 random;
-  const auto shift = [&random, size]
-  { return size * (static_cast<double>(random()) / static_cast<double>(std::mt19937::max()) - 0.5); };
-  std::vector<Kernel::Point_3> points;
-  for (const Eigen::Vector3d& p : loop)
-  {
-    const double x = p.x() + shift();
-    const double y = p.y() + shift();
-    points.emplace_back(x, y, p.z() + shift());
-  }
-  return points;
-}
-
 // Splits the edge between two vertices, and the faces beside it, at a vertex in the middle.
 void splitFacesAt(Faces& faces, int a, int b, int middle)
 {
@@ -200,8 +183,19 @@ void splitFacesAt(Faces& faces, int a, int b, int middle)
 
 LoopCap spanningCap(const Polyline& loop)
 {
+  if (loop.size() > LongestSpanned)
+  {
+    return {};
+  }
+  std::vector<Kernel::Point_3> points;
+  for (const Eigen::Vector3d& p : loop)
+  {
+    points.emplace_back(p.x(), p.y(), p.z());
+  }
   std::vector<CGAL::Triple<int, int, int>> triples;
-  PMP::triangulate_hole_polyline(inGeneralPosition(loop), std::back_inserter(triples));
+  PMP::triangulate_hole_polyline(points,
+    std::back_inserter(triples),
+    CGAL::parameters::use_delaunay_triangulation(false)); // see LongestSpanned
   if (triples.empty())
   {
     return {};

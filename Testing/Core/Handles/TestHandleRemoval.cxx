@@ -255,6 +255,32 @@ TEST(HandleRemoval, GivesTheSameTwiceAndAlikeForOtherNumbers)
   }
 }
 
+TEST(HandleRemoval, GivesTheSameWhereverMemoryIsAllocated)
+{
+  std::mt19937 random(5);
+  std::vector<std::vector<char>> blocks(1000);
+  const auto allocateAndFree = [&]
+  {
+    for (int i = 0; i < 1000; ++i)
+    {
+      blocks[random() % blocks.size()] =
+        std::vector<char>(random() % (random() % 20 == 0 ? 50000 : 500));
+    }
+  };
+  for (const TriangleMesh& mesh : { torus(60, 24), torus(48, 24), slabWithTunnels(2, 2) })
+  {
+    const DerivedMesh first = removeHandles(mesh).Surface;
+    for (int repetition = 0; repetition < 20; ++repetition)
+    {
+      allocateAndFree();
+      const DerivedMesh again = removeHandles(mesh).Surface;
+      ASSERT_EQ(again.Mesh.Faces, first.Mesh.Faces);
+      ASSERT_EQ(again.Mesh.Vertices, first.Mesh.Vertices);
+      ASSERT_EQ((again.Vertices - first.Vertices).norm(), 0.0);
+    }
+  }
+}
+
 TEST(HandleRemoval, StopsWhenToldAndReportsProgressThatNeverFalls)
 {
   const TriangleMesh mesh = slabWithTunnels(6, 2);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace
 {
@@ -79,6 +80,36 @@ TEST(LoopCapping, HasVerticesAsCloseAsTheLoopsAre)
     EXPECT_LT(found.LongestEdge, 4.0 * side);
     EXPECT_LT(found.WorstWeights, 1e-9);
     EXPECT_EQ(cap.Faces.size(), LoopSize - 2 + 2 * cap.Inside.size()); // a disk
+  }
+}
+
+// Around a circle many triangulations are equally good, and among them CGAL's search in a Delaunay
+// triangulation chooses by addresses. The circle is one of a torus, whose caps differed.
+TEST(LoopCapping, GivesTheSameWhereverMemoryIsAllocated)
+{
+  constexpr int Size = 24;
+  const Eigen::Vector3d outwards(std::cos(0.2 * Pi), std::sin(0.2 * Pi), 0.0);
+  std::vector<Eigen::Vector3d> loop;
+  for (int i = 0; i < Size; ++i)
+  {
+    const double angle = 0.5 * Pi + 2.0 * Pi * i / Size;
+    loop.emplace_back((2.0 + 0.5 * std::cos(angle)) * outwards);
+    loop.back().z() = 0.5 * std::sin(angle);
+  }
+  const LoopCap first = spanningCap(loop);
+  std::mt19937 random(5);
+  std::vector<std::vector<char>> blocks(1000);
+  for (int repetition = 0; repetition < 200; ++repetition)
+  {
+    for (int i = 0; i < 1000; ++i)
+    {
+      blocks[random() % blocks.size()] =
+        std::vector<char>(random() % (random() % 20 == 0 ? 50000 : 500));
+    }
+    const LoopCap again = spanningCap(loop);
+    ASSERT_EQ(again.Inside, first.Inside);
+    ASSERT_EQ(again.Weights, first.Weights);
+    ASSERT_EQ(again.Faces, first.Faces);
   }
 }
 
