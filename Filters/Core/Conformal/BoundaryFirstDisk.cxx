@@ -185,17 +185,6 @@ IntrinsicTriangulation::Factors logFactorsOf(const CherrierEquation& equation,
   return u.cast<long double>();
 }
 
-std::vector<NeighbourWeight> cotangentWeights(const IntrinsicTriangulation& t)
-{
-  std::vector<NeighbourWeight> weights;
-  for (const Spring& s : cotangentSprings(t, IntrinsicTriangulation::Factors::Zero(t.vertexCount())))
-  {
-    weights.push_back({ s.From, s.To, s.Weight });
-    weights.push_back({ s.To, s.From, s.Weight });
-  }
-  return weights;
-}
-
 } // namespace
 
 ConformalDiskMap boundaryFirstDisk(const TriangleMesh& mesh,
@@ -211,17 +200,19 @@ ConformalDiskMap boundaryFirstDisk(const TriangleMesh& mesh,
   map.AddedLength = triangulation.addedLength();
   report(progress, 0.2, LaplacianStage);
   const CherrierEquation equation(triangulation, loop, subrange(progress, 0.2, 0.4));
+  const IntrinsicTriangulation::Factors none =
+    IntrinsicTriangulation::Factors::Zero(triangulation.vertexCount());
   const Eigen::VectorXd lengths = loopLengths(mesh, loop, map.AddedLength);
   const Eigen::VectorXd angles =
     boundaryAngles(equation, lengths, map.BoundaryIterations, subrange(progress, 0.4, 0.7));
   const ProgressCallback extension = atFraction(progress, 0.7, "Harmonic extension");
   report(extension, 0.0, "");
   ComplexVector disk = convexCombinationDisk(
-    cotangentWeights(triangulation), WeightSymmetry::Symmetric, loop, angles, centring, extension);
+    cotangentWeights(triangulation, none), WeightSymmetry::Symmetric, loop, angles, centring, extension);
   report(extension, 1.0, "");
   const double area = faceAreas(mesh.Vertices, mesh.Faces).sum();
   map.SpreadVertices = spreadProtrusions(triangulation,
-    IntrinsicTriangulation::Factors::Zero(triangulation.vertexCount()),
+    none,
     logFactorsOf(equation, lengths, loop, disk),
     0.5 * std::log(EIGEN_PI / area),
     disk);

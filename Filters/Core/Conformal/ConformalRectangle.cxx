@@ -138,7 +138,7 @@ Rectangle embed(const IntrinsicTriangulation& t,
     position[p.Vertex] = rectangle.at(p.Side, p.Along / lengths[p.Side], p.Inside);
     placed[p.Vertex] = 1;
   }
-  relaxSprings(cotangentSprings(t, u), placed, position, progress);
+  WeightedMeans(cotangentWeights(t, u), WeightSymmetry::Symmetric, placed, progress).extend(position);
   return rectangle;
 }
 

@@ -5,28 +5,12 @@
 #include "Base/Progress.h"
 #include "Conformal/DiskNormalisation.h"
 #include "Mesh/ComplexPositions.h"
+#include "Mesh/GraphLaplacian.h"
 
 #include <vector>
 
 namespace flattening
 {
-
-/// The weight of vertex To in the mean that vertex From is: >= 0, in any unit that all weights of From
-/// share. Weights of boundary vertices are not used.
-struct NeighbourWeight
-{
-  int From;
-  int To;
-  double Weight;
-};
-
-/// Whether the weights of every two interior vertices in each other's mean are equal, which saves half
-/// of the time.
-enum class WeightSymmetry
-{
-  Symmetric,
-  General
-};
 
 /// Places the vertices of the boundary @p loop on the unit circle and every other vertex at the weighted
 /// mean of its neighbours (Floater 1997, "convex combination map"), by one factorization of a sparse

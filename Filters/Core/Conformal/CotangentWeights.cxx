@@ -17,7 +17,7 @@ constexpr int FacesPerTask = 1024;
 
 } // namespace
 
-std::vector<Spring> cotangentSprings(const IntrinsicTriangulation& t,
+std::vector<NeighbourWeight> cotangentWeights(const IntrinsicTriangulation& t,
   const IntrinsicTriangulation::Factors& u)
 {
   std::vector<double> cotangents(t.halfedgeCount());
@@ -30,18 +30,18 @@ std::vector<Spring> cotangentSprings(const IntrinsicTriangulation& t,
         std::copy(std::begin(angles.Cotangent), std::end(angles.Cotangent), &cotangents[3 * f]);
       }
     });
-  std::vector<Spring> springs;
-  springs.reserve(t.halfedgeCount() / 2);
+  std::vector<NeighbourWeight> weights;
+  weights.reserve(t.halfedgeCount());
   for (int h = 0; h < t.halfedgeCount(); ++h)
   {
     const int twin = t.twin(h);
     const double weight = twin < 0 ? 0.0 : cotangents[h] + cotangents[twin];
-    if (twin > h && weight > 0.0 && t.origin(h) != t.tip(h))
+    if (weight > 0.0 && t.origin(h) != t.tip(h))
     {
-      springs.push_back({ t.origin(h), t.tip(h), weight });
+      weights.push_back({ t.origin(h), t.tip(h), weight });
     }
   }
-  return springs;
+  return weights;
 }
 
 } // namespace flattening

@@ -10,10 +10,10 @@
 namespace flattening
 {
 
-/// The edges of @p triangulation as springs with the cotangent weights at factors @p u, which are not
-/// negative in a Delaunay triangulation, but for rounding. Edges of weight 0 are left out. In a flat
-/// metric the coordinates of the vertices are in equilibrium.
-std::vector<Spring> cotangentSprings(const IntrinsicTriangulation& triangulation,
+/// The cotangent weights of the inner edges of @p triangulation at factors @p u, for both ends of each.
+/// They are not negative in a Delaunay triangulation, but for rounding; only positive ones are listed.
+/// In a flat metric the positions of inner vertices are the means with these weights.
+std::vector<NeighbourWeight> cotangentWeights(const IntrinsicTriangulation& triangulation,
   const IntrinsicTriangulation::Factors& u);
 
 } // namespace flattening

@@ -113,7 +113,7 @@ ComplexVector embedInHalfPlane(const IntrinsicTriangulation& t,
     fixed[v] = placed[v];
     position[v] = placed[v] ? position[v] : 0.0;
   }
-  relaxSprings(cotangentSprings(t, u), fixed, position, progress);
+  WeightedMeans(cotangentWeights(t, u), WeightSymmetry::Symmetric, fixed, progress).extend(position);
   return position;
 }
 

@@ -54,9 +54,9 @@ ConformalDiskMap meanValueDisk(const TriangleMesh& mesh,
   map.AddedLength = triangulation.addedLength();
   map.MaxCurvatureError = map.LayoutError = std::numeric_limits<double>::quiet_NaN();
   const Eigen::VectorXd angles = anglesInProportion(loopLengths(mesh, loop, map.AddedLength));
-  report(progress, 0.3, "Convex combination map");
-  map.Positions = pointsOf(convexCombinationDisk(
-    weights, WeightSymmetry::General, loop, angles, centring, subrange(progress, 0.3, 1.0)));
+  const ProgressCallback combination = atFraction(progress, 0.3, "Convex combination map");
+  map.Positions = pointsOf(
+    convexCombinationDisk(weights, WeightSymmetry::General, loop, angles, centring, combination));
   return map;
 }
 

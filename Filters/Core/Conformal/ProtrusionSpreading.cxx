@@ -19,11 +19,11 @@ namespace
 // choice: 1e-5 of the mean leaves ten digits for positions; where it begins later, the transport no
 // longer gets through, and where it begins earlier, more of the map is not conformal.
 constexpr double LogScaleOfProtrusions = -11.512925464970229;
-// Power p of the scale by which springs weaken. On a tube of radius a, springs of weight s^p make a
+// Power p of the scale by which weights are multiplied. On a tube of radius a, weights s^p make a
 // harmonic map fall like exp(-k x / a) instead of the conformal scale s = exp(-x / a), with
-// k = sqrt(1 + p^2 / 4) - p / 2: about a quarter for p = 4. A greater power spreads more, by springs
-// that differ more in strength.
-constexpr double SpringPower = 4.0;
+// k = sqrt(1 + p^2 / 4) - p / 2: about a quarter for p = 4. A greater power spreads more, by weights
+// that differ more.
+constexpr double WeightPower = 4.0;
 // Logarithm of the scale, relative to where protrusions begin, up to which vertices may move: 20 times
 // the scale there. The effect of a spread protrusion falls with the square of the scale: it is less than
 // 1/400 of the scale where the vertices stay.
@@ -62,11 +62,11 @@ public:
 
   void spread(const IntrinsicTriangulation::Factors& metric, ComplexVector& disk) const
   {
-    std::vector<Spring> springs = cotangentSprings(this->Triangulation, metric);
-    for (Spring& s : springs)
+    std::vector<NeighbourWeight> weights = cotangentWeights(this->Triangulation, metric);
+    for (NeighbourWeight& w : weights)
     {
-      const double depth = std::min(this->Depth[s.From], 0.0) + std::min(this->Depth[s.To], 0.0);
-      s.Weight *= std::exp(0.5 * SpringPower * depth);
+      const double depth = std::min(this->Depth[w.From], 0.0) + std::min(this->Depth[w.To], 0.0);
+      w.Weight *= std::exp(0.5 * WeightPower * depth);
     }
     std::vector<char> fixed = this->Fixed;
     for (std::size_t v = 0; v < fixed.size(); ++v)
@@ -74,12 +74,12 @@ public:
       fixed[v] |= this->Depth[v] > NeckDepth;
     }
     ComplexVector spread = disk;
-    relaxSprings(springs, fixed, spread);
+    WeightedMeans(weights, WeightSymmetry::Symmetric, fixed).extend(spread);
     // The rim of the vertices that move need not be convex, unlike the boundary of the map.
     if (this->flippedFaces(fixed, spread) > 0)
     {
       spread = disk;
-      relaxSprings(springs, this->Fixed, spread);
+      WeightedMeans(weights, WeightSymmetry::Symmetric, this->Fixed).extend(spread);
     }
     disk = spread;
   }

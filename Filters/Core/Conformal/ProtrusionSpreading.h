@@ -13,10 +13,10 @@ namespace flattening
 /// A protrusion is a part of the surface that is longer than wide. Along it the conformal factor falls
 /// exponentially with length over radius, soon below the resolution of doubles. Where @p logFactors
 /// falls below @p logMeanFactor - log(1e5), it is made to fall a quarter as fast: the vertices there
-/// move to the equilibrium of cotangent springs that weaken with the fourth power of the scale. That
-/// flips no triangle of @p triangulation (see relaxSprings) and moves nothing where the scale is more
-/// than 20 times as large. The map is no longer conformal in the protrusions, where doubles cannot be.
-/// Boundary vertices stay.
+/// move to the means of their neighbours with cotangent weights times the fourth power of the scale.
+/// That flips no triangle of @p triangulation (see WeightedMeans) and moves nothing where the scale is
+/// more than 20 times as large. The map is no longer conformal in the protrusions, where doubles cannot
+/// be. Boundary vertices stay.
 /// @param metric         factors in whose metric the cotangents are measured: @p logFactors if they make
 ///                       the triangulation flat to rounding, otherwise zeros, as triangles may
 ///                       degenerate
@@ -24,7 +24,7 @@ namespace flattening
 /// @param logMeanFactor  the same for the map as a whole
 /// @param positions      positions in the map, one per vertex, changed in place
 /// @returns the number of vertices in protrusions; with 0 nothing is moved.
-/// @throws ConvergenceError as relaxSprings
+/// @throws ConvergenceError as WeightedMeans
 int spreadProtrusions(const IntrinsicTriangulation& triangulation,
   const IntrinsicTriangulation::Factors& metric,
   const IntrinsicTriangulation::Factors& logFactors,

@@ -2,9 +2,7 @@
 #include "Mesh/GraphLaplacian.h"
 
 #include "Base/Errors.h"
-#include "Base/SparseFactorization.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace flattening
@@ -21,77 +19,100 @@ constexpr const char* Stage = "Layout";
 
 } // namespace
 
-void relaxSprings(const std::vector<Spring>& springs,
+WeightedMeans::WeightedMeans(const std::vector<NeighbourWeight>& weights,
+  WeightSymmetry symmetry,
   const std::vector<char>& fixed,
-  ComplexVector& position,
   const ProgressCallback& progress)
+  : Row(fixed.size(), -1)
 {
   report(progress, 0.0, Stage);
-  std::vector<int> row(fixed.size(), -1);
-  std::vector<int> vertex;
   for (std::size_t v = 0; v < fixed.size(); ++v)
   {
     if (!fixed[v])
     {
-      row[v] = static_cast<int>(vertex.size());
-      vertex.push_back(static_cast<int>(v));
+      this->Row[v] = static_cast<int>(this->Free.size());
+      this->Free.push_back(static_cast<int>(v));
     }
   }
-  if (vertex.empty())
+  for (const NeighbourWeight& w : weights)
   {
-    return;
+    if (this->Row[w.From] >= 0 && w.Weight > 0.0)
+    {
+      this->Weights.push_back(w);
+    }
   }
+  if (!this->Free.empty())
+  {
+    this->factor(symmetry, progress);
+  }
+}
+
+void WeightedMeans::factor(WeightSymmetry symmetry, const ProgressCallback& progress)
+{
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(3 * springs.size());
-  for (const Spring& s : springs)
+  entries.reserve(2 * this->Weights.size());
+  for (const NeighbourWeight& w : this->Weights)
   {
-    const int i = row[s.From];
-    const int j = row[s.To];
-    for (const int k : { i, j })
+    const int i = this->Row[w.From];
+    entries.emplace_back(i, i, w.Weight);
+    if (this->Row[w.To] >= 0)
     {
-      if (k >= 0)
-      {
-        entries.emplace_back(k, k, s.Weight);
-      }
-    }
-    if (i >= 0 && j >= 0)
-    {
-      entries.emplace_back(std::max(i, j), std::min(i, j), -s.Weight);
+      entries.emplace_back(i, this->Row[w.To], -w.Weight);
     }
   }
-  SparseMatrix laplacian(vertex.size(), vertex.size());
-  laplacian.setFromTriplets(entries.begin(), entries.end());
-  SparseCholesky cholesky(SparseCholesky::Ordering::Quick);
-  cholesky.compute(std::move(laplacian), progress, 0.2, Stage);
-  if (cholesky.info() != Eigen::Success)
+  SparseMatrix matrix(this->Free.size(), this->Free.size());
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  if (symmetry == WeightSymmetry::Symmetric)
   {
-    throw ConvergenceError(
-      "the flat metric could not be laid out: remesh the surface (Surface To Disk, Remesh)");
+    this->Cholesky.emplace(SparseCholesky::Ordering::Quick);
+    this->Cholesky->compute(std::move(matrix), progress, 0.2, Stage);
   }
-  // Forces are sums of differences: refined by them, positions are as good as the springs' weights.
-  for (int round = 0; round < 1 + Refinements; ++round)
+  else
   {
-    report(progress, 0.8 + 0.2 * round / (1 + Refinements), Stage);
-    Eigen::MatrixX2d force = Eigen::MatrixX2d::Zero(vertex.size(), 2);
-    for (const Spring& s : springs)
+    this->Lu.emplace(std::move(matrix), progress, 0.2, Stage);
+  }
+  report(progress, 0.8, Stage);
+  if ((this->Cholesky ? this->Cholesky->info() : this->Lu->info()) != Eigen::Success)
+  {
+    throw ConvergenceError("the weights of neighbours could not be factored: remesh the surface "
+                           "(Surface To Disk, Remesh)");
+  }
+}
+
+void WeightedMeans::extend(ComplexVector& positions) const
+{
+  // Residuals are sums of differences, which keep their digits where neighbours are close.
+  for (int round = 0; !this->Free.empty() && round < 1 + Refinements; ++round)
+  {
+    Eigen::MatrixXd residual = Eigen::MatrixXd::Zero(this->Free.size(), 2);
+    for (const NeighbourWeight& w : this->Weights)
     {
-      const Complex pull = s.Weight * (position[s.To] - position[s.From]);
-      const Eigen::RowVector2d f(pull.real(), pull.imag());
-      if (row[s.From] >= 0)
-      {
-        force.row(row[s.From]) += f;
-      }
-      if (row[s.To] >= 0)
-      {
-        force.row(row[s.To]) -= f;
-      }
+      const Complex pull = w.Weight * (positions[w.To] - positions[w.From]);
+      residual.row(this->Row[w.From]) += Eigen::RowVector2d(pull.real(), pull.imag());
     }
-    const Eigen::MatrixX2d change = cholesky.solve(force);
-    for (std::size_t i = 0; i < vertex.size(); ++i)
+    const Eigen::MatrixXd change =
+      this->Cholesky ? this->Cholesky->solve(residual) : this->Lu->solve(residual);
+    for (std::size_t i = 0; i < this->Free.size(); ++i)
     {
-      position[vertex[i]] += Complex(change(i, 0), change(i, 1));
+      positions[this->Free[i]] += Complex(change(i, 0), change(i, 1));
     }
   }
+}
+
+Eigen::VectorXd WeightedMeans::passedToFixed(const Eigen::VectorXd& vertexWeights) const
+{
+  Eigen::VectorXd all = vertexWeights;
+  if (!this->Free.empty())
+  {
+    const Eigen::VectorXd free = vertexWeights(this->Free);
+    const Eigen::VectorXd passed =
+      this->Cholesky ? this->Cholesky->solve(free) : this->Lu->solveTransposed(free);
+    for (const NeighbourWeight& w : this->Weights)
+    {
+      all[w.To] += this->Row[w.To] < 0 ? w.Weight * passed[this->Row[w.From]] : 0.0;
+    }
+  }
+  return all;
 }
 
 } // namespace flattening

@@ -1,31 +1,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Positions in the plane as the equilibrium of springs between points: the Dirichlet problem of a
-/// graph's Laplacian.
+/// Positions in the plane of which all but fixed ones are weighted means of their neighbours: the
+/// Dirichlet problem of a graph's Laplacian.
 #pragma once
 
 #include "Base/Progress.h"
+#include "Base/SparseFactorization.h"
 #include "Mesh/ComplexPositions.h"
 
+#include <optional>
 #include <vector>
 
 namespace flattening
 {
 
-/// A spring of rest length 0 between two points.
-struct Spring
+/// The weight of vertex To in the mean that vertex From is: >= 0, in any unit that all weights of From
+/// share. Weights of the same pair add up.
+struct NeighbourWeight
 {
   int From;
   int To;
-  double Weight; ///< stiffness > 0
+  double Weight;
 };
 
-/// Moves all points except the @p fixed ones (one flag per point) to where the springs are in
-/// equilibrium. Springs must connect every point with a fixed one. Within a convex boundary no triangle
-/// of a planar triangulation is flipped (Tutte 1963, Floater 1997).
-/// @throws ConvergenceError if the linear system cannot be factored; Cancelled.
-void relaxSprings(const std::vector<Spring>& springs,
-  const std::vector<char>& fixed,
-  ComplexVector& position,
-  const ProgressCallback& progress = {});
+/// Whether the weights of every two free vertices in each other's mean are equal, which saves half of
+/// the time.
+enum class WeightSymmetry
+{
+  Symmetric,
+  General
+};
+
+/// The factored system of equations by which every free vertex is the weighted mean of its neighbours.
+/// Within a convex boundary no triangle of a planar triangulation is flipped if all weights are positive
+/// (Tutte 1963; Floater 2003, "One-to-one piecewise linear mappings over triangulations", theorem 4.1).
+class WeightedMeans
+{
+public:
+  /// @param weights  weights of fixed vertices are not used; positive weights must connect every free
+  ///                 vertex with a fixed one
+  /// @param fixed  one flag per vertex
+  /// @throws ConvergenceError if the matrix cannot be factored; Cancelled.
+  WeightedMeans(const std::vector<NeighbourWeight>& weights,
+    WeightSymmetry symmetry,
+    const std::vector<char>& fixed,
+    const ProgressCallback& progress = {});
+
+  /// Moves the free vertices to the means of their neighbours. The closer they are to that before, the
+  /// smaller are the rounding errors.
+  void extend(ComplexVector& positions) const;
+
+  /// The weights with which the positions of the fixed vertices give the sum of all positions, each with
+  /// its own weight of @p vertexWeights (n). Only the elements of fixed vertices count.
+  Eigen::VectorXd passedToFixed(const Eigen::VectorXd& vertexWeights) const;
+
+private:
+  void factor(WeightSymmetry symmetry, const ProgressCallback& progress);
+
+  std::vector<int> Row; // index of every vertex among the free ones; -1 if it is fixed
+  std::vector<int> Free;
+  std::vector<NeighbourWeight> Weights; // of free vertices
+  // The factors of the matrix: Cholesky if it is symmetric, otherwise LU.
+  std::optional<SparseCholesky> Cholesky;
+  std::optional<SparseLu> Lu;
+};
 
 } // namespace flattening

@@ -98,7 +98,7 @@ private:
   enum class Start
   {
     Map,  // the positions in the map
-    Tutte // the equilibrium of equal springs
+    Tutte // the means of neighbours with equal weights
   };
 
   bool isPromising(const UntanglingPatch& patch) const

@@ -185,18 +185,20 @@ UntangledPatch untanglePatch(FlatPatch& patch, double areaWeight)
 
 void relaxPatch(FlatPatch& patch)
 {
-  std::vector<Spring> springs;
+  std::vector<NeighbourWeight> weights;
   for (int f = 0; f < patch.Faces.rows(); ++f)
   {
     for (int k = 0; k < 3; ++k)
     {
-      springs.push_back({ patch.Faces(f, k), patch.Faces(f, (k + 1) % 3), 1.0 });
+      const int next = patch.Faces(f, (k + 1) % 3);
+      weights.push_back({ patch.Faces(f, k), next, 1.0 });
+      weights.push_back({ next, patch.Faces(f, k), 1.0 });
     }
   }
   std::vector<char> fixed(patch.Positions.rows(), 1);
   std::fill_n(fixed.begin(), patch.FreeVertices, 0);
   ComplexVector positions = complexOf(patch.Positions);
-  relaxSprings(springs, fixed, positions);
+  WeightedMeans(weights, WeightSymmetry::Symmetric, fixed).extend(positions);
   patch.Positions = pointsOf(positions);
 }
 

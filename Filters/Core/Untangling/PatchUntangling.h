@@ -31,7 +31,7 @@ struct UntangledPatch
 /// @param areaWeight  as in FoldoverEnergy, >= 0
 UntangledPatch untanglePatch(FlatPatch& patch, double areaWeight);
 
-/// Moves the free vertices of @p patch to the equilibrium of equal springs along its edges (Tutte 1963).
+/// Moves the free vertices of @p patch to the means of their neighbours with equal weights (Tutte 1963).
 /// If the rim is convex, this gives a start without flipped faces, however distorted.
 /// @throws ConvergenceError if a free vertex is not connected to the rim.
 void relaxPatch(FlatPatch& patch);
