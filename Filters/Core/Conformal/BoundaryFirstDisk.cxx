@@ -38,32 +38,13 @@ public:
     const std::vector<int>& loop,
     const ProgressCallback& progress)
     : Loop(loop)
-    , Defects(flatAngleSums(t))
   {
-    const IntrinsicTriangulation::Factors none = IntrinsicTriangulation::Factors::Zero(t.vertexCount());
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(9 * t.faceCount());
-    for (int f = 0; f < t.faceCount(); ++f)
-    {
-      const TriangleAngles angles = t.scaledAngles(f, none);
-      for (int k = 0; k < 3; ++k)
-      {
-        const int i = t.origin(3 * f + k);
-        const int j = t.tip(3 * f + k);
-        this->Defects[t.origin(t.previous(3 * f + k))] -= angles.Angle[k];
-        const double weight = 0.5 * angles.Cotangent[k];
-        if (i != j)
-        {
-          entries.emplace_back(i, i, weight);
-          entries.emplace_back(j, j, weight);
-          entries.emplace_back(std::max(i, j), std::min(i, j), -weight);
-        }
-      }
-    }
-    // The factors are known up to a constant: one of them is held.
-    entries.emplace_back(loop.front(), loop.front(), 1.0);
-    SparseMatrix laplacian(t.vertexCount(), t.vertexCount());
-    laplacian.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::VectorXd flat = flatAngleSums(t);
+    CurvatureSystem system(t, flat, std::vector<char>(t.vertexCount(), 0));
+    system.evaluate(IntrinsicTriangulation::Factors::Zero(t.vertexCount()));
+    this->Defects = system.gradient();
+    SparseMatrix laplacian = system.hessian();
+    laplacian.coeffRef(loop.front(), loop.front()) += 1.0; // holds one factor, as a constant is free
     this->Cholesky.compute(std::move(laplacian), progress, 0.5, LaplacianStage);
     if (this->Cholesky.info() != Eigen::Success)
     {
