@@ -44,8 +44,8 @@
  * - point `SurfacePoints` (double x 3, input units): where the flat point lies on the surface; warping
  *   by it restores the surface.
  * - point `ConformalFactor` (double, dimensionless): natural logarithm of flat length over surface
- *   length, u of the Ricci flow; for the other methods the logarithm of the summed flat lengths of the
- *   edges at the point over their summed lengths on the surface.
+ *   length, u of the Ricci flow; for the other methods, of the root mean square length of the sides of
+ *   the faces at the point on the map over that on the surface.
  * - point `TCoords` (float x 2, [0, 1]): active texture coordinates, the flat position in the smallest
  *   square around the map with the same centre.
  * - point `SurfaceTCoords` (as in the input): texture coordinates that the surface had under the name

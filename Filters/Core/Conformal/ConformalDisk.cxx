@@ -3,12 +3,12 @@
 
 #include "Base/Errors.h"
 #include "Conformal/BoundaryFirstDisk.h"
-#include "Conformal/ConformalFactors.h"
 #include "Conformal/DiskNormalisation.h"
 #include "Conformal/MeanValueDisk.h"
 #include "Conformal/RicciFlowDisk.h"
 #include "Mesh/ComplexPositions.h"
 #include "Mesh/MeshTopology.h"
+#include "Untangling/ConformalFactors.h"
 #include "Untangling/MapUntangling.h"
 
 #include <algorithm>
@@ -107,7 +107,7 @@ ConformalDiskMap conformalDiskMap(const TriangleMesh& mesh,
   map.FlippedFaces = map.Untangling.FlippedFaces;
   if (options.Method != ConformalMethod::RicciFlow)
   {
-    map.LogFactors = logConformalFactors(mesh, map.Positions, map.AddedLength);
+    map.LogFactors = logConformalFactors(mesh, map.Positions);
   }
   report(progress, 1.0, "Conformal disk");
   return map;

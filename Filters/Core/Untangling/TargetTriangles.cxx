@@ -2,6 +2,7 @@
 #include "Untangling/TargetTriangles.h"
 
 #include "Mesh/SliverThresholds.h"
+#include "Untangling/ConformalFactors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +12,6 @@ namespace flattening
 {
 namespace
 {
-
-// Least root of a sum of squared flat lengths, in radii of the unit disk: a guard, for doubles tell
-// points apart to 1e-16. It keeps the logarithm of the scale finite.
-constexpr double LeastLength = 1e-15;
 
 // A triangle congruent to the face, its altitude over the longest side raised to the least one.
 TargetTriangle openedTriangle(const TriangleMesh& surface, int face)
@@ -40,36 +37,11 @@ TargetTriangle openedTriangle(const TriangleMesh& surface, int face)
   return { corners[1] - corners[0], corners[2] - corners[0] };
 }
 
-// Logarithm of the ratio of flat to surface length at every vertex, by the root of the sum of the
-// squared lengths of the sides of its faces.
-Eigen::VectorXd logScales(const TriangleMesh& surface, const Points2& positions)
-{
-  Eigen::VectorXd flat = Eigen::VectorXd::Zero(surface.vertexCount());
-  Eigen::VectorXd curved = Eigen::VectorXd::Zero(surface.vertexCount());
-  for (int f = 0; f < surface.faceCount(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const int a = surface.Faces(f, k);
-      const int b = surface.Faces(f, (k + 1) % 3);
-      const double flatLength2 = (positions.row(b) - positions.row(a)).squaredNorm();
-      const double length2 = (surface.Vertices.row(b) - surface.Vertices.row(a)).squaredNorm();
-      for (const int v : { a, b })
-      {
-        flat[v] += flatLength2;
-        curved[v] += length2;
-      }
-    }
-  }
-  const double floor = LeastLength * LeastLength;
-  return 0.5 * (flat.array().max(floor).log() - curved.array().log());
-}
-
 } // namespace
 
 TargetTriangles similarTriangles(const TriangleMesh& surface, const Points2& positions)
 {
-  const auto scales = std::make_shared<const Eigen::VectorXd>(logScales(surface, positions));
+  const auto scales = std::make_shared<const Eigen::VectorXd>(logConformalFactors(surface, positions));
   return [&surface, scales](int face)
   {
     double logScale = 0.0;
