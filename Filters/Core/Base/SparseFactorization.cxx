@@ -201,27 +201,19 @@ const EliminationOrder& SparseCholesky::order() const
   return this->Shared->Order;
 }
 
-EliminationOrder SparseCholesky::orderOf(const SparseMatrix& pattern, Ordering ordering)
-{
-  Factor factor(ordering, {}, Kernel::Blocks);
-  factor.findOrder(pattern);
-  return factor.Order;
-}
-
 EliminationOrder SparseCholesky::orderOf(SparseMatrix pattern,
   Ordering ordering,
   const ProgressCallback& progress,
   double fraction,
   const char* stage)
 {
-  const auto result = std::make_shared<EliminationOrder>();
-  callInterruptibly(
-    [result, ordering, owned = std::make_shared<const SparseMatrix>(std::move(pattern))]()
-    { *result = orderOf(*owned, ordering); },
+  const auto factor = std::make_shared<Factor>(ordering, EliminationOrder(), Kernel::Blocks);
+  callInterruptibly([factor, owned = std::make_shared<const SparseMatrix>(std::move(pattern))]()
+    { factor->findOrder(*owned); },
     progress,
     fraction,
     stage);
-  return *result;
+  return factor->Order;
 }
 
 struct SparseLu::Factors : Eigen::UmfPackLU<SparseMatrix>

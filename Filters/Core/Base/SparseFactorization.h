@@ -77,9 +77,8 @@ public:
   /// The order of the last matrix, with the fill of the matrix that it was found for.
   const EliminationOrder& order() const;
 
-  /// An order for matrices of the pattern of @p pattern (lower triangle).
-  static EliminationOrder orderOf(const SparseMatrix& pattern, Ordering ordering);
-  /// Finds it in another thread and reports meanwhile. @throws Cancelled.
+  /// An order for matrices of the pattern of @p pattern (lower triangle). It is found in another thread,
+  /// with reports meanwhile. @throws Cancelled.
   static EliminationOrder orderOf(SparseMatrix pattern,
     Ordering ordering,
     const ProgressCallback& progress,
