@@ -210,7 +210,7 @@ void setReport(vtkFieldData* data, const flattening::ConformalDiskMap& map, int 
   count("RepairedFaces", map.Untangling.RepairedFaces);
   count("MovedPoints", map.Untangling.MovedVertices);
   flattening::setDatum(data, "GreatestMove", map.Untangling.GreatestMove);
-  count("FlippedFaces", map.FlippedFaces);
+  count("FlippedFaces", map.Untangling.FlippedFaces);
 }
 
 } // namespace
@@ -242,8 +242,10 @@ void vtkConformalDiskFilter::Execute(vtkInformationVector** inputVector,
   const double length = flattening::loopLength(mesh.Vertices, loop);
   const double anisotropy = 4.0 * EIGEN_PI * area / (length * length);
   flattening::setDatum(data, "BoundaryAnisotropy", anisotropy);
-  this->Warn(
-    map.FlippedFaces, this->Domain == DISK ? map.SpreadVertices : 0, mesh.vertexCount(), anisotropy);
+  this->Warn(map.Untangling.FlippedFaces,
+    this->Domain == DISK ? map.SpreadVertices : 0,
+    mesh.vertexCount(),
+    anisotropy);
 }
 
 void vtkConformalDiskFilter::Warn(int flippedFaces, int spreadPoints, int points, double anisotropy)

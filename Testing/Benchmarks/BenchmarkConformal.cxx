@@ -66,7 +66,7 @@ void compare(benchmark::State& state, const TriangleMesh& mesh, ConformalMethod 
     counters["angle_error"] = distortion[Measure::AngleError].Mean;
     counters["angle_distortion_p95"] = distortion[Measure::AngleDistortion].P95;
     counters["repaired"] = map.Untangling.RepairedFaces;
-    counters["flipped"] = map.FlippedFaces;
+    counters["flipped"] = map.Untangling.FlippedFaces;
     if (method == ConformalMethod::RicciFlow)
     {
       counters["curvature_error"] = map.MaxCurvatureError;

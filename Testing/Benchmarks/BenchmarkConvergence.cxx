@@ -28,7 +28,7 @@ void converge(benchmark::State& state, const SurfaceOfRevolution& surface, Confo
     const ConformalDiskMap map = conformalDiskMap(mesh.Mesh, options);
     counters["vertices"] = mesh.Mesh.vertexCount();
     counters["radius_error"] = radialError(mesh, map.Positions, surface.ConformalRadius);
-    counters["flipped"] = map.FlippedFaces;
+    counters["flipped"] = map.Untangling.FlippedFaces;
   }
 }
 

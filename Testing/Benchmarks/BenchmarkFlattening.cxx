@@ -206,7 +206,7 @@ void flatten(benchmark::State& state,
       transportAll(state, mesh, conformal.Positions);
       transportPlainly(state, mesh, conformal.Positions);
     }
-    if (withFlows && conformal.FlippedFaces == 0)
+    if (withFlows && conformal.Untangling.FlippedFaces == 0)
     {
       flowFrom(state, mesh, conformal.Positions);
     }
@@ -216,7 +216,7 @@ void flatten(benchmark::State& state,
     counters["conformal_newton_steps"] = conformal.NewtonIterations;
     counters["curvature_error"] = conformal.MaxCurvatureError;
     counters["conformal_angle_error"] = before[Measure::AngleError].Mean;
-    counters["conformal_flipped"] = conformal.FlippedFaces;
+    counters["conformal_flipped"] = conformal.Untangling.FlippedFaces;
   }
 }
 

@@ -28,7 +28,7 @@ namespace flattening
 /// ConvexCombinationDisk.h); faces of the surface may be. Protrusions are spread as for the Ricci flow
 /// (see ProtrusionSpreading.h), with factors from the Poisson equation.
 ///
-/// MaxCurvatureError and LayoutError are NaN; LogFactors and FlippedFaces are not computed; the map is
+/// MaxCurvatureError and LayoutError are NaN; LogFactors and Untangling are not computed; the map is
 /// centred, not rotated.
 /// @p mesh is a disk with the boundary @p loop (see requireDisk).
 /// @throws ConvergenceError if a matrix cannot be factored or the boundary does not settle; Cancelled.

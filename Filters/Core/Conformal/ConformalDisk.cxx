@@ -104,7 +104,6 @@ ConformalDiskMap conformalDiskMap(const TriangleMesh& mesh,
   map.Positions = pointsOf(disk);
   map.Untangling =
     untangleMap(mesh, fixedVertices(loop, options), map.Positions, subrange(progress, 0.95, 1.0));
-  map.FlippedFaces = map.Untangling.FlippedFaces;
   if (options.Method != ConformalMethod::RicciFlow)
   {
     map.LogFactors = logConformalFactors(mesh, map.Positions);

@@ -22,7 +22,6 @@ struct ConformalDiskMap
   int Flips = 0;               ///< number of intrinsic edge flips
   int SpreadVertices = 0;      ///< vertices moved apart in protrusions (see spreadProtrusions)
   UntanglingReport Untangling; ///< of the surface's faces, not the intrinsic ones
-  int FlippedFaces = 0;        ///< faces of the surface that are not positively oriented
 };
 
 } // namespace flattening

@@ -200,7 +200,6 @@ ConformalRectangleMap conformalRectangleMap(const TriangleMesh& mesh,
   }
   map.LogFactors = flow.LogFactors.cast<double>().array() - std::log(rectangle.Height);
   map.Untangling = untangleMap(mesh, loop, map.Positions, subrange(progress, 0.95, 1.0));
-  map.FlippedFaces = map.Untangling.FlippedFaces;
   report(progress, 1.0, "Conformal rectangle");
   return result;
 }

@@ -18,7 +18,7 @@ namespace flattening
 /// most along the boundary, whose own shape is not used. It takes one factorization.
 ///
 /// Faces without area are opened first (see AddedLength), so that all weights are finite.
-/// MaxCurvatureError and LayoutError are NaN; LogFactors and FlippedFaces are not computed; the map is
+/// MaxCurvatureError and LayoutError are NaN; LogFactors and Untangling are not computed; the map is
 /// centred, not rotated.
 /// @p mesh is a disk with the boundary @p loop (see requireDisk).
 /// @throws ConvergenceError, Cancelled.

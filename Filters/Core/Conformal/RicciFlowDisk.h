@@ -16,7 +16,7 @@ namespace flattening
 /// is then embedded in the half-plane and carried to the disk by a Moebius map, which keeps discrete
 /// conformality exactly (Springborn, Schroeder, Pinkall 2008, section 5.2; paper, Theorem 2).
 /// @p mesh is a disk with the boundary @p loop (see requireDisk). The map is centred, not rotated, and
-/// FlippedFaces is not computed.
+/// Untangling is not computed.
 /// @throws ConvergenceError, Cancelled.
 ConformalDiskMap ricciFlowDisk(const TriangleMesh& mesh,
   const std::vector<int>& loop,

@@ -78,7 +78,7 @@ TEST(ConformalCorners, EquilateralTriangleKeepsItsSymmetry)
   constexpr int n = 24;
   const TriangleMesh mesh = flatTriangle(n, 0.5, std::sqrt(0.75));
   const ConformalDiskMap map = conformalDiskMap(mesh);
-  EXPECT_EQ(map.FlippedFaces, 0);
+  EXPECT_EQ(map.Untangling.FlippedFaces, 0);
   const auto vertex = [](int i, int j) { return i * (i + 1) / 2 + j; };
   const std::complex<double> corners[] = { at(map, 0), at(map, vertex(n, 0)), at(map, vertex(n, n)) };
   const std::complex<double> middles[] = {

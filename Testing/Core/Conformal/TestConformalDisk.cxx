@@ -76,7 +76,7 @@ TEST(ConformalDisk, FlatDiskMapsToItself)
   expectConformalDisk(disk.Mesh, map);
   EXPECT_LT(largestDifference(map.Positions, disk.Mesh.Vertices.leftCols<2>()), 1e-12);
   EXPECT_LT(map.LogFactors.cwiseAbs().maxCoeff(), 1e-12);
-  EXPECT_EQ(map.FlippedFaces, 0);
+  EXPECT_EQ(map.Untangling.FlippedFaces, 0);
 
   // Obtuse triangles on the boundary make no difference.
   const RevolutionMesh irregular = sunflowerMesh(flatDisk(), 3000);
@@ -110,7 +110,7 @@ TEST_P(ConformalRadius, ConvergesToTheAnalyticMap)
     const RevolutionMesh mesh = ringMesh(surface, n);
     const ConformalDiskMap map = conformalDiskMap(mesh.Mesh);
     expectConformalDisk(mesh.Mesh, map);
-    EXPECT_EQ(map.FlippedFaces, 0);
+    EXPECT_EQ(map.Untangling.FlippedFaces, 0);
     EXPECT_LE(map.NewtonIterations, 5) << "of a method that converges quadratically";
     EXPECT_LT(areaCentroid(mesh.Mesh, map.Positions).norm(), 1e-12);
     errors.push_back(radialError(mesh, map.Positions, surface.ConformalRadius));

@@ -128,7 +128,7 @@ TEST_P(ConformalMethods, FlatDiskMapsToItself)
     expectInDisk(disk.Mesh, map);
     EXPECT_LT(largestDifference(map.Positions, disk.Mesh.Vertices.leftCols<2>()), 1e-11);
     EXPECT_LT(map.LogFactors.cwiseAbs().maxCoeff(), 1e-11);
-    EXPECT_EQ(map.FlippedFaces, 0);
+    EXPECT_EQ(map.Untangling.FlippedFaces, 0);
   }
 }
 
@@ -140,7 +140,7 @@ TEST_P(ConformalMethods, ShareOneNormalisation)
   {
     const ConformalDiskMap map = conformalDiskMap(part.Mesh, optionsOf(GetParam(), centre, loop[17]));
     expectInDisk(part.Mesh, map);
-    EXPECT_EQ(map.FlippedFaces, 0);
+    EXPECT_EQ(map.Untangling.FlippedFaces, 0);
     EXPECT_NEAR(map.Positions(loop[17], 0), 1.0, 1e-15);
     EXPECT_NEAR(map.Positions(loop[17], 1), 0.0, 1e-15);
     if (centre >= 0)
@@ -190,7 +190,7 @@ TEST_P(ConformalMethods, SmallestMeshes)
     const ConformalDiskMap map = conformalDiskMap(mesh, optionsOf(GetParam()));
     expectInDisk(mesh, map);
     EXPECT_LT(areaCentroid(mesh, map.Positions).norm(), 1e-12);
-    EXPECT_EQ(map.FlippedFaces, 0);
+    EXPECT_EQ(map.Untangling.FlippedFaces, 0);
   }
   const ConformalDiskMap map = conformalDiskMap(triangle, optionsOf(GetParam()));
   EXPECT_NEAR((map.Positions.row(0) - map.Positions.row(1)).norm(), std::sqrt(3.0), 1e-12);
@@ -393,7 +393,7 @@ Errors errorsOnSpherePart(ConformalMethod method)
   {
     const SpherePart part = spherePart(n);
     const ConformalDiskMap map = conformalDiskMap(part.Mesh, optionsOf(method, 0, part.Right));
-    EXPECT_EQ(map.FlippedFaces, 0);
+    EXPECT_EQ(map.Untangling.FlippedFaces, 0);
     EXPECT_LE(map.BoundaryIterations, 35) << "of a method that halves the error";
     errors.Positions.push_back(rootMeanSquare((map.Positions - part.Disk).rowwise().norm()));
     errors.Scales.push_back(
@@ -434,7 +434,7 @@ TEST(BoundaryFirst, ConvergesOnSurfacesOfRevolution)
       const RevolutionMesh mesh = ringMesh(surface, n);
       const ConformalDiskMap map =
         conformalDiskMap(mesh.Mesh, optionsOf(ConformalMethod::BoundaryFirst));
-      EXPECT_EQ(map.FlippedFaces, 0);
+      EXPECT_EQ(map.Untangling.FlippedFaces, 0);
       errors.push_back(radialError(mesh, map.Positions, surface.ConformalRadius));
       std::cout << "RMS error of the radius: " << errors.back() << '\n';
     }
@@ -483,7 +483,7 @@ TEST(BoundaryFirst, SpreadsTheEndOfATube)
     conformalDiskMap(tube.Mesh, optionsOf(ConformalMethod::RicciFlow, -1, tube.FirstBoundaryVertex));
   ASSERT_GT(expected.SpreadVertices, 100);
   EXPECT_NEAR(map.SpreadVertices, expected.SpreadVertices, 0.02 * expected.SpreadVertices);
-  EXPECT_EQ(map.FlippedFaces, 0);
+  EXPECT_EQ(map.Untangling.FlippedFaces, 0);
   EXPECT_EQ(map.Untangling.RepairedFaces, 0);
   EXPECT_LT(largestDifference(map.Positions, expected.Positions), 1e-3);
   // Next to the pole, where the positions themselves are small.
@@ -524,7 +524,7 @@ TEST(MeanValue, FlipsNoFaceOfRandomDisks)
       continue; // it cannot be made a disk, which TestRandomSurfaces is about
     }
     const ConformalDiskMap map = conformalDiskMap(mesh, optionsOf(ConformalMethod::MeanValue));
-    EXPECT_EQ(map.FlippedFaces, 0) << "seed " << seed;
+    EXPECT_EQ(map.Untangling.FlippedFaces, 0) << "seed " << seed;
     EXPECT_EQ(map.Untangling.RepairedFaces, 0) << "seed " << seed;
     EXPECT_TRUE(map.Positions.allFinite() && map.LogFactors.allFinite()) << "seed " << seed;
     ++disks;

@@ -80,7 +80,7 @@ TEST(ConformalRectangle, AFlatRectangleStaysAsItIs)
   EXPECT_LT((result.Map.Positions - expected).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_LT((result.Map.LogFactors.array() + std::log(30.0)).abs().maxCoeff(), 1e-9);
   EXPECT_LE(result.Map.MaxCurvatureError, 1e-10);
-  EXPECT_EQ(result.Map.FlippedFaces, 0);
+  EXPECT_EQ(result.Map.Untangling.FlippedFaces, 0);
 }
 
 TEST(ConformalRectangle, FindsTheCornersOfARectangle)
@@ -116,7 +116,7 @@ TEST(ConformalRectangle, ACutCylinderUnrolls)
   EXPECT_NEAR(1.0 / result.Modulus, length / (2.0 * Pi), 1e-6);
   const double perimeter = (around - 1) * 2.0 * std::sin(Pi / (around - 1));
   EXPECT_NEAR(1.0 / result.Modulus, length / perimeter, 1e-10) << "of the prism that the mesh is";
-  EXPECT_EQ(result.Map.FlippedFaces, 0);
+  EXPECT_EQ(result.Map.Untangling.FlippedFaces, 0);
 }
 
 // Four boundary points of the disk at angles -a, a, pi - a, pi + a: the elliptic sine maps the
@@ -153,7 +153,7 @@ TEST(ConformalRectangle, ModulusOfADiskWithFourCorners)
     EXPECT_LT(error, 0.6 * previous);
     previous = error;
     EXPECT_LE(result.Map.MaxCurvatureError, 1e-10);
-    EXPECT_EQ(result.Map.FlippedFaces, 0);
+    EXPECT_EQ(result.Map.Untangling.FlippedFaces, 0);
     for (const int v : loop)
     {
       const double x = result.Map.Positions(v, 0);

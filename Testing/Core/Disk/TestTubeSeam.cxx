@@ -83,7 +83,7 @@ TEST_P(TubeSeam, ModulusIsLengthOverCircumference)
             << ", modulus " << map.Modulus << ", exactly " << expected << '\n';
   EXPECT_NEAR(map.Modulus / expected, 1.0, tube.Tolerance);
   EXPECT_LE(map.Map.MaxCurvatureError, 1e-10);
-  EXPECT_EQ(map.Map.FlippedFaces, 0);
+  EXPECT_EQ(map.Map.Untangling.FlippedFaces, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(TubeSeam,
@@ -129,7 +129,7 @@ TEST(TubeSeam, RunsAlongTheInsideOfABend)
   {
     EXPECT_NEAR(cut.Vertices(corners[k], 1), 0.0, 1e-9) << "the wide end";
   }
-  EXPECT_EQ(unrolled(disk).Map.FlippedFaces, 0);
+  EXPECT_EQ(unrolled(disk).Map.Untangling.FlippedFaces, 0);
 }
 
 TEST(TubeSeam, OtherBoundariesAreNoEnds)
