@@ -3,14 +3,11 @@
 
 #include "Mesh/ClosestPointTree.h"
 #include "Mesh/EditableSurface.h"
+#include "Mesh/HoleTriangulation.h"
 
-#include <CGAL/Polygon_mesh_processing/refine.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/utility.h>
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -23,11 +20,6 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 using Polyline = std::vector<Eigen::Vector3d>;
 using Faces = std::vector<std::array<int, 3>>;
-
-// The longest loop, in vertices, for which all triangulations are searched, O(n^3): this takes 3 s.
-// Longer loops get cones alone. CGAL's faster search is not used: where triangulations are equally good,
-// as for points of a grid or a circle, its choice depends on addresses in memory.
-constexpr std::size_t LongestSpanned = 500;
 
 // Reverses the faces if their sides do not have the direction of the loop.
 void orientAlongLoop(Faces& faces, int n)
@@ -73,15 +65,6 @@ TriangleMesh meshOf(const Polyline& points, const Faces& faces)
 {
   return { Eigen::Map<const Points3>(points[0].data(), static_cast<Eigen::Index>(points.size()), 3),
     Eigen::Map<const FaceMatrix>(faces[0].data(), static_cast<Eigen::Index>(faces.size()), 3) };
-}
-
-// Adds vertices until the faces are as dense as the loop's vertices.
-void refine(SurfaceMesh& mesh)
-{
-  const std::vector<SurfaceMesh::Face_index> old(mesh.faces().begin(), mesh.faces().end());
-  std::vector<SurfaceMesh::Face_index> newFaces;
-  std::vector<SurfaceMesh::Vertex_index> newVertices;
-  PMP::refine(mesh, old, std::back_inserter(newFaces), std::back_inserter(newVertices));
 }
 
 // Replaces the faces by nearly equilateral ones with the loop's mean side length. This works on a cone
@@ -183,32 +166,15 @@ void splitFacesAt(Faces& faces, int a, int b, int middle)
 
 LoopCap spanningCap(const Polyline& loop)
 {
-  if (loop.size() > LongestSpanned)
+  Faces faces = triangulatedLoop(loop);
+  if (faces.empty())
   {
     return {};
-  }
-  std::vector<Kernel::Point_3> points;
-  for (const Eigen::Vector3d& p : loop)
-  {
-    points.emplace_back(p.x(), p.y(), p.z());
-  }
-  std::vector<CGAL::Triple<int, int, int>> triples;
-  PMP::triangulate_hole_polyline(points,
-    std::back_inserter(triples),
-    CGAL::parameters::use_delaunay_triangulation(false)); // see LongestSpanned
-  if (triples.empty())
-  {
-    return {};
-  }
-  Faces faces;
-  for (const auto& t : triples)
-  {
-    faces.push_back({ t.first, t.second, t.third });
   }
   orientAlongLoop(faces, static_cast<int>(loop.size()));
   const TriangleMesh coarse = meshOf(loop, faces);
   SurfaceMesh mesh = toSurfaceMesh(coarse);
-  refine(mesh);
+  refineFaces(mesh, { mesh.faces().begin(), mesh.faces().end() });
   return capOf(mesh, coarse, loop.size());
 }
 

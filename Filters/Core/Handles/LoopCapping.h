@@ -24,8 +24,8 @@ struct LoopCap
 
 /// The triangulation of least dihedral angles and area (Liepa 2003, "Filling holes in meshes"; CGAL
 /// triangulate_hole_polyline), refined to the length of the loop's sides (CGAL refine). The same loop
-/// always gets the same cap. Empty if there is none, or if the loop has more than 500 vertices, whose
-/// search would take long.
+/// always gets the same cap. Empty if there is none, or if the loop has more than LongestSearchedLoop
+/// vertices.
 LoopCap spanningCap(const std::vector<Eigen::Vector3d>& loop);
 
 /// A cone over the loop, remeshed to the mean length of its sides (CGAL isotropic_remeshing) unless a

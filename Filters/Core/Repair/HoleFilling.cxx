@@ -4,14 +4,11 @@
 #include "Base/Errors.h"
 #include "Mesh/ClosestPointTree.h"
 #include "Mesh/EditableSurface.h"
+#include "Mesh/HoleTriangulation.h"
 #include "Mesh/MeshMeasures.h"
 #include "Mesh/SelfIntersections.h"
 
-#include <CGAL/Polygon_mesh_processing/refine.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <numeric>
 #include <sstream>
@@ -23,14 +20,9 @@ namespace flattening
 namespace
 {
 
-namespace PMP = CGAL::Polygon_mesh_processing;
 using Vertex = EditableSurface::Vertex;
 using Halfedge = EditableSurface::Halfedge;
 using Face = EditableSurface::Face;
-
-// The longest loop for which all triangulations are searched, O(n^3), if the faster searches fail: this
-// takes seconds at most. Longer loops then get a fan.
-constexpr std::size_t LongestCubicLoop = 500;
 
 // Joins a new vertex in the middle to the whole loop, which fits whatever edges exist already.
 void coverWithFan(EditableSurface& surface, Halfedge border, const std::vector<Vertex>& loop)
@@ -122,11 +114,7 @@ void fillHole(EditableSurface& surface, Halfedge border, Patch kind)
   std::vector<Face> patch;
   if (kind != Patch::Fan)
   {
-    PMP::triangulate_hole(mesh,
-      border,
-      std::back_inserter(patch),
-      CGAL::parameters::use_2d_constrained_delaunay_triangulation(kind != Patch::LeastAngle)
-        .do_not_use_cubic_algorithm(loop.size() > LongestCubicLoop));
+    patch = triangulateHole(mesh, border, kind != Patch::LeastAngle);
   }
   if (patch.empty())
   {
@@ -136,10 +124,7 @@ void fillHole(EditableSurface& surface, Halfedge border, Patch kind)
   if (kind == Patch::Refined)
   {
     const TriangleMesh unrefined = unrefinedPatch(mesh, loop, patch);
-    std::vector<Vertex> added;
-    std::vector<Face> refined;
-    PMP::refine(mesh, patch, std::back_inserter(refined), std::back_inserter(added));
-    traceToLoop(surface, loop, unrefined, added);
+    traceToLoop(surface, loop, unrefined, refineFaces(mesh, patch));
   }
 }
 

@@ -7,6 +7,7 @@
 #include "Support/SampleSurfaces.h"
 
 #include <cmath>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,29 @@ TEST(HoleFilling, CountsPatchesThatIntersectTheSurface)
   EXPECT_EQ(filled.IntersectingPatches, 1);
   const TriangleMesh beside = both(open, moved(spike, 0.0, 0.0, 2.5));
   EXPECT_EQ(fillHoles(beside, loopsOf(beside)).IntersectingPatches, 0);
+}
+
+// Many triangulations of a symmetric hole are equally good, and among them CGAL's search in a Delaunay
+// triangulation chooses by addresses.
+TEST(HoleFilling, GivesTheSameWhereverMemoryIsAllocated)
+{
+  TriangleMesh open = cylinder(64, 10, 2.0);
+  open.Vertices.col(2) += // saddles
+    0.6 * (open.Vertices.col(0).array().square() - open.Vertices.col(1).array().square()).matrix();
+  const FilledSurface first = fillHoles(open, loopsOf(open));
+  std::mt19937 random(5);
+  std::vector<std::vector<char>> blocks(1000);
+  for (int repetition = 0; repetition < 30; ++repetition)
+  {
+    for (int i = 0; i < 1000; ++i)
+    {
+      blocks[random() % blocks.size()] =
+        std::vector<char>(random() % (random() % 20 == 0 ? 50000 : 500));
+    }
+    const FilledSurface again = fillHoles(open, loopsOf(open));
+    ASSERT_EQ(again.Surface.Mesh.Faces, first.Surface.Mesh.Faces);
+    ASSERT_EQ(again.Surface.Mesh.Vertices, first.Surface.Mesh.Vertices);
+  }
 }
 
 ComponentChoice byIndex(int index)
