@@ -26,7 +26,9 @@ double largestLogRatio(const Eigen::VectorXd& areas, const Eigen::VectorXd& targ
 ///   that have a thousandth of their target areas and less without weights. Protrusions of the surface
 ///   make them, and smaller protrusions upon these clusters within clusters, since the conformal map
 ///   shrinks exponentially along a protrusion. A convex potential that is radially symmetric about the
-///   smallest cell opens each cluster to a disk and moves the other sites out of the way.
+///   smallest cell opens each cluster to a disk and moves the other sites out of the way. Without
+///   these sums, the transport of surfaces with protrusions takes 15 to 27 Newton steps instead of at
+///   most 12 (TestTransport).
 ///
 /// All but the given ones are gradients of convex functions, so that every site has a cell in the plane.
 /// @p diagram  is updated with the result
