@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Mesh/DerivedMesh.h"
+#include "Mesh/Halfedges.h"
 
 #include <array>
 #include <utility>
@@ -28,8 +29,8 @@ public:
   int halfedgeCount() const { return static_cast<int>(this->Sources.size()); }
 
   static int face(int h) { return h / 3; }
-  static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  static int next(int h) { return nextHalfedge(h); }
+  static int previous(int h) { return previousHalfedge(h); }
   int source(int h) const { return this->Sources[h]; }
   int target(int h) const { return this->Sources[next(h)]; }
   int twin(int h) const { return this->Twins[h]; } ///< -1 on the boundary

@@ -4,6 +4,7 @@
 
 #include "Intrinsic/SymmetricTrapezoid.h"
 #include "Intrinsic/TriangleAngles.h"
+#include "Mesh/Halfedges.h"
 #include "Mesh/TriangleMesh.h"
 
 #include <limits>
@@ -46,8 +47,8 @@ public:
   double addedLength() const { return this->AddedLength; }
 
   static int face(int h) { return h / 3; }
-  static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  static int next(int h) { return nextHalfedge(h); }
+  static int previous(int h) { return previousHalfedge(h); }
   int origin(int h) const { return this->Origins[h]; }
   int tip(int h) const { return this->Origins[next(h)]; }
   int twin(int h) const { return this->Twins[h]; } ///< -1 - b if boundary edge b is on its other side

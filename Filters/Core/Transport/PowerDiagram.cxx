@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Transport/PowerDiagram.h"
 
+#include "Mesh/Halfedges.h"
 #include "Transport/PowerTriangulation.h"
 
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
@@ -17,20 +18,6 @@
 
 namespace flattening
 {
-namespace
-{
-
-int next(int h)
-{
-  return h % 3 == 2 ? h - 2 : h + 1;
-}
-int previous(int h)
-{
-  return h % 3 == 0 ? h + 2 : h - 1;
-}
-
-} // namespace
-
 PowerDiagram::PowerDiagram(const Points2& sites, std::shared_ptr<const ConvexDomain> domain)
   : Domain(std::move(domain))
   , Sites(sites)
@@ -134,7 +121,8 @@ bool PowerDiagram::triangulate(int largestHidden)
 
 double PowerDiagram::squaredLength(int halfedge) const
 {
-  return (this->Sites.row(this->Origins[halfedge]) - this->Sites.row(this->Origins[next(halfedge)]))
+  return (
+    this->Sites.row(this->Origins[halfedge]) - this->Sites.row(this->Origins[nextHalfedge(halfedge)]))
     .squaredNorm();
 }
 
@@ -153,8 +141,8 @@ void PowerDiagram::placeCentres()
         shortest = this->squaredLength(h) < this->squaredLength(shortest) ? h : shortest;
       }
       const int i = this->Origins[shortest];
-      const int j = this->Origins[next(shortest)];
-      const int k = this->Origins[previous(shortest)];
+      const int j = this->Origins[nextHalfedge(shortest)];
+      const int k = this->Origins[previousHalfedge(shortest)];
       const Eigen::Vector2d origin = this->Sites.row(i);
       const Eigen::Vector2d a = this->Sites.row(j).transpose() - origin;
       const Eigen::Vector2d b = this->Sites.row(k).transpose() - origin;
@@ -207,7 +195,7 @@ void PowerDiagram::clipSides()
         return;
       }
       const int i = this->Origins[h];
-      const int j = this->Origins[next(h)];
+      const int j = this->Origins[nextHalfedge(h)];
       const Eigen::Vector2d origin = this->Sites.row(i);
       Eigen::Vector2d along = this->Sites.row(j).transpose() - origin;
       const double distance = along.norm();
@@ -242,7 +230,7 @@ void PowerDiagram::clipSides()
     if ((this->Twins[h] < 0 || h < this->Twins[h]) && this->Segments[h].Inside)
     {
       const int i = this->Origins[h];
-      const int j = this->Origins[next(h)];
+      const int j = this->Origins[nextHalfedge(h)];
       this->Sides.push_back({ i,
         j,
         (this->Segments[h].To - this->Segments[h].From).norm(),
@@ -279,7 +267,7 @@ void PowerDiagram::sidesOf(int site, std::vector<Segment>& sides) const
   for (int h = start; h >= 0;)
   {
     add(h);
-    const int arriving = previous(h);
+    const int arriving = previousHalfedge(h);
     h = this->Twins[arriving];
     if (h < 0)
     {

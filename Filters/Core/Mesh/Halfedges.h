@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The numbering of half-edges: face f has the half-edges 3 f, 3 f + 1 and 3 f + 2, in its direction.
+#pragma once
+
+namespace flattening
+{
+
+/// The half-edge after @p h around its face.
+constexpr int nextHalfedge(int h)
+{
+  return h % 3 == 2 ? h - 2 : h + 1;
+}
+/// The half-edge before @p h around its face.
+constexpr int previousHalfedge(int h)
+{
+  return h % 3 == 0 ? h + 2 : h - 1;
+}
+
+} // namespace flattening
