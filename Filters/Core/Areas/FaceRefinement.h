@@ -30,7 +30,8 @@ struct TransportedMap
   std::vector<int> Corners; ///< indices into Loop of the vertices that stay
   const Points2& Conformal; ///< n x 2, the conformal map
   const Points2& Positions; ///< n x 2, the map to be refined
-  /// n x 2, a map to the domain with no or few faces flipped: the conformal map if it leads there.
+  /// n x 2, a map to the domain with no or few faces flipped. It is the conformal map itself if that is
+  /// a map to the domain, and otherwise a map made from it.
   const Points2& OnDomain;
   RefinementStart Start = RefinementStart::Transport; ///< what Positions come from
 };
@@ -41,8 +42,9 @@ struct FaceRefinementResult
   Points2 Positions;     ///< n x 2
   int Rounds = 0;        ///< number of passes over the patches whose faces are not right yet
   int RepairedFaces = 0; ///< faces that were flipped after the first stage and untangled
-  /// The share of the way from the conformal to the transported map at which the refinement had to begin
-  /// again; 1 if it went on from the transported map.
+  /// Where on the way from TransportedMap::OnDomain (0) to the transported map (1) the map lies from
+  /// which the second stage started. 1 if the refinement did not have to go back on this way, or found
+  /// no map there that could be untangled.
   double StartShare = 1.0;
   int FlippedFaces = 0; ///< faces not positively oriented (exact)
   /// Whether the map is one-to-one: no face is flipped, and the boundary vertices are in order on the
@@ -53,9 +55,11 @@ struct FaceRefinementResult
 /// Minimises the energy (RefinementEnergy) in patches of the mesh (RefinementPatches), and where whole
 /// regions have too much or too little area, by steps of the whole mesh as well (RefinementDescent). In
 /// the first stage faces are free to flip, which converges fast. Then the few flipped faces are
-/// untangled (untangleMap); the second stage ends every step before a face flips. If faces cannot be
-/// untangled, the second stage starts from the map farthest along the way from the conformal map to the
-/// transported one that can be (docs/mathematics.md, "From cells to faces").
+/// untangled (untangleMap); the second stage ends every step before a face flips. If not all of the
+/// flipped faces can be untangled, the refinement tries maps between TransportedMap::OnDomain and the
+/// transported map, those nearest to the transported map first. The second stage then starts from the
+/// first of them in which all flipped faces can be untangled (docs/mathematics.md, "From cells to
+/// faces"). If there is none, the second stage does not take place, and faces remain flipped.
 /// @p faceTargets (m, >= 0) are the areas that the faces should have, up to a common factor. See
 /// measureDistortion() for the errors that are left.
 /// @throws InvalidInput if AngleWeight is out of its range, ConvergenceError, Cancelled.

@@ -26,10 +26,11 @@ void moveToCircle(const std::vector<int>& vertices, ComplexVector& disk);
 /// @throws ConvergenceError if Newton's method does not converge.
 std::complex<double> centreOfMass(const ComplexVector& halfPlane, const Eigen::VectorXd& masses);
 
-/// The angle (radians) by which to rotate @p disk so that its orientation depends on the shape of @p
-/// surface alone, not on the numbering of its vertices or its position in space: afterwards the mean
-/// direction of the vertices, weighted by mass times distance from the surface's centroid, is that of
-/// the real axis. None if the surface is too symmetric to have such a direction.
+/// The angle (radians) by which to rotate @p disk about 0 so that the weighted mean of its vertices
+/// comes to lie on the positive real axis. The weight of a vertex is its mass times its distance in
+/// space from the centroid of @p surface. The orientation of the rotated disk thus depends on the shape
+/// of the surface alone, not on the numbering of its vertices or its position in space. None if the
+/// weighted mean is 0 up to rounding, as the surface is too symmetric.
 std::optional<double> intrinsicRotation(const ComplexVector& disk,
   const Points3& surface,
   const Eigen::VectorXd& masses);
@@ -38,7 +39,8 @@ std::optional<double> intrinsicRotation(const ComplexVector& disk,
 class DiskCentring
 {
 public:
-  /// The surface's area, a third of each face at each of its corners, gets its centroid at 0.
+  /// The map is centred if the centroid of its vertices is at 0, where the weight of a vertex is a third
+  /// of the area on the surface of each face around it.
   explicit DiskCentring(const TriangleMesh& mesh);
   /// Vertex @p vertex of @p mesh goes to 0.
   DiskCentring(const TriangleMesh& mesh, int vertex);

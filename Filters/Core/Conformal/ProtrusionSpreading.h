@@ -10,13 +10,19 @@ namespace flattening
 
 /// Moves the vertices of protrusions apart in a conformal map.
 ///
-/// A protrusion is a part of the surface that is longer than wide. Along it the conformal factor falls
-/// exponentially with length over radius, soon below the resolution of doubles. Where @p logFactors
-/// falls below @p logMeanFactor - log(1e5), it is made to fall a quarter as fast: the vertices there
-/// move to the means of their neighbours with cotangent weights times the fourth power of the scale.
-/// That flips no triangle of @p triangulation (see WeightedMeans) and moves nothing where the scale is
-/// more than 20 times as large. The map is no longer conformal in the protrusions, where doubles cannot
-/// be. Boundary vertices stay.
+/// A protrusion is a part of the surface that is longer than wide. Along a protrusion, the scale of a
+/// conformal map (flat over surface length) falls exponentially with length over radius, and soon
+/// doubles no longer resolve the positions. This function treats as protrusions the vertices whose scale
+/// is below 1e-5 of the mean scale of the map: those whose element of @p logFactors is below @p
+/// logMeanFactor - log(1e5). There it makes the scale fall about a quarter as fast as in the conformal
+/// map.
+///
+/// To this end, vertices move to the weighted means of their neighbours. The weights are cotangent
+/// weights, multiplied in the protrusions by the fourth power of the scale relative to 1e-5 of the mean.
+/// Vertices whose scale is more than 20 times the one at which protrusions begin stay, unless the move
+/// would then flip a triangle; in that case all inner vertices move. Boundary vertices always stay. The
+/// move flips no triangle of @p triangulation (see WeightedMeans). In the protrusions the map is no
+/// longer conformal, but in doubles it could not be conformal there anyway.
 /// @param metric         factors in whose metric the cotangents are measured: @p logFactors if they make
 ///                       the triangulation flat to rounding, otherwise zeros, as triangles may
 ///                       degenerate

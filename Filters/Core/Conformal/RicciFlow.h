@@ -19,15 +19,20 @@ struct RicciFlowOptions
 
 struct RicciFlowResult
 {
-  IntrinsicTriangulation::Factors LogFactors; ///< u of l_ij exp((u_i + u_j) / 2), one per vertex
+  /// The logarithmic factors u, one per vertex: an edge from vertex i to vertex j, of length l_ij in the
+  /// triangulation, gets the flat length l_ij exp((u_i + u_j) / 2).
+  IntrinsicTriangulation::Factors LogFactors;
   int NewtonIterations = 0;
   int Flips = 0;
   double MaxCurvatureError = 0.0; ///< radians
 };
 
 /// Minimises the convex energy whose gradient is (target angle sum - angle sum) by Newton's method with
-/// the cotangent Laplacian as Hessian. The triangulation is kept Delaunay at the current factors by
-/// Ptolemaic flips, so that no triangle away from the boundary can degenerate.
+/// the cotangent Laplacian as Hessian. Edges are flipped so that the triangulation stays Delaunay at the
+/// current factors, and no triangle away from the boundary can degenerate. The flips are Ptolemaic: the
+/// length of the new edge follows from the five edges of the two faces by Ptolemy's relation, that the
+/// product of the two diagonals is the sum of the products of opposite sides. The relation holds at all
+/// factors alike, so that a flip does not change the conformal class.
 /// (Springborn, Schroeder, Pinkall 2008; Gu, Luo, Sun, Wu 2018; Gillespie, Springborn, Crane 2021; see
 /// docs/mathematics.md, "Conformal map".)
 ///

@@ -13,13 +13,14 @@ namespace flattening
 
 /// Completes @p loops to a cut graph: edges of the mesh such that cutAlongEdges along all of them leaves
 /// one disk. Cut along the loops alone, the surface has several boundaries: its own, and both sides of
-/// every loop. A minimum spanning tree of shortest edge paths joins them (Mehlhorn 1988, "A faster
-/// approximation algorithm for the Steiner problem in graphs"); it is at most twice as long as the
-/// shortest set of edges that joins them. All paths belong to one search, so they may merge but never
-/// cross, and no edge of the result is a dead end.
+/// every loop. A minimum spanning tree of shortest edge paths joins these boundaries (Mehlhorn 1988, "A
+/// faster approximation algorithm for the Steiner problem in graphs"). The tree is at most twice as long
+/// as the shortest set of edges that joins the boundaries. All paths belong to one search, so they may
+/// merge but never cross, and no edge of the result is a dead end.
 /// @param mesh connected oriented manifold, with or without boundary.
-/// @param loops closed vertex loops along edges that leave a connected surface of genus 0 if it is cut
-/// along all of them, as handleLoops finds; none for a surface of genus 0 with boundary.
+/// @param loops closed loops of vertices along edges, such as handleLoops finds. The surface, cut along
+/// all of the loops, must be connected and of genus 0. A surface of genus 0 with boundary needs no
+/// loops.
 /// @return the edges of the loops and of the paths, in ascending order of their vertices.
 /// @throws InvalidInput if a loop is not made of edges; TopologyError if the loops leave handles or
 /// separate the surface, or if there is no boundary and no loop.

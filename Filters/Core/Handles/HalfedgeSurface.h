@@ -42,7 +42,8 @@ public:
   const Eigen::Vector3d& point(int v) const { return this->Points[v]; }
   /// Moves a vertex; its origin stays.
   void move(int v, const Eigen::Vector3d& point) { this->Points[v] = point; }
-  /// The original vertices that @p v is made of. A copy that a cut made has the origin of its vertex.
+  /// The original vertices that @p v is made of. Where a cut copied a vertex, the copy has the same
+  /// origin as that vertex.
   Origin origin(int v) const;
 
   /// A half-edge that starts at @p v, on the boundary if v is; -1 for a vertex of no face.
@@ -50,7 +51,7 @@ public:
   /// Whether @p v is on the boundary or belongs to no face.
   bool onBoundary(int v) const { return this->Outgoing[v] < 0 || this->Twins[this->Outgoing[v]] < 0; }
 
-  /// The half-edge after @p h counter-clockwise about its source; -1 past the boundary.
+  /// The next half-edge counter-clockwise about the source of @p h; -1 if the boundary comes next.
   int rotated(int h) const { return this->Twins[previous(h)]; }
 
   /// Calls visit(h) for each half-edge that starts at @p v, counter-clockwise from outgoing(v).
@@ -66,17 +67,18 @@ public:
     }
   }
 
-  /// The half-edge from @p a to @p b or, if that is missing on the boundary, from b to a; -1 if the
-  /// vertices are not neighbours.
+  /// The half-edge from @p a to @p b. On the boundary, an edge has a half-edge in one direction only: if
+  /// the one from a to b does not exist, returns the one from b to a. Returns -1 if the vertices are not
+  /// neighbours.
   int edgeBetween(int a, int b) const;
 
   /// Vertices of each boundary loop in the direction of its half-edges (surface on the left).
   std::vector<std::vector<int>> boundaryLoops() const;
 
   /// Cuts along a closed loop of half-edges, each of which starts where the one before it ends. The loop
-  /// must not meet a vertex twice or a vertex on the boundary. Its vertices stay with the faces on its
-  /// right; the faces on its left get copies: the copy of the source of loop[i] is the returned number
-  /// + i.
+  /// must not meet a vertex twice or a vertex on the boundary. The vertices of the loop stay with the
+  /// faces on its right; the faces on its left get copies of them. Returns the number of the first copy:
+  /// the source of loop[i] has the copy with this number plus i.
   int cut(const std::vector<int>& loop);
 
   /// Returns the number of the new vertex.
@@ -86,8 +88,8 @@ public:
   void addFaces(const std::vector<std::array<int, 3>>& faces);
 
   /// Splits an inner edge, and the faces beside it, at its middle. Returns the new vertex. Half-edge @p
-  /// h becomes the half at its target. Two faces are added, first a part of face(h), then a part of the
-  /// face of its twin.
+  /// h keeps its target and afterwards starts at the new vertex. Two faces are added: first a part of
+  /// face(h), then a part of the face of its twin.
   int splitEdge(int h);
 
   /// Vertices in use - edges + faces.

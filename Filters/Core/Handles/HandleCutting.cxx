@@ -116,6 +116,8 @@ private:
 
   double fraction() const { return static_cast<double>(this->Lengths.size()) / this->HandlesAtStart; }
 
+  // Searches the surface once for loops up to @p length and tries to cut them, the shortest first.
+  // Ignores classes of loops that have been given up.
   void cutLoopsUpTo(double length)
   {
     if (this->Labels.genus() < FewHandles * this->HandlesLabelled)
@@ -165,6 +167,8 @@ private:
     }
   }
 
+  // Cuts along the loop if that makes no faces intersect; otherwise notes the loop as rejected. Skips a
+  // loop that can no longer be cut, and one of a class that was tried often enough.
   void tryCut(SurfaceLoop loop)
   {
     if (!this->isUpToDate(loop))

@@ -12,7 +12,8 @@
 namespace flattening
 {
 
-/// n x m: row v holds the weights (>= 0, sum 1) of the m original vertices that vertex v is made of. A
+/// For a mesh of n vertices made from m original vertices, an n x m matrix. Row v says what vertex v is
+/// made of: element (v, o) is the weight (>= 0) of original vertex o, and the sum of the row is 1. A
 /// kept vertex has one weight 1; the midpoint of an edge has two weights 1/2.
 using VertexOrigins = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
 
@@ -32,8 +33,8 @@ DerivedMesh derivedFromItself(TriangleMesh mesh);
 /// Origins with a single weight 1 per row: vertex v is the original vertex @p original[v].
 VertexOrigins keptVertices(const std::vector<int>& original, int originalCount);
 
-/// Replaces @p derived by @p next, which was derived from derived.Mesh, with origins in the first
-/// original.
+/// Replaces @p derived by @p next, a mesh that was derived from derived.Mesh. The origins of the result
+/// refer to the mesh from which @p derived was derived, not to derived.Mesh.
 void follow(DerivedMesh& derived, DerivedMesh&& next);
 
 /// The part of @p mesh that consists of the given faces, in their order. Vertices keep their order in

@@ -28,25 +28,34 @@ struct SurfaceCurve
 /// The lengths of a region that is a disk, in input units.
 struct RegionExtent
 {
-  SurfaceCurve Diameter;  ///< geodesic between two points of the region at the greatest distance
-  SurfaceCurve Across;    ///< longest geodesic from one side of the diameter to the other, across it
+  SurfaceCurve Diameter; ///< geodesic between two points of the region at the greatest distance
+  /// The longest geodesic that crosses the diameter, from the boundary on one side of it to the boundary
+  /// on the other.
+  SurfaceCurve Across;
   SurfaceCurve Outline;   ///< closed boundary along edges; jagged, so that it is too long
-  double Perimeter = 0.0; ///< length of the boundary without waves of up to four edges
-  double PerimeterError = 0.0; ///< change of Perimeter if the boundary is smoothed four times as often
-  double EdgeLength = 0.0;     ///< mean length of the boundary edges, the accuracy of the boundary
+  double Perimeter = 0.0; ///< length of the boundary, smoothed so that waves of up to four edges vanish
+  /// How much Perimeter would change with four times as many smoothing steps.
+  double PerimeterError = 0.0;
+  double EdgeLength = 0.0; ///< mean length of the boundary edges, the accuracy of the boundary
 };
 
-/// Measures a region. From several points of the boundary the search for the diameter goes repeatedly to
-/// the farthest point (heat method) and then moves the ends along the boundary; the length is that of
-/// the exact geodesic between the ends within the region, a lower bound of the greatest distance of all
-/// pairs. The geodesic across joins two boundary points on either side of the diameter whose distances
-/// to the two ends of the diameter have the same difference.
+/// Measures a region. The search for the diameter starts at several points of the boundary. From each it
+/// goes to the farthest point (heat method), from there again to the farthest point, and so on while the
+/// distance grows. The ends of the longest geodesic are then moved along the boundary as long as that
+/// makes the geodesic longer. The length of the diameter is the length of the exact geodesic within the
+/// region between its two ends, up to where it meets the smoothed boundary. Since the search may miss
+/// the most distant pair of points, this length is a lower bound.
+///
+/// For the extent across, the difference "distance to the first end of the diameter minus distance to
+/// the second" tells how far along the diameter a point lies. Geodesics across join two boundary points,
+/// one on each side of the diameter, with nearly equal differences; the longest of those that are tried
+/// is returned.
 /// @throws TopologyError, InvalidInput as requireDisk does; ConvergenceError if a distance cannot be
 /// computed.
 RegionExtent regionExtent(const TriangleMesh& region, const ProgressCallback& progress = {});
 
-/// Length of a curve between the points where it meets the smoothed boundary @p loop, as the length of
-/// RegionExtent::Diameter is measured.
+/// Length of @p curve without the parts at its two ends that project beyond the smoothed boundary @p
+/// loop. RegionExtent::Diameter and Across have their lengths measured in the same way.
 double trimmedLength(const Points3& vertices, const SurfaceCurve& curve, const std::vector<int>& loop);
 
 /// Length of the smoothed closed curve along @p loop, as RegionExtent::Perimeter is measured.
