@@ -44,7 +44,7 @@ struct RegionExtent
 /// distance grows. The ends of the longest geodesic are then moved along the boundary as long as that
 /// makes the geodesic longer. The length of the diameter is the length of the exact geodesic within the
 /// region between its two ends, up to where it meets the smoothed boundary. Since the search may miss
-/// the most distant pair of points, this length is a lower bound.
+/// the most distant pair of points, their distance may be greater than this length.
 ///
 /// For the extent across, the difference "distance to the first end of the diameter minus distance to
 /// the second" tells how far along the diameter a point lies. Geodesics across join two boundary points,

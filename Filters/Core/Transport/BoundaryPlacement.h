@@ -20,9 +20,11 @@ struct BoundaryLoop
 /// Boundary parameters (ConvexDomain.h) of the vertices of @p boundary, strictly increasing over less
 /// than one turn from the first vertex or, if corners are given, from the first corner. A cell's
 /// centroid lies inside the domain, but a boundary vertex belongs on the boundary (docs/mathematics.md,
-/// "From cells to faces"): it takes the middle of its cell's part of the boundary, or the direction of
-/// its cell's centroid if the cell does not reach the boundary. Where this breaks the order of the loop,
-/// neighbours are moved by the least-squares monotone fit. Other vertices stay between the corners.
+/// "From cells to faces"). The vertex takes the middle of the part of the boundary that lies in its
+/// cell or, if the cell does not reach the boundary, the direction in which the centroid of its cell
+/// lies. Where the parameters found in this way do not follow the order of the loop,
+/// strictlyIncreasingFit() moves them. If there are corners, their vertices stay there, and the other
+/// vertices stay between them.
 /// @param siteOfVertex  n, the diagram's site of each vertex
 std::vector<double> boundaryParameters(const PowerDiagram& diagram,
   const BoundaryLoop& boundary,
@@ -38,8 +40,9 @@ std::vector<int> cornerMembers(const PowerDiagram& diagram,
   const std::vector<double>& cornerParameters);
 
 /// The non-decreasing sequence nearest to @p values in the sense of least squares (pool adjacent
-/// violators; Barlow et al. 1972), with the members of each pool spread evenly over a part of the gaps
-/// beside it so that the result increases strictly.
+/// violators; Barlow et al. 1972), made strictly increasing. In the non-decreasing sequence, runs of
+/// neighbours, the pools, share one value. The members of each pool are spread evenly about this
+/// value, within a part of the smaller gap to the pools beside it.
 std::vector<double> strictlyIncreasingFit(const std::vector<double>& values);
 
 } // namespace flattening

@@ -20,17 +20,21 @@ PowerDiagram::Weights radialPotentialWeights(const Points2& sites,
 double largestLogRatio(const Eigen::VectorXd& areas, const Eigen::VectorXd& targets);
 
 /// The weights whose cells are nearest to @p targets (n) by largestLogRatio(), among
-/// - @p given (n, or empty), which are taken at once if no cell is off by more than a decade,
+/// - @p given (n, or empty), which are returned at once if the area of every cell is within a factor
+///   of about ten of its target,
 /// - 0, as in the paper, and radialPotentialWeights(),
-/// - the sums of these two with the potential that opens dense clusters: groups of neighbouring cells
-///   that have a thousandth of their target areas and less without weights. Protrusions of the surface
-///   make them, and smaller protrusions upon these clusters within clusters, since the conformal map
-///   shrinks exponentially along a protrusion. A convex potential that is radially symmetric about the
-///   smallest cell opens each cluster to a disk and moves the other sites out of the way. Without
-///   these sums, the transport of surfaces with protrusions takes 15 to 27 Newton steps instead of at
-///   most 12 (TestTransport).
+/// - the sums of each of these two with the weights of a potential that opens dense clusters.
 ///
-/// All but the given ones are gradients of convex functions, so that every site has a cell in the plane.
+/// A dense cluster is a group of neighbouring cells that, with weights 0, have at most a thousandth
+/// of their target areas. A protrusion of the surface makes such a cluster, because the conformal map
+/// shrinks exponentially along it; a smaller protrusion upon the first makes a cluster within the
+/// cluster. The potential is convex and radially symmetric about the smallest cell of the cluster. It
+/// opens the cluster to a disk and moves the other sites out of the way. Without these sums, the
+/// transport of surfaces with protrusions takes 15 to 27 Newton steps instead of at most 12
+/// (TestTransport).
+///
+/// All these weights except @p given belong to convex potentials, so that every site has a cell in
+/// the plane.
 /// @p diagram  is updated with the result
 /// @throws ConvergenceError if all starts leave a cell empty, Cancelled.
 PowerDiagram::Weights initialWeights(PowerDiagram& diagram,

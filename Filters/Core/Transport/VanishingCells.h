@@ -8,15 +8,19 @@
 namespace flattening
 {
 
-/// How many of @p sites cells may vanish in a step; with more, the step is too long.
+/// The number of cells, for a diagram of @p sites cells, that may vanish in a step: that have less
+/// than their least area after it. If more cells vanish, the step is too long.
 int largestVanishing(int sites);
 
-/// Raises the weights of the cells whose area is below @p least (n, > 0), and of these alone, until no
-/// cell is. Along the circle and in protrusions, cells may be much thinner than a good step moves their
-/// sides, and a step that leaves none of them empty would have to be very short; a few small cells take
-/// little from their neighbours. Hidden sites first get the weight that they lack for a cell. Then every
-/// vanishing cell gets a raise that would gain ten times @p least by @p slopes (ownSlopes() before the
-/// step), and in each further round four times as much.
+/// Raises the weights of the vanishing cells, whose areas are below @p least (n, > 0), and of these
+/// alone, until no area is below @p least. Along the circle and in protrusions, a cell may be much
+/// thinner than the distance by which a good step moves its sides. A step that leaves none of these
+/// cells empty would have to be very short. To enlarge a few small cells instead takes little area
+/// from their neighbours.
+///
+/// A hidden site first gets the weight that it lacks for a cell. Then the weight of every vanishing
+/// cell is raised: at first by as much as would gain ten times @p least at the rate @p slopes
+/// (ownSlopes() before the step), and in each further round by four times as much as in the last.
 /// @param diagram  updated with @p weights, with at most largestVanishing() hidden sites; afterwards
 /// updated with the raised weights
 /// @param weights  n, raised in place
@@ -29,8 +33,8 @@ bool feedVanishingCells(PowerDiagram& diagram,
   const Eigen::VectorXd& slopes,
   const ProgressCallback& progress);
 
-/// The derivative of every cell's area by its own weight (n): half the sum of its sides' lengths over
-/// the distances of their sites.
+/// The derivative of every cell's area by the weight of its site (n): half the sum over the sides of
+/// the cell of the length of the side divided by the distance of the two sites beside it.
 Eigen::VectorXd ownSlopes(const PowerDiagram& diagram);
 
 } // namespace flattening

@@ -30,8 +30,8 @@ public:
   struct Derivatives
   {
     Eigen::Matrix<double, 6, 1> Gradient; ///< entry 2 k + c: by coordinate c of corner k
-    /// The positive semidefinite matrix that is nearest to the Hessian by the entries of J, carried over
-    /// to the coordinates of the corners.
+    /// The second derivatives of the energy by the entries of J, replaced by the nearest positive
+    /// semidefinite matrix and then transformed to the coordinates of the corners.
     Eigen::Matrix<double, 6, 6> Hessian;
   };
   /// @p epsilon >= 0, and > 0 if D <= 0.

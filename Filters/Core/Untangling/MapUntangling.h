@@ -16,8 +16,9 @@ struct UntanglingOptions
   double AreaWeight = 0.1;
   /// Greatest number of vertices that are moved together; flipped faces that need more stay flipped.
   int LargestPatch = 2000;
-  /// Bound on the work for patches that stay flipped, as Newton steps times free vertices per vertex of
-  /// the map, >= 0. With 1, vain attempts do not take much longer than a conformal map.
+  /// Bound on the work for patches that stay flipped, per vertex of the map, >= 0. The work for a
+  /// patch is the number of Newton steps times the number of free vertices. With a bound of 1, vain
+  /// attempts do not take much longer than a conformal map.
   double WorkPerVertex = 1.0;
 };
 

@@ -24,10 +24,12 @@ struct UntangledPatch
   int Steps = 0;         ///< number of Newton steps
 };
 
-/// Moves the free vertices of @p patch to a minimum of the sum of the faces' energies (FoldoverEnergy,
-/// with equal weights), by Newton's method with positive semidefinite Hessians. While faces are flipped,
-/// epsilon goes to 0 with the area of the most flipped one (Garanzha et al., section 3.2), until that is
-/// hopeless. Once no face is flipped, none flips again.
+/// Moves the free vertices of @p patch to a minimum of the sum of the faces' energies
+/// (FoldoverEnergy, with equal weights), by Newton's method with positive semidefinite Hessians.
+/// While faces are flipped, the epsilon of the energies is reduced after every step (Garanzha et al.,
+/// section 3.2). If it falls below a hundredth of the magnitude of the area ratio
+/// (FoldoverEnergy::areaRatio) of the most flipped face, untangling is given up as hopeless. Once no
+/// face is flipped, epsilon is 0, so that none flips again.
 /// @param areaWeight  as in FoldoverEnergy, >= 0
 UntangledPatch untanglePatch(FlatPatch& patch, double areaWeight);
 

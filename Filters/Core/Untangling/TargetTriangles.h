@@ -20,14 +20,16 @@ struct TargetTriangle
 /// Its position and rotation in the plane do not matter.
 using TargetTriangles = std::function<TargetTriangle(int face)>;
 
-/// Targets for a conformal map that should change as little as possible: triangles similar to those of
-/// @p surface, scaled as @p positions (n x 2) are around the face, by the mean over its corners of the
-/// logarithmic ratio of flat to surface length. Slivers are opened to an altitude of a fiftieth of their
-/// longest side. The result keeps a copy of the scales and a reference to @p surface.
+/// Targets for a conformal map that should change as little as possible. The target of a face is
+/// similar to the face on @p surface and has about the scale that the map @p positions (n x 2) has
+/// there: the logarithm of its scale (flat over surface length) is the mean of logConformalFactors()
+/// at the corners of the face. A face whose altitude over its longest side is less than a fiftieth of
+/// that side, a sliver, gets a target with this altitude. The result keeps a copy of the scales and a
+/// reference to @p surface.
 TargetTriangles similarTriangles(const TriangleMesh& surface, const Points2& positions);
 
 /// Targets for an area-preserving map: triangles similar to those of @p surface that have the areas @p
-/// areas (m, > 0). Slivers are opened as above. The result keeps a reference to @p surface.
+/// areas (m, > 0). Slivers get the same least altitude. The result keeps a reference to @p surface.
 TargetTriangles trianglesOfArea(const TriangleMesh& surface, const Eigen::VectorXd& areas);
 
 } // namespace flattening

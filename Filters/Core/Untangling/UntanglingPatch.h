@@ -16,8 +16,9 @@ namespace flattening
 class UntanglingPatch
 {
 public:
-  /// Frees the corners of face @p face that are not fixed. @p mesh must outlive the patch. A patch with
-  /// more than @p mostVertices free vertices is too large: it must not be used, only grown no further.
+  /// Frees the corners of face @p face that are not fixed. @p mesh must outlive the patch. A patch
+  /// with more than @p mostVertices free vertices is too large (see tooLarge()): it must not be used,
+  /// as the corners of some of its flipped faces may not be free.
   UntanglingPatch(const UntanglingMesh& mesh, int face, int mostVertices);
 
   /// The free vertices in ascending order.
@@ -25,15 +26,17 @@ public:
   /// The faces around the free vertices in ascending order.
   const std::vector<int>& faces() const { return this->Faces; }
 
-  /// Frees the corners of all its faces. Returns false if they were free or fixed already.
+  /// Frees the corners of all faces of the patch. Returns false if all these corners were free or
+  /// fixed already.
   bool grow();
 
   bool tooLarge() const { return static_cast<int>(this->Vertices.size()) > this->MostVertices; }
 
-  /// A copy in coordinates of its own, relative to one of its vertices and in units of its size, which
-  /// doubles resolve however small the patch is in the map. Where all faces are stretched alike, as in
-  /// the neck of a protrusion, the coordinates undo the stretch. That flips no face and untangles none,
-  /// but brings all shapes close to their targets.
+  /// A copy of the patch in coordinates of its own, relative to one of its vertices and in units of
+  /// its size. Doubles resolve these coordinates however small the patch is in the map. Where all
+  /// faces are stretched alike, as in the neck of a protrusion, the coordinates undo the stretch.
+  /// Undoing it flips no face and untangles none, but brings the shapes of all faces close to their
+  /// targets.
   struct Local
   {
     FlatPatch Flat; ///< vertices() and then those of the rim; faces()
