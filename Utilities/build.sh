@@ -29,8 +29,8 @@ show_progress() {
   awk -F'[][/]' '/^\[[0-9]+\/[0-9]+\]/ { printf "\rBuilding into %s: %d of %d", folder, $2, $3; fflush(); shown = 1 }
     END { if (shown) print "" }' folder="$build"
 }
-# CGAL needs about 1.5 GB for each compiler.
-jobs=$(awk -v cores="$(nproc)" '/MemAvailable/ { n = int($2 / 1500000); print n < 1 ? 1 : n < cores ? n : cores }' /proc/meminfo)
+# CGAL takes up to 2.7 GB in a compiler.
+jobs=$(awk -v cores="$(nproc)" '/MemAvailable/ { n = int($2 / 2700000); print n < 1 ? 1 : n < cores ? n : cores }' /proc/meminfo)
 if ! NINJA_STATUS='[%f/%t] ' cmake --build "$build" --parallel "$jobs" "${targets[@]}" 2>&1 |
   tee "$build/build.log" | show_progress; then
   grep -m1 -A40 '^FAILED' "$build/build.log" >&2 || tail -n 40 "$build/build.log" >&2

@@ -1,4 +1,4 @@
-# Compiling the files of a folder together takes a third of the processor time that compiling them one by one takes,
+# Compiling the files of a folder, or of several, as one takes a third of the processor time that compiling each alone takes,
 # because nearly all of that time goes into the headers of CGAL, Eigen and VTK.
 option(SURFACEFLATTENING_UNITY_BUILD
   "Compile the files of a folder as one; OFF compiles each alone, which is faster after a change of one file" ON)

@@ -2,6 +2,7 @@
 #include "Areas/RefinementDescent.h"
 
 #include "Base/Errors.h"
+#include "Mesh/PlaneVectors.h"
 
 #include <tbb/parallel_for.h>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Areas/RefinementEnergy.h"
 
+#include "Mesh/PlaneVectors.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>

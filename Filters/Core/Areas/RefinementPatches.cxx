@@ -2,6 +2,7 @@
 #include "Areas/RefinementPatches.h"
 
 #include "Areas/RefinementDescent.h"
+#include "Mesh/PlaneVectors.h"
 #include "Mesh/RecursiveBisection.h"
 
 #include <tbb/parallel_for.h>

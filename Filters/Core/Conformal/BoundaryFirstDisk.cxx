@@ -27,7 +27,7 @@ using Complex = std::complex<double>;
 // discretisation error.
 constexpr double GreatestChange = 1e-9;
 // Most iterations: a guard, for about 25 are needed.
-constexpr int MostIterations = 200;
+constexpr int MostBoundaryIterations = 200;
 constexpr const char* LaplacianStage = "Cotangent Laplacian";
 
 // The Poisson equation on the surface, with the angle defects as its curvature.
@@ -126,7 +126,7 @@ Eigen::VectorXd boundaryAngles(const CherrierEquation& equation,
   const Eigen::VectorXd masses = meanOfEdges(lengths) / lengths.sum();
   Eigen::VectorXd scaled = lengths;
   Eigen::VectorXd angles = anglesInProportion(lengths);
-  for (iterations = 1; iterations <= MostIterations; ++iterations)
+  for (iterations = 1; iterations <= MostBoundaryIterations; ++iterations)
   {
     Eigen::VectorXd u = equation.boundaryFactors(2.0 * EIGEN_PI / scaled.sum() * meanOfEdges(scaled));
     if (!u.allFinite() || !centre(lengths, masses, u))
@@ -141,10 +141,11 @@ Eigen::VectorXd boundaryAngles(const CherrierEquation& equation,
     {
       return angles;
     }
-    report(progress, static_cast<double>(iterations) / MostIterations, "Boundary factors");
+    report(progress, static_cast<double>(iterations) / MostBoundaryIterations, "Boundary factors");
   }
   throw ConvergenceError(
-    "Boundary First stopped at iteration " + std::to_string(std::min(iterations, MostIterations)) +
+    "Boundary First stopped at iteration " +
+    std::to_string(std::min(iterations, MostBoundaryIterations)) +
     " without the lengths of the boundary in the disk: set Method to Ricci Flow, or "
     "remesh the surface (Surface To Disk, Remesh)");
 }

@@ -4,6 +4,7 @@
 #include "Base/Errors.h"
 #include "Conformal/CotangentWeights.h"
 #include "Mesh/GraphLaplacian.h"
+#include "Mesh/Halfedges.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
@@ -27,8 +28,6 @@ constexpr double LargestLayoutError = 1e-3;
 // lengths fall exponentially, past the resolution of doubles; with a smaller share, maps of real
 // surfaces are refused for edges that nobody can see.
 constexpr double LeastResolvedLength = 1e-11;
-// Half-edges per task of a parallel loop: enough to outweigh the cost of a task.
-constexpr int HalfedgesPerTask = 4096;
 const Complex Infinity(std::numeric_limits<double>::infinity(), 0.0);
 
 // Positions the boundary: first along the real axis from @p firstEdge on, by the mirror cells, then

@@ -33,7 +33,7 @@ constexpr int GreatestRounds = 100;
 // The number of vertices or faces between two reports of progress, at which an abort is noticed.
 constexpr int Batch = 1 << 14;
 
-constexpr const char* Stage = "Transferring the map";
+constexpr const char* TransferStage = "Transferring the map";
 
 void requireFits(const FlattenedSurface& flattened, const TriangleMesh& target, double tolerance)
 {
@@ -144,7 +144,7 @@ void MapTransfer::projectAll(const ProgressCallback& progress)
   std::vector<double> agreement(vertexCount, 0.0);
   for (int begin = 0; begin < vertexCount; begin += Batch)
   {
-    report(progress, 0.4 + 0.6 * begin / vertexCount, Stage);
+    report(progress, 0.4 + 0.6 * begin / vertexCount, TransferStage);
     tbb::parallel_for(begin,
       std::min(begin + Batch, vertexCount),
       [&](int v)
@@ -157,7 +157,7 @@ void MapTransfer::projectAll(const ProgressCallback& progress)
         }
       });
   }
-  report(progress, 1.0, Stage);
+  report(progress, 1.0, TransferStage);
   const double sum = std::accumulate(agreement.begin(), agreement.end(), 0.0);
   if (sum < 0.0) // the whole target is oriented the other way round
   {
@@ -178,7 +178,7 @@ void MapTransfer::walkFromNeighbours(const ProgressCallback& progress)
     {
       if (f % Batch == 0)
       {
-        report(progress, static_cast<double>(round) / GreatestRounds, Stage);
+        report(progress, static_cast<double>(round) / GreatestRounds, TransferStage);
       }
       for (int k = 0; k < 3; ++k)
       {
@@ -241,7 +241,7 @@ TransferredMap transferFlatMap(const FlattenedSurface& flattened,
   requireFits(flattened, target, tolerance);
   TransferredMap map;
   map.Tolerance = tolerance;
-  report(progress, 0.0, Stage);
+  report(progress, 0.0, TransferStage);
   MapTransfer transfer(flattened, target, map);
   transfer.projectAll(subrange(progress, 0.2, 0.6));
   transfer.walkFromNeighbours(subrange(progress, 0.6, 0.9));
@@ -253,9 +253,9 @@ TransferredMap transferFlatMap(const FlattenedSurface& flattened,
                "the tolerance";
     throw InvalidInput(message.str());
   }
-  report(progress, 0.9, Stage);
+  report(progress, 0.9, TransferStage);
   transfer.place();
-  report(progress, 1.0, Stage);
+  report(progress, 1.0, TransferStage);
   return map;
 }
 

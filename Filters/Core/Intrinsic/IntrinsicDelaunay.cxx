@@ -2,6 +2,7 @@
 // The flips that make an IntrinsicTriangulation Delaunay.
 #include "Intrinsic/IntrinsicMetrics.h"
 #include "Intrinsic/IntrinsicTriangulation.h"
+#include "Mesh/Halfedges.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -21,8 +22,6 @@ using intrinsic::ConformalMetric;
 using intrinsic::DoubledMetric;
 using intrinsic::FlatMetric;
 
-// Half-edges that one parallel task looks at. Results do not depend on it.
-constexpr int HalfedgesPerTask = 4096;
 // A guard: an edge whose opposite angles have cosines of a larger sum is Delaunay, although the quick
 // cosines are not exact. Their errors are far smaller, unless a side is 1e-13 times as long as the
 // others.

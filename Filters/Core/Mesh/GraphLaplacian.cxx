@@ -15,7 +15,7 @@ using Complex = std::complex<double>;
 // beside the factor; without any, vertices that lie much closer together than others lose the digits of
 // their distances.
 constexpr int Refinements = 2;
-constexpr const char* Stage = "Layout";
+constexpr const char* LayoutStage = "Layout";
 
 } // namespace
 
@@ -25,7 +25,7 @@ WeightedMeans::WeightedMeans(const std::vector<NeighbourWeight>& weights,
   const ProgressCallback& progress)
   : Row(fixed.size(), -1)
 {
-  report(progress, 0.0, Stage);
+  report(progress, 0.0, LayoutStage);
   for (std::size_t v = 0; v < fixed.size(); ++v)
   {
     if (!fixed[v])
@@ -65,13 +65,13 @@ void WeightedMeans::factor(WeightSymmetry symmetry, const ProgressCallback& prog
   if (symmetry == WeightSymmetry::Symmetric)
   {
     this->Cholesky.emplace(SparseCholesky::Ordering::Quick);
-    this->Cholesky->compute(std::move(matrix), progress, 0.2, Stage);
+    this->Cholesky->compute(std::move(matrix), progress, 0.2, LayoutStage);
   }
   else
   {
-    this->Lu.emplace(std::move(matrix), progress, 0.2, Stage);
+    this->Lu.emplace(std::move(matrix), progress, 0.2, LayoutStage);
   }
-  report(progress, 0.8, Stage);
+  report(progress, 0.8, LayoutStage);
   if ((this->Cholesky ? this->Cholesky->info() : this->Lu->info()) != Eigen::Success)
   {
     throw ConvergenceError("the weights of neighbours could not be factored: remesh the surface "

@@ -5,6 +5,10 @@
 namespace flattening
 {
 
+/// The half-edges that one task of a parallel loop takes: enough to outweigh the cost of a task. Results
+/// do not depend on it.
+constexpr int HalfedgesPerTask = 4096;
+
 /// The half-edge after @p h around its face.
 constexpr int nextHalfedge(int h)
 {

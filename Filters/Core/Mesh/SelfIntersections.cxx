@@ -34,7 +34,7 @@ constexpr std::ptrdiff_t Cutoff = 1000;
 // noticed at once, and too seldom to cost time.
 constexpr int PairsPerReport = 4096;
 
-constexpr const char* Stage = "looking for self-intersections";
+constexpr const char* SearchStage = "looking for self-intersections";
 
 Pairs sorted(const PairsOfThreads& found)
 {
@@ -161,7 +161,7 @@ Pairs overlappingBoxes(const std::vector<PlacedTriangle>& some, const std::vecto
 Pairs intersectingPairs(const std::vector<PlacedTriangle>& triangles, const ProgressCallback& progress)
 {
   using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
-  report(progress, 0.0, Stage);
+  report(progress, 0.0, SearchStage);
   std::vector<Box> boxes;
   std::vector<const Box*> pointers; // sorted instead of the boxes themselves: half the time
   boxes.reserve(triangles.size());
@@ -182,7 +182,7 @@ Pairs intersectingPairs(const std::vector<PlacedTriangle>& triangles, const Prog
     {
       if (std::this_thread::get_id() == caller && ++calls % PairsPerReport == 0)
       {
-        report(progress, 0.0, Stage);
+        report(progress, 0.0, SearchStage);
       }
       if (intersect(triangles[a->info()], triangles[b->info()]))
       {

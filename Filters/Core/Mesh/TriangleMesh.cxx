@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/TriangleMesh.h"
 
+#include "Mesh/PlaneVectors.h"
+
 #include <Eigen/Geometry>
 
 namespace flattening
@@ -37,7 +39,7 @@ Eigen::VectorXd signedFaceAreas(const Points2& positions, const FaceMatrix& face
     const Eigen::RowVector2d a = positions.row(faces(f, 0));
     const Eigen::RowVector2d u = positions.row(faces(f, 1)) - a;
     const Eigen::RowVector2d v = positions.row(faces(f, 2)) - a;
-    areas[f] = 0.5 * (u.x() * v.y() - u.y() * v.x());
+    areas[f] = 0.5 * cross(u, v);
   }
   return areas;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Transport/ArcPolygonMoments.h"
 
+#include "Mesh/PlaneVectors.h"
+
 #include <cmath>
 
 namespace flattening

@@ -7,12 +7,6 @@
 namespace flattening
 {
 
-/// The z component of the cross product.
-inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 /// The counter-clockwise angle from @p p to @p q, both on the unit circle, in [0, 2 pi); 0 if rounding
 /// exchanged two nearly equal points, never the whole circle.
 double arcAngle(const Eigen::Vector2d& p, const Eigen::Vector2d& q);

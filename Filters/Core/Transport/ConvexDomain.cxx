@@ -2,6 +2,7 @@
 #include "Transport/ConvexDomain.h"
 
 #include "Base/Errors.h"
+#include "Mesh/PlaneVectors.h"
 
 #include <algorithm>
 #include <cmath>

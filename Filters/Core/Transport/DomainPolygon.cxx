@@ -2,7 +2,7 @@
 #include "Transport/DomainPolygon.h"
 
 #include "Base/Errors.h"
-#include "Transport/ArcPolygonMoments.h"
+#include "Mesh/PlaneVectors.h"
 #include "Transport/ConvexDomain.h"
 
 #include <algorithm>

@@ -28,7 +28,7 @@ constexpr double DenseRatios[] = { 1e-3, 1e-7, 1e-11, 1e-15, 1e-19 };
 // Sites nearer to a neighbour get potentials of twice the precision of double. For the others the
 // rounding of a weight, 1e-16, moves the sides of cells by at most 1e-10 of the disk.
 constexpr double CloseDistance = 1e-6;
-constexpr const char* Stage = "First power diagram";
+constexpr const char* DiagramStage = "First power diagram";
 
 // The members of a dense cluster.
 struct DenseCluster
@@ -257,7 +257,7 @@ std::vector<PowerDiagram::Weights> starts(PowerDiagram& diagram,
   const Eigen::VectorXd& targets,
   const ProgressCallback& progress)
 {
-  report(progress, 0.0, Stage);
+  report(progress, 0.0, DiagramStage);
   const PowerDiagram::Weights zero = PowerDiagram::Weights::Zero(diagram.siteCount());
   const PowerDiagram::Weights squares = squaredRadii(diagram.sites());
   const double reach = diagram.domain().innerRadius();
@@ -269,7 +269,7 @@ std::vector<PowerDiagram::Weights> starts(PowerDiagram& diagram,
   {
     return all;
   }
-  report(progress, 0.0, Stage);
+  report(progress, 0.0, DiagramStage);
   Eigen::VectorXd rest = targets;
   double slope = 0.0;
   for (const DenseCluster& cluster : clusters)
@@ -327,7 +327,7 @@ PowerDiagram::Weights initialWeights(PowerDiagram& diagram,
   const Eigen::VectorXd& given,
   const ProgressCallback& progress)
 {
-  report(progress, 0.0, Stage);
+  report(progress, 0.0, DiagramStage);
   double least = std::numeric_limits<double>::infinity();
   PowerDiagram::Weights best;
   std::vector<PowerDiagram::Weights> all;
@@ -343,7 +343,7 @@ PowerDiagram::Weights initialWeights(PowerDiagram& diagram,
   all.insert(all.end(), own.begin(), own.end());
   for (const PowerDiagram::Weights& weights : all)
   {
-    report(progress, 0.0, Stage);
+    report(progress, 0.0, DiagramStage);
     const double ratio = diagram.update(weights) ? largestLogRatio(diagram.areas(), targets)
                                                  : std::numeric_limits<double>::infinity();
     if (ratio < least)
@@ -358,7 +358,7 @@ PowerDiagram::Weights initialWeights(PowerDiagram& diagram,
       "the transport has no start without empty power cells: sites of the conformal map lie "
       "too close together for double precision; remesh the surface (Surface To Disk, Remesh)");
   }
-  report(progress, 0.0, Stage);
+  report(progress, 0.0, DiagramStage);
   diagram.update(best);
   return best;
 }

@@ -2,6 +2,7 @@
 #include "Transport/PowerDiagram.h"
 
 #include "Mesh/Halfedges.h"
+#include "Mesh/PlaneVectors.h"
 #include "Transport/PowerTriangulation.h"
 
 #include <CGAL/Spatial_sort_traits_adapter_2.h>

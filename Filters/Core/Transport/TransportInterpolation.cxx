@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Transport/TransportInterpolation.h"
 
-#include "Transport/ArcPolygonMoments.h"
+#include "Mesh/PlaneVectors.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -25,7 +25,7 @@ constexpr double FirstEpsilon = 0.1;
 constexpr double HopelessEpsilon = 1e-2;
 // Relative decrease of the energy by a step at which a patch without flipped faces is good enough. Its
 // shape is a matter of taste, so a smaller value only costs steps.
-constexpr double LeastDecrease = 1e-4;
+constexpr double LeastEnergyDecrease = 1e-4;
 // Share of the predicted decrease that a step must reach: the usual constant of Armijo's rule.
 constexpr double ArmijoShare = 1e-4;
 // Most halvings of a step: a guard, for 2^-40 of a step moves nothing.
@@ -65,7 +65,7 @@ public:
       const double before = this->energy(this->Patch.Positions, epsilon);
       const double after = this->follow(this->newtonDirection(epsilon), before, epsilon);
       ++result.Steps;
-      if (least > 0.0 && !(before - after > LeastDecrease * before))
+      if (least > 0.0 && !(before - after > LeastEnergyDecrease * before))
       {
         break;
       }

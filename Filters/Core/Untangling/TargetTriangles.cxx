@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Untangling/TargetTriangles.h"
 
+#include "Mesh/PlaneVectors.h"
 #include "Mesh/SliverThresholds.h"
 #include "Untangling/ConformalFactors.h"
 
@@ -60,8 +61,7 @@ TargetTriangles trianglesOfArea(const TriangleMesh& surface, const Eigen::Vector
   return [&surface, kept](int face)
   {
     const TargetTriangle triangle = openedTriangle(surface, face);
-    const double area =
-      0.5 * (triangle.Second.x() * triangle.Third.y() - triangle.Second.y() * triangle.Third.x());
+    const double area = 0.5 * cross(triangle.Second, triangle.Third);
     const double scale = std::sqrt((*kept)[face] / area);
     return TargetTriangle{ scale * triangle.Second, scale * triangle.Third };
   };

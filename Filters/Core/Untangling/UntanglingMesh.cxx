@@ -2,6 +2,7 @@
 #include "Untangling/UntanglingMesh.h"
 
 #include "Mesh/FaceOrientation.h"
+#include "Mesh/PlaneVectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +30,7 @@ bool UntanglingMesh::safelyPositive(int f) const
   const Eigen::RowVector2d right = corner(2) - corner(0);
   const double longest = std::max({ left.norm(), right.norm(), (right - left).norm() });
   const double largest = corner(0).cwiseAbs().maxCoeff();
-  return left.x() * right.y() - left.y() * right.x() > Rounding * largest * longest;
+  return cross(left, right) > Rounding * largest * longest;
 }
 
 double UntanglingMesh::edgeLengthAt(int v) const

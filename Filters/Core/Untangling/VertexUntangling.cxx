@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Untangling/VertexUntangling.h"
 
+#include "Mesh/PlaneVectors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -56,11 +58,6 @@ std::optional<Eigen::Vector2d> nearestOnBorder(const HalfPlane* first, const Hal
     return std::nullopt;
   }
   return foot + std::clamp(0.0, lowest, highest) * along;
-}
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
 }
 
 OppositeSide oppositeSide(const UntanglingMesh& mesh, int f, int corner)
