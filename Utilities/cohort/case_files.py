@@ -4,6 +4,7 @@
 import os
 import re
 
+from file_lengths import FileLengthError, check_length
 from vtkmodules.vtkCommonCore import vtkOutputWindow
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
 from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkNIFTIImageReader, vtkNrrdReader
@@ -83,11 +84,20 @@ def is_volume(path):
     raise CaseError(f"unknown kind of file {extension(path) or path}: known are {known}")
 
 
-def read(path):
-    """The polydata or image in a file. Raises CaseError."""
+def read(path, warnings):
+    """The polydata or image in a file. Raises CaseError.
+
+    @warnings: gets what the user should know of a file that was read.
+    """
     volume = is_volume(path)
     if not os.path.isfile(path):
         raise CaseError(f"there is no file {path}")
+    try:
+        warnings += check_length(path, extension(path))
+    except FileLengthError as error:
+        raise CaseError(str(error)) from None
+    except OSError as error:
+        raise CaseError(f"cannot read the file: {error.strerror or error}") from None
     reader = (VOLUME_READERS if volume else SURFACE_READERS)[extension(path)]()
     with Messages() as messages:  # readers warn of a truncated file, and go on with what was in memory
         reader.SetFileName(path)

@@ -5,6 +5,10 @@ import os
 from dataclasses import dataclass
 
 
+class CaseNameError(Exception):
+    """Why the files of a cohort have no names of their own, in a sentence for the user."""
+
+
 @dataclass(frozen=True)
 class Case:
     """One surface or volume; its name is that of its result."""
@@ -33,7 +37,10 @@ def stem(path):
 
 
 def named_cases(paths):
-    """A case per file, named by its stem; files of one stem get the names of their folders before it."""
+    """A case per file, named by its stem; files of one stem get the names of their folders before it.
+
+    Raises CaseNameError if two files would still have one name.
+    """
     paths = list(dict.fromkeys(os.path.abspath(path) for path in paths))
     stems = [stem(path) for path in paths]
     if len(set(stems)) < len(stems):
@@ -43,15 +50,14 @@ def named_cases(paths):
         ]
     if len(set(stems)) < len(stems):
         twice = sorted({name for name in stems if stems.count(name) > 1})
-        raise ValueError(
-            f"two files would both be the case {twice[0]}: rename one, or give their folders apart"
-        )
+        raise CaseNameError(f"two files would both be the case {twice[0]}: rename one of them")
     return [Case(name, path) for name, path in zip(stems, paths)]
 
 
-def in_order(cases, last=()):
+def in_order(cases, interruptions=lambda case: 0):
     """The largest first, so that no rank is left alone with a large one at the end.
 
-    @last: names that come at the end, whatever their size.
+    A case during which a run was killed comes after those during which fewer were, in case it is what ends them:
+    then each run gets through at least one case that no run has tried as often.
     """
-    return sorted(cases, key=lambda case: (case.name in last, -case.size(), case.name))
+    return sorted(cases, key=lambda case: (interruptions(case), -case.size(), case.name))

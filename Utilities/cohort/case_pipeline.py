@@ -25,6 +25,14 @@ except ImportError as error:
 
 CUTS = ("hole", "seam", "plane")
 HANDLES = ("remove", "cut", "error")
+READING = "the reader"
+CONTOUR = "the contour of the volume"
+STAGES = {
+    vtkSurfaceToDiskFilter: "Surface To Disk",
+    vtkConformalDiskFilter: "Conformal Disk",
+    vtkOMTAreaPreservingFilter: "OMT Area Preserving",
+    vtkDistortionMetrics: "Distortion Metrics",
+}
 MARGIN = 10  # voxels around a volume
 
 # Field data of the flat map that the summary has, in this order.
@@ -45,15 +53,17 @@ FIGURES = (
 
 @dataclass
 class CaseResult:
-    """The flat map, with what the summary says of it."""
+    """The flat map, with its row of the summary and what it cost."""
 
     flat: object
     figures: dict
+    costs: dict
     warnings: list = field(default_factory=list)
 
 
-def run(algorithm, warnings):
+def run(algorithm, warnings, announce):
     """Executes a filter; returns its output. Raises CaseError with the filter's own message."""
+    announce(STAGES[type(algorithm)])
     with Messages(algorithm) as messages:
         algorithm.Update()
     warnings += messages.warnings
@@ -100,18 +110,21 @@ def isosurface(image, isovalue, smoothing):
     return contour.GetOutput()
 
 
-def flatten(path, settings):
+def flatten(path, settings, announce=lambda stage: None):
     """Takes one file to its CaseResult. Raises CaseError.
 
     @settings: isovalue, smoothing, cut, plane_normal, plane_origin, hole_area, handles, remesh, edge_length.
+    @announce: is told of each stage that begins, by its name.
     """
     began = time.process_time()
-    data = read(path)
+    announce(READING)
+    warnings = []
+    data = read(path, warnings)
     if is_volume(path):
         if settings["isovalue"] is None:
             raise CaseError("it is a volume: give --isovalue")
+        announce(CONTOUR)
         data = isosurface(data, settings["isovalue"], settings["smoothing"])
-    warnings = []
     disk = vtkSurfaceToDiskFilter()
     disk.SetInputData(data)
     disk.SetCutMode(CUTS.index(settings["cut"]))
@@ -121,21 +134,20 @@ def flatten(path, settings):
     disk.SetPlaneOrigin(settings["plane_origin"] or data.GetCenter())
     disk.SetRemesh(settings["remesh"])
     disk.SetTargetEdgeLength(settings["edge_length"])
-    run(disk, warnings)
+    run(disk, warnings, announce)
     conformal = vtkConformalDiskFilter()
     conformal.SetInputData(disk.GetOutput())
-    run(conformal, warnings)
+    run(conformal, warnings, announce)
     area_preserving = vtkOMTAreaPreservingFilter()
     area_preserving.SetInputData(conformal.GetOutput())
-    run(area_preserving, warnings)
+    run(area_preserving, warnings, announce)
     metrics = vtkDistortionMetrics()
     metrics.SetInputData(area_preserving.GetOutput())
-    flat = run(metrics, warnings)
+    flat = run(metrics, warnings, announce)
     figures = {"Points": flat.GetNumberOfPoints(), "Faces": flat.GetNumberOfCells()}
     for name in FIGURES:
         array = flat.GetFieldData().GetArray(name)
         figures[name] = array.GetTuple1(0) if array and array.GetNumberOfTuples() == 1 else None
-    figures["ProcessorSeconds"] = round(time.process_time() - began, 2)
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    figures["PeakMemoryMB"] = round(peak / 1024)
-    return CaseResult(flat, figures, warnings)
+    costs = {"ProcessorSeconds": round(time.process_time() - began, 2), "PeakMemoryMB": round(peak / 1024)}
+    return CaseResult(flat, figures, costs, warnings)

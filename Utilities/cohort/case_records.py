@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The files that a cohort leaves on disk, so that a killed run can be continued.
 
-    <output>/results/<case>.vtp     the flat map
-    <output>/cases/<case>.json      its row of the summary
-    <output>/cases/<case>.started   while it is at work, by which process; stays behind if that was killed
-    <output>/summary.csv            all rows, once all cases are through
+    <output>/results/<case>.vtp         the flat map
+    <output>/cases/<case>.json          its row of the summary
+    <output>/cases/<case>.started       while it is at work, by which process; stays behind if that was killed
+    <output>/cases/<case>.interrupted   a line for each time that a process was killed at work on it
+    <output>/summary.csv, costs.csv     all rows, once all cases are through
 
 A file gets its name once it is complete; until then it has another. The row is written after the result: a
 case is finished if it has both, made of the same file with the same settings.
 """
 
+import contextlib
 import csv
 import json
 import os
@@ -19,14 +21,40 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 FINISHED = "finished"
 FAILED = "failed"
+FOLDERS = ("results", "cases")
+END_OF_RESULT = b"</VTKFile>"
+
+
+class RunError(Exception):
+    """Why a run cannot go on, in a sentence for the user."""
+
+
+@contextlib.contextmanager
+def reported(action, path):
+    """Turns an error of the system into a RunError."""
+    try:
+        yield
+    except OSError as error:
+        raise RunError(f"cannot {action} {path}: {error.strerror or error}") from None
+
+
+def remove(*paths):
+    for path in paths:
+        with reported("remove", path), contextlib.suppress(FileNotFoundError):
+            os.remove(path)
 
 
 class CaseRecords:
     def __init__(self, output, settings):
         self.output = output
         self.settings = settings
-        for folder in ("results", "cases"):
-            os.makedirs(os.path.join(output, folder), exist_ok=True)
+        self._identities = {}  # of the cases that this process took, as they were then
+
+    def make_folders(self):
+        for name in FOLDERS:
+            path = os.path.join(self.output, name)
+            with reported("make the folder", path):
+                os.makedirs(path, exist_ok=True)
 
     def result_path(self, case):
         return os.path.join(self.output, "results", case.name + ".vtp")
@@ -39,87 +67,108 @@ class CaseRecords:
         try:
             with open(self._path(case, "json"), encoding="utf-8") as stream:
                 row = json.load(stream)
-        except (OSError, ValueError):
+            same = row["identity"] == case.identity() and row["settings"] == self.settings
+        except (OSError, ValueError, KeyError, TypeError):
             return None
-        same = row["identity"] == case.identity() and row["settings"] == self.settings
         return row if same else None
 
     def is_finished(self, case):
         row = self.row(case)
-        return bool(row) and row["status"] == FINISHED and os.path.isfile(self.result_path(case))
+        if not row or row["status"] != FINISHED or not os.path.isfile(self.result_path(case)):
+            return False
+        return os.path.getsize(self.result_path(case)) == row.get("result_bytes")
 
-    def was_started(self, case):
-        """Tells whether a process ended while it worked on the case."""
-        return os.path.exists(self._path(case, "started"))
+    def interruptions(self, case):
+        """How often a process was killed while it worked on the case."""
+        try:
+            with open(self._path(case, "interrupted"), encoding="utf-8") as stream:
+                return len(stream.readlines())
+        except OSError:
+            return 0
+
+    def tidy(self, case):
+        """Removes what a process that was killed may have left of a finished case."""
+        remove(*(self._path(case, kind) for kind in ("started", "interrupted")))
 
     def release(self, case):
         """Makes an unfinished case one that a rank may take."""
-        for path in (self._path(case, "started"), self._path(case, "json"), self.result_path(case)):
-            if os.path.exists(path):
-                os.remove(path)
+        started, interrupted = self._path(case, "started"), self._path(case, "interrupted")
+        if os.path.exists(started):
+            with reported("write", interrupted), open(interrupted, "a", encoding="utf-8") as stream:
+                stream.write("killed\n")
+        result, row = self.result_path(case), self._path(case, "json")
+        remove(started, row, row + ".part", result, result + ".part")
 
     def take(self, case):
         """True for one process alone: the first that asks for a released case."""
         if os.path.exists(self._path(case, "json")):
             return False
+        started = self._path(case, "started")
         try:
-            stream = open(self._path(case, "started"), "x", encoding="utf-8")
-        except FileExistsError:
-            return False
-        with stream:
-            stream.write(f"{socket.gethostname()} {os.getpid()}\n")
-        if os.path.exists(self._path(case, "json")):  # another rank ended it in between
+            with reported("write", started), contextlib.suppress(FileExistsError):
+                with open(started, "x", encoding="utf-8") as stream:
+                    stream.write(f"{socket.gethostname()} {os.getpid()}\n")
+                if not os.path.exists(self._path(case, "json")):
+                    self._identities[case.name] = case.identity()
+                    return True
+                os.remove(started)  # another rank ended it in between
+        except RunError:
+            self.drop(case)
+            raise
+        return False
+
+    def drop(self, case):
+        """Gives a case that was taken back, as far as the disk allows it."""
+        with contextlib.suppress(OSError):
             os.remove(self._path(case, "started"))
-            return False
-        return True
 
     def count(self, cases):
         """The number of cases that are finished or have failed."""
         return sum(os.path.exists(self._path(case, "json")) for case in cases)
 
-    def finish(self, case, result):
-        path = self.result_path(case)
+    def write_result(self, case, flat):
+        """Writes the flat map beside its place: finish() puts it there."""
+        path = self.result_path(case) + ".part"
         writer = vtkXMLPolyDataWriter()
-        writer.SetInputData(result.flat)
+        writer.SetInputData(flat)
         writer.SetDataModeToBinary()  # Debian's ParaView cannot read appended data
-        writer.SetFileName(path + ".part")
-        if not writer.Write():
-            os.remove(path + ".part")
-            raise OSError(f"cannot write {path}: the disk may be full")
-        os.replace(path + ".part", path)
-        self._end(case, FINISHED, "", result.figures, result.warnings)
+        writer.SetFileName(path)
+        if not writer.Write() or not ends_with(path, END_OF_RESULT):
+            remove(path)
+            raise RunError(f"cannot write {self.result_path(case)} to its end: the disk may be full")
+
+    def finish(self, case, figures, costs, warnings):
+        path = self.result_path(case)
+        with reported("write", path):
+            size = os.path.getsize(path + ".part")
+            os.replace(path + ".part", path)
+        self._end(case, status=FINISHED, reason="", figures=figures, costs=costs, warnings=warnings,
+                  result_bytes=size)
 
     def fail(self, case, reason):
-        self._end(case, FAILED, reason, {}, [])
+        remove(self.result_path(case) + ".part")
+        self._end(case, status=FAILED, reason=reason, figures={}, costs={}, warnings=[])
 
-    def _end(self, case, status, reason, figures, warnings):
-        row = {
-            "case": case.name,
-            "status": status,
-            "reason": reason,
-            "warnings": "; ".join(warnings),
-            "figures": figures,
-            "settings": self.settings,
-            "identity": case.identity(),
-        }
+    def _end(self, case, **row):
+        row.update(case=case.name, settings=self.settings, identity=self._identities[case.name])
         path = self._path(case, "json")
-        with open(path + ".part", "w", encoding="utf-8") as stream:
+        with whole_file(path) as stream:  # before the mark goes, so that no other rank takes the case
             json.dump(row, stream, indent=1)
-        os.replace(path + ".part", path)  # before the mark goes, so that no other rank takes the case
-        os.remove(self._path(case, "started"))
+        self.tidy(case)
 
     def write_summary(self, cases):
         """Gathers the rows of all cases; returns the path, and the rows of those that failed."""
         rows = [self.row(case) for case in cases]
         missing = [case.name for case, row in zip(cases, rows) if row is None]
         if missing:
-            raise RuntimeError(
-                f"{len(missing)} cases have no row, {missing[0]} is one: do all ranks see the folder "
-                f"{self.output}?"
+            raise RunError(
+                f"{len(missing)} cases have no row, {missing[0]} is one: did its file change during the run, or "
+                f"do not all ranks see the folder {self.output}?"
             )
+        self._write_costs(rows)
         columns = list(dict.fromkeys(name for row in rows for name in row["figures"]))
         path = os.path.join(self.output, "summary.csv")
-        with open(path + ".part", "w", newline="", encoding="utf-8") as stream:
+        with whole_file(path, newline="") as stream:
             writer = csv.writer(stream)
             writer.writerow(["Case", "Status", "Reason", *columns, "Warnings"])
             for row in rows:
@@ -127,7 +176,37 @@ class CaseRecords:
                 writer.writerow(
                     [row["case"], row["status"], row["reason"]]
                     + ["" if value is None else value for value in values]
-                    + [row["warnings"]]
+                    + ["; ".join(row["warnings"])]
                 )
-        os.replace(path + ".part", path)
         return path, [row for row in rows if row["status"] == FAILED]
+
+    def _write_costs(self, rows):
+        columns = list(dict.fromkeys(name for row in rows for name in row["costs"]))
+        with whole_file(os.path.join(self.output, "costs.csv"), newline="") as stream:
+            writer = csv.writer(stream)
+            writer.writerow(["Case", *columns])
+            writer.writerows([row["case"], *(row["costs"].get(name, "") for name in columns)] for row in rows)
+
+
+@contextlib.contextmanager
+def whole_file(path, **options):
+    """A stream for a text file that gets its name once it is complete. Raises RunError."""
+    part = path + ".part"
+    with reported("write", path):
+        try:
+            with open(part, "w", encoding="utf-8", **options) as stream:
+                yield stream
+            os.replace(part, path)
+        except OSError:
+            with contextlib.suppress(OSError):
+                os.remove(part)
+            raise
+
+
+def ends_with(path, text):
+    try:
+        with open(path, "rb") as stream:
+            stream.seek(-min(len(text) + 8, os.path.getsize(path)), os.SEEK_END)
+            return stream.read().rstrip().endswith(text)
+    except OSError:
+        return False

@@ -4,51 +4,25 @@
     export PYTHONPATH=build/lib/python3/dist-packages
     mpiexec -n 8 --bind-to core pvbatch --symmetric Utilities/cohort/cohort.py --output flat --isovalue 40 scans/*.nii.gz
 
-Each rank takes one case after the other, the largest first. A case that fails is listed with its reason, and the others go on. A
-run that was killed is started again with the same command: finished cases are not done again. docs/cohort.md has the
-files that come out and what a large cohort costs.
+Each rank takes one case after the other, the largest first, and does it in a child process. A case that fails, or whose
+process crashes, is listed with its reason, and the others go on. A run that was killed is started again with the same
+command: finished cases are not done again. docs/cohort.md has the files that come out and what a large cohort costs.
 
-The exit status is 0 if all cases are finished, 1 if some failed.
+The exit status is 0 if all cases are finished, 1 if some failed, 2 if the run could not go on.
 """
 
 import argparse
-import json
+import os
+import resource
 import sys
 import time
 
-from case_files import CaseError
-from case_list import in_order, named_cases
-from case_pipeline import CUTS, HANDLES, flatten
-from case_records import CaseRecords
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
-
-
-class Ranks:
-    """The processes of this run: one, or those that mpiexec started."""
-
-    def __init__(self):
-        self.controller = vtkMultiProcessController.GetGlobalController()
-        self.count = self.controller.GetNumberOfProcesses() if self.controller else 1
-        self.own = self.controller.GetLocalProcessId() if self.controller else 0
-
-    def from_first(self, value):
-        """Sends the value of the first rank to all."""
-        if self.count == 1:
-            return value
-        text = vtkUnsignedCharArray()
-        if self.own == 0:
-            for byte in json.dumps(value).encode():
-                text.InsertNextValue(byte)
-        self.controller.Broadcast(text, 0)
-        return json.loads(bytes(text.GetValue(i) for i in range(text.GetNumberOfValues())))
-
-    def wait(self):
-        if self.count > 1:
-            self.controller.Barrier()
-
-    def line(self, text):
-        print(f"[rank {self.own}] {text}", flush=True)
+from case_list import CaseNameError, in_order, named_cases
+from case_pipeline import CUTS, HANDLES
+from case_process import flattened
+from case_records import CaseRecords, RunError
+from ranks import Ranks
+from run_lock import RunLock
 
 
 def parsed_arguments():
@@ -70,10 +44,15 @@ def parsed_arguments():
     parser.add_argument("--handles", choices=HANDLES, default="remove")
     parser.add_argument("--remesh", action="store_true", help="even triangles: fewer, better shaped, faster")
     parser.add_argument("--edge-length", type=float, default=0.0, help="with --remesh; 0: automatic")
+    parser.add_argument("--case-memory", type=float, metavar="MB", help="of address space that a case may use")
+    parser.add_argument("--case-time", type=float, metavar="S", help="seconds after which a case is given up")
     arguments = parser.parse_args()
     if arguments.list:
-        with open(arguments.list, encoding="utf-8") as lines:
-            arguments.files += [line.strip() for line in lines if line.strip()]
+        try:
+            with open(arguments.list, encoding="utf-8") as lines:
+                arguments.files += [line.strip() for line in lines if line.strip()]
+        except (OSError, UnicodeError) as error:
+            parser.error(f"cannot read {arguments.list}: {getattr(error, 'strerror', None) or error}")
     if not arguments.files:
         parser.error("no files are given")
     return arguments
@@ -85,55 +64,121 @@ def settings_of(arguments):
     return {name: getattr(arguments, name) for name in names}
 
 
-def do_case(case, records, settings):
+def do_case(case, records, settings, limits):
     """Flattens one case and records what came of it; returns that as a text."""
     began = time.monotonic()
     try:
-        result = flatten(case.path, settings)
-        records.finish(case, result)
-    except Exception as error:  # whatever it is, the other cases go on
-        reason = str(error) if isinstance(error, CaseError) else f"{type(error).__name__}: {error}"
-        records.fail(case, reason)
-        return f"failed: {reason}"
-    share = result.figures["FacesWithin2Percent"]
-    text = f"{time.monotonic() - began:.1f} s, {result.figures['Faces']:,} faces, {share:.1f} % within 2 %"
-    return text + (f"; {len(result.warnings)} warnings" if result.warnings else "")
+        outcome = flattened(case, records, settings, limits)
+        if "reason" in outcome:
+            records.fail(case, outcome["reason"])
+            return f"failed: {outcome['reason']}"
+        records.finish(case, **outcome)
+    except RunError:
+        records.drop(case)
+        raise
+    figures = outcome["figures"]
+    share = figures["FacesWithin2Percent"]
+    text = f"{time.monotonic() - began:.1f} s, {figures['Faces']:,} faces, {share:.1f} % within 2 %"
+    return text + (f"; {len(outcome['warnings'])} warnings" if outcome["warnings"] else "")
+
+
+def planned(cases, records, lock):
+    """The names of the cases that are to be done, in order, after the traces of a killed run are removed."""
+    records.make_folders()
+    lock.take_alone()
+    todo = []
+    for case in cases:
+        if records.is_finished(case):
+            records.tidy(case)
+        else:
+            records.release(case)
+            todo.append(case)
+    return [case.name for case in in_order(todo, records.interruptions)]
+
+
+def begin(files, records, lock, ranks):
+    """All cases, and those that are to be done in order. Raises RunError on all ranks if there is no beginning."""
+    plan = {}
+    if ranks.own == 0:
+        try:
+            plan["names"] = planned(named_cases(files), records, lock)
+            lock.share()
+        except (CaseNameError, RunError) as error:
+            plan["error"] = str(error)
+    plan = ranks.from_one(plan)
+    if "error" in plan:
+        raise RunError(plan["error"])
+    cases = named_cases(files)
+    by_name = {case.name: case for case in cases}
+    return cases, [by_name[name] for name in plan["names"]]
+
+
+def work(queue, records, lock, ranks, arguments):
+    """Does the cases that no other rank takes. Returns why this rank could not go on, if so."""
+    limits = {"seconds": arguments.case_time, "megabytes": arguments.case_memory}
+    settings = settings_of(arguments)
+    try:
+        lock.share()
+        for case in queue:
+            if records.take(case):
+                text = do_case(case, records, settings, limits)
+                ranks.line(f"{records.count(queue)}/{len(queue)} {case.name}: {text}")
+    except RunError as error:
+        return str(error)
+    return ""
+
+
+def summarise(cases, records, ranks):
+    """Writes the summary; returns the number of cases that failed."""
+    path, failed = records.write_summary(cases)
+    ranks.line(f"{len(cases) - len(failed)} finished, {len(failed)} failed: {path}")
+    for row in failed:
+        ranks.line(f"failed: {row['case']}: {row['reason']}")
+    return len(failed)
+
+
+def processor_seconds():
+    usages = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return sum(usage.ru_utime + usage.ru_stime for usage in usages)
+
+
+def run(arguments, ranks):
+    """The exit status. Raises RunError on all ranks."""
+    began = time.monotonic()
+    records = CaseRecords(arguments.output, settings_of(arguments))
+    lock = RunLock(arguments.output)
+    cases, queue = begin(arguments.files, records, lock, ranks)
+    if ranks.own == 0:
+        ranks.line(f"{len(cases)} cases, {len(cases) - len(queue)} finished before, {ranks.count} ranks")
+    trouble = work(queue, records, lock, ranks, arguments)
+    ranks.line(f"{processor_seconds():.1f} s of processor time, {time.monotonic() - began:.1f} s in all")
+    troubles = [text for text in ranks.from_all(trouble) if text]
+    if troubles:
+        raise RunError(troubles[0])
+    end = {}
+    if ranks.own == 0:
+        try:
+            end["failed"] = summarise(cases, records, ranks)
+        except RunError as error:
+            end["error"] = str(error)
+    end = ranks.from_one(end)
+    if "error" in end:
+        raise RunError(end["error"])
+    return 1 if end["failed"] else 0
 
 
 def main():
-    began = time.monotonic()
     arguments = parsed_arguments()
-    settings = settings_of(arguments)
     ranks = Ranks()
-    cases = named_cases(arguments.files)
-    records = CaseRecords(arguments.output, settings)
-    names = None
-    if ranks.own == 0:
-        open_cases = [case for case in cases if not records.is_finished(case)]
-        interrupted = [case.name for case in open_cases if records.was_started(case)]
-        for case in open_cases:
-            records.release(case)
-        names = [case.name for case in in_order(open_cases, last=interrupted)]
-        ranks.line(f"{len(cases)} cases, {len(cases) - len(names)} finished before, {ranks.count} ranks")
-    by_name = {case.name: case for case in cases}
-    queue = [by_name[name] for name in ranks.from_first(names)]
-    for case in queue:
-        if records.take(case):
-            text = do_case(case, records, settings)
-            ranks.line(f"{records.count(queue)}/{len(queue)} {case.name}: {text}")
-    ranks.line(f"{time.process_time():.1f} s of processor time, {time.monotonic() - began:.1f} s in all")
-    ranks.wait()
-    failed = 0
-    if ranks.own == 0:
-        path, rows = records.write_summary(cases)
-        failed = len(rows)
-        ranks.line(f"{len(cases) - failed} finished, {failed} failed: {path}")
-        for row in rows:
-            ranks.line(f"failed: {row['case']}: {row['reason']}")
-    failed = ranks.from_first(failed)
+    try:
+        status = run(arguments, ranks)
+    except RunError as error:
+        if ranks.own == 0:
+            ranks.line(f"error: {error}")
+        status = 2
     ranks.wait()  # mpiexec ends the others when one ends with a status that is not 0
-    if failed:
-        sys.exit(1)  # with 0 too pvbatch would leave MPI without a word, which mpiexec takes for a failure
+    if status:
+        sys.exit(status)  # with 0 too pvbatch would leave MPI without a word, which mpiexec takes for a failure
 
 
 if __name__ == "__main__":
