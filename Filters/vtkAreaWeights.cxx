@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <set>
 #include <sstream>
 #include <string>
@@ -193,7 +194,7 @@ std::vector<WeightedRegion> vtkAreaWeights::LabelRegions(vtkPolyData* input, con
   for (const auto& [label, factor] : table)
   {
     std::ostringstream name;
-    name << "label " << label;
+    name << "label " << std::setprecision(17) << label;
     if (!seen.insert(label).second)
     {
       throw InvalidInput(name.str() + " is in the table twice: leave one row");

@@ -4,6 +4,7 @@
 #include "Internal/BlockInputs.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/PolyDataConversion.h"
+#include "Internal/WholeArrays.h"
 
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
@@ -180,6 +181,7 @@ int vtkBlockwisePolyDataAlgorithm::RequestData(vtkInformation* vtkNotUsed(reques
     outputVector,
     [&]
     {
+      flattening::requireWholeArrays(inputVector, this->GetNumberOfInputPorts());
       this->Execute(inputVector, outputVector);
       shareFieldData(outputVector);
     });
@@ -216,6 +218,7 @@ void vtkBlockwisePolyDataAlgorithm::ExecuteBlock(flattening::BlockInputs& inputs
       this->CreateBlockOutputs(blockInputs, results);
       if (this->HasInputs(blockInputs))
       {
+        flattening::requireWholeArrays(blockInputs, this->GetNumberOfInputPorts());
         this->Execute(blockInputs, results);
         shareFieldData(results);
       }

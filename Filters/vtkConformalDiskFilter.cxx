@@ -4,8 +4,10 @@
 #include "Core/Base/Errors.h"
 #include "Core/Conformal/ConformalDisk.h"
 #include "Core/Conformal/ConformalRectangle.h"
+#include "Core/Mesh/CoordinateFrame.h"
 #include "Core/Mesh/MeshMeasures.h"
 #include "Core/Mesh/MeshTopology.h"
+#include "Core/Untangling/MapPlacement.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/PolyDataConversion.h"
 #include "Internal/TextureCoordinates.h"
@@ -31,10 +33,16 @@ vtkStandardNewMacro(vtkConformalDiskFilter);
 namespace
 {
 
-// The candidate that is nearest to a point in space.
-int nearestVertex(const flattening::Points3& vertices,
-  const std::vector<int>& candidates,
-  const double point[3])
+// A surface that is to be mapped.
+struct Disk
+{
+  flattening::TriangleMesh Surface; // in its frame
+  flattening::Points3 Places;       // of its vertices, input units
+  std::vector<int> Loop;            // the boundary
+};
+
+// The candidate that is nearest to a point in space, input units.
+int nearestVertex(const Disk& disk, const std::vector<int>& candidates, const double point[3])
 {
   const Eigen::RowVector3d target(point[0], point[1], point[2]);
   if (!target.allFinite())
@@ -47,7 +55,7 @@ int nearestVertex(const flattening::Points3& vertices,
   double smallest = std::numeric_limits<double>::infinity();
   for (const int v : candidates)
   {
-    const double distance = (vertices.row(v) - target).norm();
+    const double distance = (0.25 * disk.Places.row(v) - 0.25 * target).stableNorm(); // never overflows
     if (distance < smallest)
     {
       smallest = distance;
@@ -67,22 +75,20 @@ constexpr std::array<flattening::ConformalMethod, 3> Methods = { flattening::Con
   flattening::ConformalMethod::MeanValue };
 constexpr std::array<const char*, 3> MethodNames = { "RicciFlow", "BoundaryFirst", "MeanValue" };
 
-flattening::ConformalDiskOptions diskOptions(vtkConformalDiskFilter* filter,
-  const flattening::TriangleMesh& mesh,
-  const std::vector<int>& loop)
+flattening::ConformalDiskOptions diskOptions(vtkConformalDiskFilter* filter, const Disk& disk)
 {
   flattening::ConformalDiskOptions options;
   options.Method = Methods[filter->GetMethod()];
   options.Flow.Tolerance = filter->GetTolerance();
   if (filter->GetUseCenterPoint())
   {
-    std::vector<int> all(mesh.vertexCount());
+    std::vector<int> all(disk.Surface.vertexCount());
     std::iota(all.begin(), all.end(), 0);
-    options.CenterVertex = nearestVertex(mesh.Vertices, all, filter->GetCenterPoint());
+    options.CenterVertex = nearestVertex(disk, all, filter->GetCenterPoint());
   }
   if (filter->GetUseBoundaryPoint())
   {
-    options.BoundaryVertex = nearestVertex(mesh.Vertices, loop, filter->GetBoundaryPoint());
+    options.BoundaryVertex = nearestVertex(disk, disk.Loop, filter->GetBoundaryPoint());
   }
   return options;
 }
@@ -101,8 +107,7 @@ std::vector<char> seamOf(vtkPolyData* input)
 
 flattening::ConformalRectangleOptions rectangleOptions(vtkConformalDiskFilter* filter,
   vtkPolyData* input,
-  const flattening::TriangleMesh& mesh,
-  const std::vector<int>& loop)
+  const Disk& disk)
 {
   if (filter->GetMethod() != vtkConformalDiskFilter::RICCI_FLOW)
   {
@@ -118,12 +123,12 @@ flattening::ConformalRectangleOptions rectangleOptions(vtkConformalDiskFilter* f
            filter->GetUpperRightCorner(),
            filter->GetUpperLeftCorner() })
     {
-      options.Corners.push_back(nearestVertex(mesh.Vertices, loop, corner));
+      options.Corners.push_back(nearestVertex(disk, disk.Loop, corner));
     }
   }
   else
   {
-    options.Corners = flattening::seamCorners(mesh, loop, seamOf(input));
+    options.Corners = flattening::seamCorners(disk.Surface, disk.Loop, seamOf(input));
   }
   return options;
 }
@@ -136,38 +141,34 @@ struct DomainMap
   std::vector<int> Corners; // of a rectangle
 };
 
-DomainMap diskMap(vtkConformalDiskFilter* filter,
-  const flattening::TriangleMesh& mesh,
-  const std::vector<int>& loop)
+DomainMap diskMap(vtkConformalDiskFilter* filter, const Disk& disk)
 {
   DomainMap result;
-  result.Map =
-    flattening::conformalDiskMap(mesh, diskOptions(filter, mesh, loop), flattening::progressOf(filter));
+  result.Map = flattening::conformalDiskMap(
+    disk.Surface, diskOptions(filter, disk), flattening::progressOf(filter));
   return result;
 }
 
-DomainMap rectangleMap(vtkConformalDiskFilter* filter,
-  vtkPolyData* input,
-  const flattening::TriangleMesh& mesh,
-  const std::vector<int>& loop)
+DomainMap rectangleMap(vtkConformalDiskFilter* filter, vtkPolyData* input, const Disk& disk)
 {
   flattening::ConformalRectangleMap map = flattening::conformalRectangleMap(
-    mesh, rectangleOptions(filter, input, mesh, loop), flattening::progressOf(filter));
+    disk.Surface, rectangleOptions(filter, input, disk), flattening::progressOf(filter));
   return { std::move(map.Map), map.Modulus, map.Corners };
 }
 
 void fillMap(vtkPolyData* output,
   vtkPolyData* input,
-  const flattening::TriangleMesh& mesh,
+  const flattening::Points3& places,
+  const flattening::Points2& positions,
   const flattening::ConformalDiskMap& map,
   double scale)
 {
   output->ShallowCopy(input);
-  output->SetPoints(vtk::TakeSmartPointer(flattening::newPlanarPoints(scale * map.Positions)));
+  output->SetPoints(vtk::TakeSmartPointer(flattening::newPlanarPoints(positions)));
   flattening::keepSurfaceTextureCoordinates(output);
   flattening::setTextureCoordinates(output, map.Positions);
   flattening::deactivateNormals(output);
-  flattening::addSurfacePoints(output, mesh.Vertices);
+  flattening::addSurfacePoints(output, places);
   flattening::addPointArray(
     output, "ConformalFactor", (map.LogFactors.array() + std::log(scale)).matrix());
 }
@@ -222,14 +223,19 @@ void vtkConformalDiskFilter::Execute(vtkInformationVector** inputVector,
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  const flattening::TriangleMesh mesh = flattening::toTriangleMesh(input);
-  const std::vector<int> loop = flattening::requireDisk(mesh);
+  const flattening::TriangleMesh surface = flattening::toTriangleMesh(input);
+  const flattening::CoordinateFrame frame(surface);
+  const flattening::TriangleMesh mesh = frame.normalised(surface);
+  const Disk disk{ mesh, surface.Vertices, flattening::requireDisk(mesh) };
   const double area = flattening::faceAreas(mesh.Vertices, mesh.Faces).sum();
-  const DomainMap result =
-    this->Domain == RECTANGLE ? rectangleMap(this, input, mesh, loop) : diskMap(this, mesh, loop);
-  const flattening::ConformalDiskMap& map = result.Map;
-  const double scale = this->NormalizeTo == SURFACE_AREA ? std::sqrt(area / result.Area) : 1.0;
-  fillMap(output, input, mesh, map, scale);
+  DomainMap result = this->Domain == RECTANGLE ? rectangleMap(this, input, disk) : diskMap(this, disk);
+  flattening::ConformalDiskMap& map = result.Map;
+  const double scale =
+    this->NormalizeTo == SURFACE_AREA ? frame.restoredLength(std::sqrt(area / result.Area)) : 1.0;
+  const flattening::PlacedMap placed =
+    flattening::placeMap(mesh, disk.Loop, map.Positions, { scale, Eigen::RowVector2d::Zero() });
+  map.Untangling.FlippedFaces = placed.FlippedFaces;
+  fillMap(output, input, disk.Places, placed.Positions, map, scale);
 
   vtkFieldData* data = output->GetFieldData();
   removeReport(data);
@@ -239,7 +245,7 @@ void vtkConformalDiskFilter::Execute(vtkInformationVector** inputVector,
     flattening::setDatum(data, "Modulus", result.Area);
     flattening::setIds(data, "CornerPointIds", result.Corners);
   }
-  const double length = flattening::loopLength(mesh.Vertices, loop);
+  const double length = flattening::loopLength(mesh.Vertices, disk.Loop);
   const double anisotropy = 4.0 * EIGEN_PI * area / (length * length);
   flattening::setDatum(data, "BoundaryAnisotropy", anisotropy);
   this->Warn(map.Untangling.FlippedFaces,

@@ -38,6 +38,7 @@ void vtkContextResolution::Execute(vtkInformationVector** inputVector,
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const flattening::TriangleMesh mesh = flattening::toTriangleMesh(input);
+  flattening::requireOrdinarySize(mesh);
   const flattening::ChosenArray regions = flattening::chosenArray(this, input);
   if (!regions.Array)
   {

@@ -3,6 +3,7 @@
 
 #include "Core/FlatMap/DistortionMeasures.h"
 #include "Core/FlatMap/DistortionSummary.h"
+#include "Core/Mesh/CoordinateFrame.h"
 #include "Internal/ArrayConversion.h"
 #include "Internal/ChosenArray.h"
 #include "Internal/FilterExecution.h"
@@ -60,14 +61,15 @@ Eigen::VectorXd weightsFromTargetArea(vtkPolyData* input, const TriangleMesh& su
                        std::to_string(targets->GetNumberOfComponents()) +
                        " components, not 1: run OMT Area Preserving again or turn UseTargetArea off");
   }
-  Eigen::VectorXd weights = flattening::vertexAreas(surface);
+  Eigen::VectorXd weights =
+    flattening::vertexAreas(flattening::CoordinateFrame(surface).normalised(surface));
   for (int v = 0; v < surface.vertexCount(); ++v)
   {
     const double target = targets->GetComponent(v, 0);
     if (!(target > 0.0 && std::isfinite(target)) && weights[v] > 0.0)
     {
       throw InvalidInput(
-        "point " + std::to_string(v) + " has the TargetArea " + std::to_string(target) +
+        "point " + std::to_string(v) + " has the TargetArea " + flattening::formatted(target) +
         ", not a positive number: run OMT Area Preserving again or turn UseTargetArea off");
     }
     weights[v] = weights[v] > 0.0 ? target / weights[v] : 1.0;

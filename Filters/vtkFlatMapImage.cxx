@@ -176,6 +176,7 @@ void vtkFlatMapImage::Execute(vtkInformationVector** inputVector, vtkInformation
   const flattening::ProgressCallback progress = flattening::progressOf(this);
   flattening::report(progress, 0.0, "Reading the flat map");
   const flattening::TriangleMesh surface = flattening::surfaceOfFlattened(input);
+  flattening::requireOrdinarySize(surface);
   const flattening::Points2 positions = flattening::toPlanarPositions(input);
   const flattening::FlatMapLocation map(surface, positions, flattening::subrange(progress, 0.0, 0.1));
   const flattening::TextureSquare square = flattening::textureSquare(positions);

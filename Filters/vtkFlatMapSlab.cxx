@@ -165,6 +165,7 @@ void vtkFlatMapSlab::Execute(vtkInformationVector** inputVector, vtkInformationV
   flattening::report(progress, 0.0, "Reading the flat map");
   this->RequireDepths();
   const flattening::TriangleMesh surface = flattening::surfaceOfFlattened(input);
+  flattening::requireOrdinarySize(surface);
   const Points3 normals = flattening::vertexNormals(surface);
   const double sign = this->Outwards ? 1.0 : -1.0;
   const flattening::VolumeSampling sampling(

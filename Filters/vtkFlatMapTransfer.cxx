@@ -74,6 +74,8 @@ void vtkFlatMapTransfer::Execute(vtkInformationVector** inputVector, vtkInformat
   flattened.Surface = flattening::surfaceOfFlattened(flat);
   flattened.Positions = flattening::toPlanarPositions(flat);
   const flattening::TriangleMesh surface = flattening::toTriangleMesh(original);
+  flattening::requireOrdinarySize(surface);
+  flattening::requireOrdinarySize(flattened.Surface);
   const TransferredMap map =
     flattening::transferFlatMap(flattened, surface, this->Tolerance, flattening::progressOf(this));
   const DerivedMesh part = survivingPart(surface, map);

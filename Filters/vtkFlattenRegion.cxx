@@ -3,8 +3,10 @@
 
 #include "Core/Areas/AreaPreservingDisk.h"
 #include "Core/Conformal/ConformalDisk.h"
+#include "Core/Mesh/MeshTopology.h"
 #include "Core/Regions/RegionDisk.h"
 #include "Core/Remeshing/LongestEdgeBisection.h"
+#include "Core/Untangling/MapPlacement.h"
 #include "Internal/ArrayConversion.h"
 #include "Internal/ChosenArray.h"
 #include "Internal/FilterExecution.h"
@@ -82,7 +84,7 @@ RegionDisk regionWithMargin(const TriangleMesh& mesh,
   return flattening::regionDisk(mesh, inside, { margin, largestHoles });
 }
 
-// The area-preserving map of the disk to the unit disk.
+// The map that keeps the areas of the disk, around the origin.
 flattening::AreaPreservingMap flatten(const TriangleMesh& disk,
   const flattening::ProgressCallback& progress)
 {
@@ -90,9 +92,16 @@ flattening::AreaPreservingMap flatten(const TriangleMesh& disk,
   {
     const flattening::ConformalDiskMap conformal =
       flattening::conformalDiskMap(disk, {}, flattening::subrange(progress, 0.1, 0.4));
-    return flattening::areaPreservingDiskMap(
+    flattening::AreaPreservingMap map = flattening::areaPreservingDiskMap(
       disk, conformal.Positions, {}, {}, flattening::subrange(progress, 0.4, 0.7))
-      .Map;
+                                          .Map;
+    const double scale = std::sqrt(flattening::faceAreas(disk.Vertices, disk.Faces).sum() / EIGEN_PI);
+    flattening::PlacedMap placed = flattening::placeMap(
+      disk, flattening::requireDisk(disk), map.Positions, { scale, Eigen::RowVector2d::Zero() });
+    map.Positions = std::move(placed.Positions);
+    map.FlippedFaces = placed.FlippedFaces;
+    map.Bijective &= placed.FlippedFaces == 0;
+    return map;
   }
   catch (const flattening::ConvergenceError& error)
   {
@@ -211,8 +220,7 @@ void vtkFlattenRegion::Execute(vtkInformationVector** inputVector, vtkInformatio
   const TriangleMesh& disk = region.Disk.Mesh;
 
   const flattening::AreaPreservingMap map = flatten(disk, progress);
-  const double scale = std::sqrt(flattening::faceAreas(disk.Vertices, disk.Faces).sum() / EIGEN_PI);
-  const flattening::Points2 positions = scale * map.Positions;
+  const flattening::Points2& positions = map.Positions;
 
   const flattening::RegionReport measures =
     flattening::measureRegion(region, positions, flattening::subrange(progress, 0.7, 1.0));

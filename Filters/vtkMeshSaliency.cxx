@@ -15,6 +15,7 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -57,10 +58,10 @@ void vtkMeshSaliency::Execute(vtkInformationVector** inputVector, vtkInformation
   for (const double setting :
     { this->Unit, this->Threshold, this->MinimumRegionArea, this->MaximumRegionArea })
   {
-    if (!(setting >= 0.0))
+    if (!(setting >= 0.0) || !std::isfinite(setting))
     {
       throw InvalidInput(
-        "the unit, the threshold and the areas of saliency regions must not be negative");
+        "the unit, the threshold and the areas of saliency regions must not be negative or infinite");
     }
   }
   const TriangleMesh mesh = flattening::surfaceInSpace(input);

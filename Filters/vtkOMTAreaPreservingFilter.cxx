@@ -2,8 +2,10 @@
 #include "vtkOMTAreaPreservingFilter.h"
 
 #include "Core/Areas/AreaPreservingDisk.h"
+#include "Core/Mesh/CoordinateFrame.h"
 #include "Core/Mesh/MeshTopology.h"
 #include "Core/Transport/DomainPolygon.h"
+#include "Core/Untangling/MapPlacement.h"
 #include "Internal/ArrayConversion.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/FlatDomain.h"
@@ -34,32 +36,32 @@ vtkStandardNewMacro(vtkOMTAreaPreservingFilter);
 namespace
 {
 
+using flattening::Placement;
+
 constexpr const char* DefaultWeights = "AreaWeight";
 constexpr const char* FlatPoints = "FlatPoints";
 
 // The surface, its conformal map, and the domain to map it to.
 struct TransportInput
 {
-  flattening::TriangleMesh Surface;
+  flattening::TriangleMesh Surface; // in its frame
+  flattening::CoordinateFrame Frame;
+  std::vector<int> Loop;                            // the boundary
   flattening::Points2 Conformal;                    // n x 2, over a domain of area pi around the origin
   flattening::FlatDomain Domain;                    // of the conformal map
   std::optional<flattening::DomainPolygon> Polygon; // to map to instead, if there is one
 };
 
-// The map from a domain of area pi around the origin to the domain of the output.
-struct Placement
-{
-  double Scale = 1.0;
-  Eigen::RowVector2d Centre = Eigen::RowVector2d::Zero();
-};
-
 TransportInput readInput(vtkPolyData* map, vtkPolyData* polygon)
 {
   TransportInput input;
-  input.Surface = flattening::surfaceOfFlattened(map);
-  const std::vector<int> loop = flattening::requireDisk(input.Surface);
-  const flattening::Points2 flat = flattening::toPlanarPositions(map);
-  input.Domain = flattening::flatDomain(flat, loop);
+  const flattening::TriangleMesh surface = flattening::surfaceOfFlattened(map);
+  input.Frame = flattening::CoordinateFrame(surface);
+  input.Surface = input.Frame.normalised(surface);
+  input.Loop = flattening::requireDisk(input.Surface);
+  const flattening::Points2 positions = flattening::toPlanarPositions(map);
+  const flattening::Points2 flat = flattening::PlaneFrame(positions).normalised(positions);
+  input.Domain = flattening::flatDomain(flat, input.Loop);
   input.Conformal = (flat.rowwise() - input.Domain.Centre) / input.Domain.Scale;
   if (polygon)
   {
@@ -101,7 +103,8 @@ Eigen::VectorXd startWeights(vtkPolyData* input, const Placement& placement)
   {
     return {};
   }
-  return flattening::toMatrix<1>(array) / (placement.Scale * placement.Scale);
+  const Eigen::VectorXd weights = flattening::toMatrix<1>(array) / placement.Scale / placement.Scale;
+  return weights.allFinite() ? weights : Eigen::VectorXd();
 }
 
 // The points of an earlier run, in a domain of area pi; empty if the input has none.
@@ -120,9 +123,9 @@ flattening::Points2 startPositions(vtkPolyData* input, const Placement& placemen
 Placement placementOf(const TransportInput& input, bool isUnit)
 {
   const flattening::FlatDomain& domain = input.Domain;
-  const double surfaceArea = flattening::faceAreas(input.Surface.Vertices, input.Surface.Faces).sum();
+  const double area = flattening::faceAreas(input.Surface.Vertices, input.Surface.Faces).sum();
   Placement placement;
-  placement.Scale = !isUnit              ? std::sqrt(surfaceArea / EIGEN_PI)
+  placement.Scale = !isUnit              ? input.Frame.restoredLength(std::sqrt(area / EIGEN_PI))
                     : input.Polygon      ? input.Polygon->Scale
                     : domain.IsRectangle ? domain.Scale / domain.Height
                                          : 1.0;
@@ -163,20 +166,25 @@ flattening::AreaPreservingResult areaPreservingMap(const TransportInput& input,
   return flattening::areaPreservingDiskMap(input.Surface, input.Conformal, weights, options, progress);
 }
 
+// Areas of the output. They are infinite or 0, but never NaN, where double precision does not hold them.
+Eigen::VectorXd placedAreas(const Eigen::VectorXd& areas, const Placement& placement)
+{
+  return placement.Scale * (placement.Scale * areas);
+}
+
 void fillMap(vtkPolyData* output,
   vtkPolyData* input,
   const flattening::AreaPreservingMap& map,
+  const flattening::Points2& positions,
   const Placement& placement)
 {
-  const double area = placement.Scale * placement.Scale;
   output->ShallowCopy(input);
-  output->SetPoints(vtk::TakeSmartPointer(
-    flattening::newPlanarPoints((placement.Scale * map.Positions).rowwise() + placement.Centre)));
+  output->SetPoints(vtk::TakeSmartPointer(flattening::newPlanarPoints(positions)));
   flattening::deactivateNormals(output);
   flattening::setTextureCoordinates(output, map.Positions);
-  flattening::addPointArray(output, "TargetArea", area * map.TargetAreas);
-  flattening::addPointArray(output, "CellArea", area * map.CellAreas);
-  flattening::addPointArray(output, "PowerWeight", area * map.PowerWeights);
+  flattening::addPointArray(output, "TargetArea", placedAreas(map.TargetAreas, placement));
+  flattening::addPointArray(output, "CellArea", placedAreas(map.CellAreas, placement));
+  flattening::addPointArray(output, "PowerWeight", placedAreas(map.PowerWeights, placement));
   vtkNew<vtkDoubleArray> flatPoints;
   flatPoints->DeepCopy(output->GetPoints()->GetData());
   flatPoints->SetName(FlatPoints);
@@ -218,8 +226,8 @@ void fillPowerDiagram(vtkPolyData* output,
         points->InsertNextPoint(centre.x() + scale * corner.x(), centre.y() + scale * corner.y(), 0.0));
     }
     siteIds->InsertNextValue(pointOfSite[site]);
-    cellAreas->InsertNextValue(scale * scale * diagram.areas()[site]);
-    targetAreas->InsertNextValue(scale * scale * targets[site]);
+    cellAreas->InsertNextValue(scale * (scale * diagram.areas()[site]));
+    targetAreas->InsertNextValue(scale * (scale * targets[site]));
   }
   output->SetPoints(points);
   output->SetPolys(polygons);
@@ -305,18 +313,34 @@ void vtkOMTAreaPreservingFilter::Execute(vtkInformationVector** inputVector,
   options.RefineFaces = this->FaceRefinement;
   options.Refinement.AngleWeight = this->AngleWeight;
   options.VerticesPerSite = this->PointsPerSite;
-  const flattening::AreaPreservingResult result =
+  flattening::AreaPreservingResult result =
     areaPreservingMap(input, this->FixCorners, weights, options, flattening::progressOf(this));
+  const flattening::PlacedMap placed =
+    flattening::placeMap(input.Surface, input.Loop, result.Map.Positions, placement);
+  result.Map.FlippedFaces = placed.FlippedFaces;
+  result.Map.Bijective &= placed.FlippedFaces == 0;
 
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  fillMap(output, conformal, result.Map, placement);
+  fillMap(output, conformal, result.Map, placed.Positions, placement);
   fillPowerDiagram(vtkPolyData::GetData(outputVector, 1), result, placement);
   setReport(output->GetFieldData(), result.Map);
-  if (this->FaceRefinement && !result.Map.Bijective)
+  if (!result.Map.Bijective)
   {
-    vtkWarningMacro(<< this->GetBlockPrefix() << result.Map.FlippedFaces
-                    << " triangles of the area-preserving map are flipped and could not be untangled: "
-                       "remesh the surface (Surface To Disk, Remesh)");
+    vtkWarningMacro(
+      << this->GetBlockPrefix() << result.Map.FlippedFaces
+      << " triangles of the area-preserving map are flipped"
+      << (this->FaceRefinement
+             ? " and could not be untangled: remesh the surface (Surface To Disk, Remesh)"
+             : ", as the centroids of the power cells leave them: turn FaceRefinement on"));
+  }
+  const double area = EIGEN_PI * placement.Scale * placement.Scale;
+  if (!std::isnormal(area))
+  {
+    vtkWarningMacro(
+      << this->GetBlockPrefix()
+      << "double precision does not hold areas in the square of the units of this surface: "
+         "the arrays of areas are 0 or infinite, and the map is right; scale the surface, "
+         "e.g. with Transform");
   }
   if (result.Map.StartShare < 1.0)
   {

@@ -32,7 +32,7 @@ double segmentLength(bool subdivide, double maximum, double meanSide)
 {
   if (!(maximum >= 0.0) || !std::isfinite(maximum))
   {
-    throw InvalidInput("the maximal segment length is " + std::to_string(maximum) +
+    throw InvalidInput("the maximal segment length is " + flattening::formatted(maximum) +
                        ": set it to a length, or to 0 for half of the mean side of the triangles");
   }
   if (!subdivide)
@@ -103,6 +103,7 @@ void vtkPlanarWarp::Execute(vtkInformationVector** inputVector, vtkInformationVe
   vtkDataObject* data = vtkDataObject::GetData(inputVector[1]);
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
   const flattening::TriangleMesh mesh = flattening::surfaceOfFlattened(flat);
+  flattening::requireOrdinarySize(mesh);
   const flattening::Points2 positions = flattening::toPlanarPositions(flat);
   const auto progress = flattening::progressOf(this);
   const flattening::PlanarWarp warp(mesh, positions, flattening::subrange(progress, 0.0, 0.2));

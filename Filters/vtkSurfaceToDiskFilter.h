@@ -83,10 +83,15 @@
  *   CountSelfIntersections.
  *
  * An empty input gives an empty output. The following are errors, each with an empty output: no
- * polygons or strips; coordinates that are not finite; zero area; a one-sided surface; parameters out
+ * polygons or strips; coordinates that are not finite; an extent below 1e-290 or above 4e307 units; a
+ * distance from the origin at which double precision cannot hold points between those of the surface
+ * (some 1e8 times its size); zero area; a one-sided surface; parameters out
  * of range or that name something that does not exist (a point off the surface, a component, a plane
  * that misses the surface); a boundary too long to be filled without being asked; handles if HandleMode
- * is HANDLES_ARE_ERRORS.
+ * is HANDLES_ARE_ERRORS. Other sizes and places do not change the result.
+ *
+ * A warning is given if a hole that is cut is smaller than 50 triangles: a flat map cannot keep the
+ * areas around it.
  *
  * Sources: Gueziec, Taubin, Lazarus, Horn, "Cutting and Stitching: Converting Sets of Polygons to
  * Manifold Surfaces", TVCG 2001; Liepa, "Filling Holes in Meshes", SGP 2003; Xin and Wang, "Improving

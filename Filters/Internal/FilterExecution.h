@@ -84,7 +84,8 @@ int runFilter(vtkAlgorithm* filter, vtkInformationVector* outputs, Body&& body)
   }
   catch (const std::bad_alloc&)
   {
-    reportError(filter, "out of memory: reduce the surface, e.g. with Decimate");
+    reportError(filter,
+      "out of memory: reduce the input, e.g. a surface with Decimate or an image with Extract Subset");
   }
   catch (const std::exception& error)
   {

@@ -130,7 +130,7 @@ Points2 polygonOutline(vtkPolyData* data)
     if (extent.z() > Tolerance * std::max(extent.x(), extent.y()))
     {
       throw InvalidInput("the domain does not lie in a plane of constant z (its z extends over " +
-                         std::to_string(extent.z()) + "): turn it into the xy plane");
+                         formatted(extent.z()) + "): turn it into the xy plane");
     }
   }
   return points.leftCols<2>();

@@ -2,6 +2,7 @@
 #include "Internal/PolyDataConversion.h"
 
 #include "Core/Base/Errors.h"
+#include "Core/Mesh/CoordinateFrame.h"
 #include "Internal/ArrayConversion.h"
 
 #include <vtkCellArray.h>
@@ -111,10 +112,25 @@ TriangleMesh surfaceOfFlattened(vtkPolyData* flattened)
   return mesh;
 }
 
+void requireOrdinarySize(const TriangleMesh& surface)
+{
+  if (CoordinateFrame(surface).changesSize())
+  {
+    const Points3& points = surface.Vertices;
+    throw InvalidInput(
+      "the surface extends over " +
+      formatted((points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff()) +
+      " units, outside of the range of this filter, 2e-10 to 4e9: scale it, e.g. with "
+      "Transform");
+  }
+}
+
 TriangleMesh surfaceInSpace(vtkPolyData* data)
 {
-  return data->GetPointData()->HasArray(SurfacePointsName) ? surfaceOfFlattened(data)
-                                                           : toTriangleMesh(data);
+  TriangleMesh surface =
+    data->GetPointData()->HasArray(SurfacePointsName) ? surfaceOfFlattened(data) : toTriangleMesh(data);
+  requireOrdinarySize(surface);
+  return surface;
 }
 
 namespace
@@ -131,8 +147,8 @@ void requireFlat(vtkPolyData* flattened)
   const double extent = std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
   if (bounds[5] - bounds[4] > Flatness * extent)
   {
-    throw InvalidInput("the input is not flat (z runs from " + std::to_string(bounds[4]) + " to " +
-                       std::to_string(bounds[5]) +
+    throw InvalidInput("the input is not flat (z runs from " + formatted(bounds[4]) + " to " +
+                       formatted(bounds[5]) +
                        "): pass the output of Conformal Disk or OMT Area Preserving as it is");
   }
 }

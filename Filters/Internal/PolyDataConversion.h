@@ -38,8 +38,14 @@ TriangleMesh toTriangleMesh(vtkPolyData* data);
 /// components.
 TriangleMesh surfaceOfFlattened(vtkPolyData* flattened);
 
-/// The surface in space: surfaceOfFlattened if @p data have an array SurfacePoints, else toTriangleMesh.
-/// @throws InvalidInput as these do.
+/// Checks the surface of a filter whose parameters are lengths or areas in its units.
+/// @throws InvalidInput if the surface extends over less than 2^-32 or more than 2^32 units (some 2e-10
+/// and 4e9).
+void requireOrdinarySize(const TriangleMesh& surface);
+
+/// The surface in space, of an ordinary size: surfaceOfFlattened if @p data have an array SurfacePoints,
+/// else toTriangleMesh.
+/// @throws InvalidInput as these and requireOrdinarySize do.
 TriangleMesh surfaceInSpace(vtkPolyData* data);
 
 /// The x and y coordinates of the points (n x 2).

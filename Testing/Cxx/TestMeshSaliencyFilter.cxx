@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <string>
 
 namespace
@@ -197,6 +198,9 @@ TEST(MeshSaliencyFilter, ReportsWhatIsWrong)
   filter->SetMinimumRegionArea(-1.0);
   expectWords("must not be negative");
   filter->SetMinimumRegionArea(0.0);
+  filter->SetThreshold(std::numeric_limits<double>::infinity());
+  expectWords("must not be negative or infinite");
+  filter->SetThreshold(0.0);
   const auto flat = polyDataOf(sphere(1));
   flat->GetPoints()->SetPoint(3, std::nan(""), 0.0, 0.0);
   expectError(filter.Get(), flat, "not finite", good);

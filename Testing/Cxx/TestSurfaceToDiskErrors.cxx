@@ -4,6 +4,8 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkIntArray.h>
@@ -201,7 +203,7 @@ TEST(SurfaceToDiskErrors, RegionsOfInterest)
 
   vtkNew<vtkIntArray> region;
   region->SetName("Region");
-  region->SetNumberOfTuples(input->GetNumberOfPoints() - 1);
+  region->SetNumberOfTuples(input->GetNumberOfPoints() + 1);
   region->Fill(0);
   input->GetPointData()->AddArray(region);
   expectError(filter,
@@ -317,6 +319,44 @@ TEST(SurfaceToDiskErrors, StopsWhenAborted)
   filter->AddObserver(vtkCommand::ProgressEvent, abort);
   EXPECT_EQ(run(filter, sphere(20))->GetNumberOfPoints(), 0);
   EXPECT_FALSE(errors->GetError());
+}
+
+TEST(SurfaceToDiskErrors, ArraysWithTooFewTuplesAreNamed)
+{
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  for (const bool onCells : { false, true })
+  {
+    const auto input = square(5);
+    vtkNew<vtkDoubleArray> array;
+    array->SetName("Thickness");
+    array->SetNumberOfTuples(7);
+    array->Fill(1.0);
+    if (onCells)
+    {
+      input->GetCellData()->AddArray(array);
+    }
+    else
+    {
+      input->GetPointData()->AddArray(array);
+    }
+    expectError(filter, input, "the array Thickness has 7 tuples for ");
+  }
+  expectDiskWithoutError(filter, square(5));
+}
+
+TEST(SurfaceToDiskErrors, HolesOfAFewTrianglesAreWarnedOf)
+{
+  const auto warningsOf = [](int mode)
+  {
+    vtkNew<vtkTest::ErrorObserver> observer;
+    vtkNew<vtkSurfaceToDiskFilter> filter;
+    filter->AddObserver(vtkCommand::WarningEvent, observer);
+    filter->SetCutMode(mode);
+    expectDisk(run(filter, sphere(20)));
+    return observer->GetWarning() ? observer->GetWarningMessage() : std::string();
+  };
+  EXPECT_NE(warningsOf(vtkSurfaceToDiskFilter::HOLE).find("set Cut to Seam"), std::string::npos);
+  EXPECT_EQ(warningsOf(vtkSurfaceToDiskFilter::SEAM), "");
 }
 
 } // namespace

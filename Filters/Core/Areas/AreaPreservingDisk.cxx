@@ -350,7 +350,7 @@ AreaPreservingResult areaPreservingRectangleMap(const TriangleMesh& mesh,
   const std::vector<int> loop = requireDisk(mesh);
   if (!(width > 0.0) || !std::isfinite(width))
   {
-    throw InvalidInput("a rectangle of width " + std::to_string(width) + ": it must be positive");
+    throw InvalidInput("a rectangle of width " + formatted(width) + ": it must be positive");
   }
   const double x = 0.5 * width;
   const double y = 0.5 * EIGEN_PI / width;

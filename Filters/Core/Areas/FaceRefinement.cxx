@@ -115,8 +115,8 @@ private:
   {
     if (!(options.AngleWeight >= 0.0 && options.AngleWeight < 1.0))
     {
-      throw InvalidInput("the angle weight is " + std::to_string(options.AngleWeight) +
-                         ": it must be at least 0 and below 1");
+      throw InvalidInput(
+        "the angle weight is " + formatted(options.AngleWeight) + ": it must be at least 0 and below 1");
     }
     return LeastShapeWeight + ShapeWeightScale * options.AngleWeight / (1.0 - options.AngleWeight);
   }

@@ -73,7 +73,7 @@ Eigen::VectorXd targetAreas(const TriangleMesh& mesh, const Eigen::VectorXd& wei
     if (weights.size() > 0 && (!(weights[v] > 0.0) || !std::isfinite(weights[v])))
     {
       throw InvalidInput("the area weight of vertex " + std::to_string(v) + " is " +
-                         std::to_string(weights[v]) + ": weights must be positive, finite numbers");
+                         formatted(weights[v]) + ": weights must be positive, finite numbers");
     }
   }
   if (weights.size() == 0)

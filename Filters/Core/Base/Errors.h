@@ -3,10 +3,20 @@
 /// and the remedy; the VTK classes report it word for word.
 #pragma once
 
+#include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace flattening
 {
+
+/// A number as it stands in messages: six digits, and an exponent where it is very large or small.
+inline std::string formatted(double number)
+{
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
 
 /// Base of all exceptions of this library.
 struct FlatteningError : std::runtime_error

@@ -156,6 +156,11 @@ private:
   {
     // The error falls quadratically at the end, so progress is measured by its logarithm.
     const double tolerance = this->Options.Tolerance;
+    if (!(tolerance > 0.0))
+    {
+      throw InvalidInput("the tolerance of the curvature is " + formatted(tolerance) +
+                         ": set it to a small positive number of radians");
+    }
     const double startError = std::max(this->System.error(), 10.0 * tolerance);
     double fraction = 0.0;
     double best = this->System.error();

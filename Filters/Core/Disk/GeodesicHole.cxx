@@ -159,7 +159,7 @@ private:
 
   [[noreturn]] void throwNoHole() const
   {
-    throw TopologyError("no round hole of share " + std::to_string(this->Options.AreaFraction) +
+    throw TopologyError("no round hole of share " + formatted(this->Options.AreaFraction) +
                         " of the area can be cut there: choose another hole point or area");
   }
 
@@ -294,7 +294,7 @@ OpenedSurface cutGeodesicHole(const TriangleMesh& closed,
 {
   if (!(options.AreaFraction > 0.0 && options.AreaFraction <= 0.5))
   {
-    throw InvalidInput("the hole's share of the area is " + std::to_string(options.AreaFraction) +
+    throw InvalidInput("the hole's share of the area is " + formatted(options.AreaFraction) +
                        ": set it above 0 and to 0.5 at most");
   }
   if (options.BoundaryVertices < 3)
@@ -315,7 +315,7 @@ OpenedSurface cutGeodesicHole(const TriangleMesh& closed,
   const MeshTopology left = analyseTopology(rest.Faces, rest.vertexCount());
   if (left.Genus != topology.Genus || left.BoundaryLoops.size() != 1)
   {
-    throw TopologyError("a hole of share " + std::to_string(options.AreaFraction) +
+    throw TopologyError("a hole of share " + formatted(options.AreaFraction) +
                         " of the area reaches around a handle or tunnel there: choose another hole "
                         "point or a smaller area");
   }

@@ -2,8 +2,10 @@
 #include "Disk/SurfaceToDisk.h"
 
 #include "Base/Errors.h"
+#include "Disk/DiskInFrame.h"
 #include "Disk/DiskOpening.h"
 #include "Disk/TubeSeam.h"
+#include "Mesh/CoordinateFrame.h"
 #include "Mesh/MeshMeasures.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/SelfIntersections.h"
@@ -17,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -34,25 +37,24 @@ void requireValid(const TriangleMesh& soup, const SurfaceToDiskOptions& options)
 {
   if (!(options.MergeTolerance >= 0.0) || !std::isfinite(options.MergeTolerance))
   {
-    throw InvalidInput("the merge tolerance is " + std::to_string(options.MergeTolerance) +
+    throw InvalidInput("the merge tolerance is " + formatted(options.MergeTolerance) +
                        ": set it to 0 or a small length in the units of the surface");
   }
   if (!(options.FillLengthLimit >= 0.0) || !std::isfinite(options.FillLengthLimit))
   {
-    throw InvalidInput("the longest boundary to be filled is " +
-                       std::to_string(options.FillLengthLimit) +
+    throw InvalidInput("the longest boundary to be filled is " + formatted(options.FillLengthLimit) +
                        ": set it to 0 or a length in the units of the surface");
   }
   if (options.Remesh && options.TargetEdgeLength == 0.0 &&
       (!(options.RelativeEdgeLength > 0.0) || !std::isfinite(options.RelativeEdgeLength)))
   {
-    throw InvalidInput("the relative edge length is " + std::to_string(options.RelativeEdgeLength) +
+    throw InvalidInput("the relative edge length is " + formatted(options.RelativeEdgeLength) +
                        ": set it above 0, in mean edge lengths of the surface");
   }
   if (!(options.SmallestAngle >= 0.0 && options.SmallestAngle <= 15.0))
   {
-    throw InvalidInput("the smallest angle is " + std::to_string(options.SmallestAngle) +
-                       " degrees: set it between 0 and 15");
+    throw InvalidInput(
+      "the smallest angle is " + formatted(options.SmallestAngle) + " degrees: set it between 0 and 15");
   }
   if (!options.RegionOfInterest.empty() &&
       options.RegionOfInterest.size() != static_cast<std::size_t>(soup.vertexCount()))
@@ -123,7 +125,7 @@ public:
     {
       this->condition(subrange(progress, 0.4, 0.75));
     }
-    openSurface(this->Disk, this->Ends, this->Options, subrange(progress, 0.75, 0.95));
+    this->open(subrange(progress, 0.75, 0.95));
     if (this->Options.Remesh && this->Disk.Seam.empty())
     {
       follow(this->Disk.Surface, withoutSmallAngles(this->mesh(), slivers::DiskAngle));
@@ -306,6 +308,17 @@ private:
     }
   }
 
+  void open(const ProgressCallback& progress)
+  {
+    const double meanFace = this->area() / this->mesh().faceCount();
+    const double removed = this->Report.RemovedArea;
+    openSurface(this->Disk, this->Ends, this->Options, progress);
+    if (this->Report.HoleRadius > 0.0)
+    {
+      this->Report.HoleFaces = (this->Report.RemovedArea - removed) / meanFace;
+    }
+  }
+
   void measure()
   {
     this->Disk.Seam.resize(this->mesh().vertexCount(), 0);
@@ -325,6 +338,39 @@ private:
   bool Pierced = false; // whether a patch or a cap intersects other faces
 };
 
+// Errors name lengths and places in the frame.
+template <typename Error>
+[[noreturn]] void throwInUnits(const Error& error, const CoordinateFrame& frame)
+{
+  std::ostringstream message;
+  message << error.what() << " (lengths here are in units of " << frame.restoredLength(1.0)
+          << ", places are relative to " << frame.restoredPoint(Eigen::Vector3d::Zero()).transpose()
+          << ")";
+  throw Error(message.str());
+}
+
+DiskSurface diskInFrame(const TriangleMesh& soup,
+  const SurfaceToDiskOptions& options,
+  const CoordinateFrame& frame,
+  const ProgressCallback& progress)
+{
+  const SurfaceToDiskOptions normalised = flattening::normalised(options, frame);
+  try
+  {
+    DiskSurface disk = DiskMaker(normalised).make(frame.normalised(soup), progress);
+    restoreUnits(disk, frame);
+    return disk;
+  }
+  catch (const InvalidInput& error)
+  {
+    throwInUnits(error, frame);
+  }
+  catch (const TopologyError& error)
+  {
+    throwInUnits(error, frame);
+  }
+}
+
 } // namespace
 
 DiskSurface surfaceToDisk(const TriangleMesh& soup,
@@ -332,7 +378,10 @@ DiskSurface surfaceToDisk(const TriangleMesh& soup,
   const ProgressCallback& progress)
 {
   requireValid(soup, options);
-  return DiskMaker(options).make(soup, progress);
+  requireUsableFaces(soup);
+  const CoordinateFrame frame(soup);
+  return frame.isIdentity() ? DiskMaker(options).make(soup, progress)
+                            : diskInFrame(soup, options, frame, progress);
 }
 
 } // namespace flattening

@@ -90,7 +90,10 @@ struct SurfaceToDiskReport
   HandleRemovalReport Handles;
   double RemeshEdgeLength = 0.0; ///< 0 if the surface was not remeshed
   Eigen::Vector3d HoleCentre = Eigen::Vector3d::Zero();
-  double HoleRadius = 0.0;     ///< geodesic; 0 if no hole was cut
+  double HoleRadius = 0.0; ///< geodesic; 0 if no hole was cut
+  /// The area of the hole in mean faces of the surface that it was cut into; 0 if no hole was cut.
+  /// Beside holes of fewer than some dozens of faces areas cannot be kept.
+  double HoleFaces = 0.0;
   double SeamLength = 0.0;     ///< of the seam and the cut graph; 0 if there is neither
   double RemovedArea = 0.0;    ///< of the hole and of the part beyond the plane
   int RemovedRegionPoints = 0; ///< points of the region of interest that the hole could not avoid

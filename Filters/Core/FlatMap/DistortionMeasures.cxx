@@ -2,6 +2,7 @@
 #include "FlatMap/DistortionMeasures.h"
 
 #include "Base/Errors.h"
+#include "Mesh/CoordinateFrame.h"
 #include "Mesh/FaceOrientation.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -40,7 +41,7 @@ void requireMeasurable(const TriangleMesh& surface, const Points2& flat, const E
     if (weights.size() > 0 && !(weights[v] > 0.0 && std::isfinite(weights[v])))
     {
       throw InvalidInput("vertex " + std::to_string(v) + " has the area weight " +
-                         std::to_string(weights[v]) + ": weights must be positive and finite");
+                         formatted(weights[v]) + ": weights must be positive and finite");
     }
   }
 }
@@ -180,11 +181,14 @@ Eigen::VectorXd targetAreas(const FaceMatrix& faces,
 
 } // namespace
 
-FaceDistortion measureDistortion(const TriangleMesh& surface,
+namespace
+{
+
+// Precondition: products of coordinates neither overflow nor underflow.
+FaceDistortion measureInFrame(const TriangleMesh& surface,
   const Points2& flat,
   const Eigen::VectorXd& vertexWeights)
 {
-  requireMeasurable(surface, flat, vertexWeights);
   const int faceCount = surface.faceCount();
   FaceDistortion result = undistorted(faceCount);
   const std::vector<signed char> orientations = faceOrientations(flat, surface.Faces);
@@ -226,6 +230,22 @@ FaceDistortion measureDistortion(const TriangleMesh& surface,
         measureShape(surface, flat, std::sqrt(growth * totalFlat / totalTarget), f, result);
       }
     });
+  return result;
+}
+
+} // namespace
+
+FaceDistortion measureDistortion(const TriangleMesh& surface,
+  const Points2& flat,
+  const Eigen::VectorXd& vertexWeights)
+{
+  requireMeasurable(surface, flat, vertexWeights);
+  const CoordinateFrame frame(surface);
+  const PlaneFrame flatFrame(flat);
+  FaceDistortion result =
+    measureInFrame(frame.normalised(surface), flatFrame.normalised(flat), vertexWeights);
+  result.SurfaceAreaUnit = frame.restoredArea(1.0);
+  result.FlatAreaUnit = flatFrame.restoredArea(1.0);
   return result;
 }
 

@@ -19,9 +19,9 @@ namespace flattening
 /// exception is AreaRatio, which is 0 where only the flat triangle is degenerate.
 struct FaceDistortion
 {
-  Eigen::VectorXd SurfaceArea;       ///< input units squared
+  Eigen::VectorXd SurfaceArea;       ///< in SurfaceAreaUnit
   Eigen::VectorXd TargetArea;        ///< requested area, up to one common factor
-  Eigen::VectorXd FlatArea;          ///< flat units squared; < 0 if oriented against the whole map
+  Eigen::VectorXd FlatArea;          ///< in FlatAreaUnit; < 0 if oriented against the whole map
   Eigen::VectorXd AreaRatio;         ///< |flat / total flat| / (target / total target); 1 is perfect
   Eigen::VectorXd AreaDistortion;    ///< Upsilon = log(Gamma gamma) = -log(AreaRatio); 0 is perfect
   Eigen::VectorXd AngleDistortion;   ///< Lambda = log(Gamma / gamma) >= 0; 0 is perfect
@@ -32,8 +32,12 @@ struct FaceDistortion
   std::vector<char> Flipped;           ///< 1 if the flat triangle is clockwise or has no area (exact)
   std::vector<char> SurfaceDegenerate; ///< 1 if the surface triangle has no area (exact)
   std::vector<char> FlatDegenerate;    ///< 1 if the flat triangle has no area, exact or after rounding
-  double TotalTargetArea = 0.0;        ///< sum of TargetArea
-  double TotalFlatArea = 0.0;          ///< sum of FlatArea, the area that the boundary encloses
+  /// Input units squared. It is 1 but for surfaces of extreme size, whose areas in input units double
+  /// precision may not hold: it is then infinite or 0.
+  double SurfaceAreaUnit = 1.0;
+  double FlatAreaUnit = 1.0;    ///< the same of the flat surface
+  double TotalTargetArea = 0.0; ///< sum of TargetArea
+  double TotalFlatArea = 0.0;   ///< sum of FlatArea, the area that the boundary encloses
 
   int faceCount() const { return static_cast<int>(this->AreaRatio.size()); }
   bool degenerate(int face) const { return this->SurfaceDegenerate[face] || this->FlatDegenerate[face]; }

@@ -115,6 +115,8 @@ DistortionSummary summariseDistortion(const FaceDistortion& distortion, const st
   {
     summary.Measures[m] = statisticsOf(distortion, static_cast<Measure>(m), faces);
   }
+  summary.SurfaceArea *= distortion.SurfaceAreaUnit;
+  summary.FlatArea *= distortion.FlatAreaUnit;
   return summary;
 }
 

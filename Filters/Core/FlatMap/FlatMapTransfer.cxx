@@ -58,7 +58,7 @@ void requireFits(const FlattenedSurface& flattened, const TriangleMesh& target, 
   }
   if (!(tolerance >= 0.0) || !std::isfinite(tolerance))
   {
-    throw InvalidInput("the tolerance is " + std::to_string(tolerance) +
+    throw InvalidInput("the tolerance is " + formatted(tolerance) +
                        ": set it to 0, for half of the mean edge length, or to a length");
   }
 }

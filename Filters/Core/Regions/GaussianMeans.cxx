@@ -115,9 +115,9 @@ public:
     if (!(deviation > 0.0) ||
         extent.maxCoeff() / deviation > static_cast<double>(MaxBins - 2 * Reach - 2))
     {
-      throw InvalidInput("means over a distance of " + std::to_string(deviation) +
-                         " cannot be computed on a surface of extent " +
-                         std::to_string(extent.maxCoeff()) + ": choose a larger scale");
+      throw InvalidInput("means over a distance of " + formatted(deviation) +
+                         " cannot be computed on a surface of extent " + formatted(extent.maxCoeff()) +
+                         ": choose a larger scale");
     }
     this->sortPoints();
     this->gatherSamples(spacing > 0.0);

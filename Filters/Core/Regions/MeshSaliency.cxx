@@ -51,8 +51,8 @@ double requireUnit(const TriangleMesh& mesh, const MeshSaliencyOptions& options)
   const double reach = 4.0 * (options.Scales + 1) * unit; // radius of the largest ball
   if (reach > diagonal)
   {
-    throw InvalidInput("the largest scale of saliency reaches " + std::to_string(reach) +
-                       " far, more than the surface's diagonal of " + std::to_string(diagonal) +
+    throw InvalidInput("the largest scale of saliency reaches " + formatted(reach) +
+                       " far, more than the surface's diagonal of " + formatted(diagonal) +
                        ": choose a smaller unit or fewer scales");
   }
   return unit;

@@ -232,9 +232,10 @@ RegionDisk regionDisk(const TriangleMesh& mesh,
   const std::vector<char>& inRegion,
   const RegionDiskOptions& options)
 {
-  if (!(options.Margin >= 0.0) || !std::isfinite(options.Margin) || !(options.LargestHoles >= 0.0))
+  if (!(options.Margin >= 0.0) || !std::isfinite(options.Margin) || !(options.LargestHoles >= 0.0) ||
+      !std::isfinite(options.LargestHoles))
   {
-    throw InvalidInput("the margin and the share of holes of a region must not be negative");
+    throw InvalidInput("the margin and the share of holes of a region must not be negative or infinite");
   }
   if (flagged(inRegion).empty())
   {

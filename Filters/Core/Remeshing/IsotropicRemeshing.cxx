@@ -50,6 +50,9 @@ constexpr double SmallestStep = 0.02;
 // A convention: a larger share wears creases off.
 constexpr double GreatestFlipHeight = 0.15;
 
+// The largest number of points that remeshing makes: a convention, some forty gigabytes.
+constexpr double MostPoints = 2e7;
+
 void requireSensibleLength(const TriangleMesh& mesh, double length)
 {
   std::ostringstream message; // lengths of any order of magnitude
@@ -65,6 +68,14 @@ void requireSensibleLength(const TriangleMesh& mesh, double length)
   {
     message << "the target edge length " << length << " would leave fewer than " << FewestFaces
             << " faces: set it below " << longest;
+    throw InvalidInput(message.str());
+  }
+  const double points = 2.0 / std::sqrt(3.0) * area / length / length; // half the equilateral faces
+  if (!(points <= MostPoints))
+  {
+    message << "the target edge length " << length << " would make about " << points
+            << " points, more than " << MostPoints << ": set it above "
+            << std::sqrt(2.0 / std::sqrt(3.0) * area / MostPoints);
     throw InvalidInput(message.str());
   }
 }

@@ -24,8 +24,8 @@ namespace flattening
 /// brains it left up to 41 pairs of intersecting faces and angles below 1 degree.
 /// @param targetEdgeLength input units, > 0.
 /// @param iterations >= 0.
-/// @throws InvalidInput if the length is not positive and finite, or so large that fewer than 20
-/// faces would be left.
+/// @throws InvalidInput if the length is not positive and finite, so large that fewer than 20 faces
+/// would be left, or so small that more than 20 million points would be made.
 DerivedMesh remeshIsotropically(const TriangleMesh& mesh,
   double targetEdgeLength,
   int iterations = 3,

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Remeshing/LongestEdgeBisection.h"
 
+#include "Base/Errors.h"
 #include "Mesh/MeshMeasures.h"
 #include "Mesh/MeshTopology.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
+#include <sstream>
 
 namespace flattening
 {
@@ -19,6 +22,9 @@ using Face = EditableSurface::Face;
 // of the mesh. A guard against rounding (1e-16), so that any value between that and a visible length
 // works.
 constexpr double LengthRounding = 1e-6;
+// Edges are longer than this share of the coordinates, about a hundred distances of neighbouring
+// doubles: a guard, as the middle of a shorter edge can be rounded to one of its ends.
+constexpr double LeastLength = 2e-14;
 
 // A strict order of the edges, without which the propagation could run in circles. Lengths are compared
 // in single precision, so that edges equal up to rounding tie, and the same mesh at another scale is
@@ -56,11 +62,41 @@ Halfedge endOfPropagation(const EditableSurface& surface, Halfedge side)
   return side;
 }
 
+// The middle of an edge lies strictly between its ends as long as edges are longer than the distance of
+// neighbouring doubles, and so every bisection halves an edge: bisection comes to an end.
+void requireResolvable(const EditableSurface& surface,
+  const std::vector<Face>& faces,
+  double longestEdge)
+{
+  const SurfaceMesh& mesh = surface.mesh();
+  double largest = 0.0;
+  for (const Face f : faces)
+  {
+    for (const SurfaceMesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+    {
+      const auto& p = mesh.point(v);
+      largest = std::max({ largest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z()) });
+    }
+  }
+  if (faces.empty())
+  {
+    return;
+  }
+  if (!(longestEdge > LeastLength * largest))
+  {
+    std::ostringstream message;
+    message << "edges cannot be bisected down to the length " << longestEdge
+            << " at coordinates as large as " << largest << ": move the surface to the origin";
+    throw InvalidInput(message.str());
+  }
+}
+
 } // namespace
 
 void bisectLongEdges(EditableSurface& surface, const std::vector<Face>& faces, double longestEdge)
 {
   SurfaceMesh& mesh = surface.mesh();
+  requireResolvable(surface, faces, longestEdge);
   std::vector<char> wanted(mesh.num_faces(), 0);
   for (const Face f : faces)
   {

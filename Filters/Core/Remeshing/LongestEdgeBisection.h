@@ -14,6 +14,7 @@ namespace flattening
 /// longer than @p longestEdge (input units, > 0). A face is split at the middle of its longest edge
 /// together with the neighbour there, after all bisections of neighbours that this takes (the
 /// longest-edge propagation path), so that no angle falls below half of the smallest one of the input.
+/// @throws InvalidInput if double precision does not hold edges so short at these coordinates.
 void bisectLongEdges(EditableSurface& surface,
   const std::vector<EditableSurface::Face>& faces,
   double longestEdge);

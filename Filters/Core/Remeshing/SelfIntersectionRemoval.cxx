@@ -29,6 +29,12 @@ constexpr int Rounds = 5;
 // around it: the smallest that helps is taken. Steps near 1 would fold the surface.
 constexpr double Steps[] = { 0.02, 0.05, 0.1, 0.2, 0.4 };
 
+// The largest number of pairs for each face of the surface with which local changes are tried.
+// Isosurfaces of scans have fewer than one pair in a thousand faces. A surface that is pressed flat has
+// fifty in each face: there is no room to move faces to, and the attempt takes time that grows with the
+// square of the faces.
+constexpr double LargestPairShare = 0.1;
+
 // Takes a pair of intersecting faces apart. Changes are tested against the faces near the pair.
 class PairSeparation
 {
@@ -172,6 +178,10 @@ int removeSelfIntersections(MeshOnSurface& surface, const ProgressCallback& prog
 {
   report(progress, 0.0, "removing self-intersections");
   FacePairs pairs = intersectingFaces(surface, subrange(progress, 0.0, 0.5));
+  if (static_cast<double>(pairs.size()) > LargestPairShare * surface.mesh().number_of_faces())
+  {
+    return static_cast<int>(pairs.size());
+  }
   for (int round = 0; !pairs.empty() && round < Rounds; ++round)
   {
     report(progress, 0.5 + 0.5 * round / Rounds, "removing self-intersections");

@@ -17,29 +17,6 @@ namespace flattening
 namespace
 {
 
-void requireFinite(const TriangleMesh& soup)
-{
-  for (int f = 0; f < soup.faceCount(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const int v = soup.Faces(f, k);
-      if (v < 0 || v >= soup.vertexCount())
-      {
-        throw InvalidInput("face " + std::to_string(f) + " names vertex " + std::to_string(v) +
-                           ", but there are " + std::to_string(soup.vertexCount()) +
-                           " vertices: the data set is damaged");
-      }
-      if (!soup.Vertices.row(v).allFinite())
-      {
-        throw InvalidInput("point " + std::to_string(v) + " of face " + std::to_string(f) +
-                           " has a coordinate that is not finite: remove such points first, e.g. with "
-                           "Threshold or Extract Selection");
-      }
-    }
-  }
-}
-
 // Of the faces with the same three vertices, the first one stays.
 int dropDuplicates(FaceList& list)
 {
@@ -101,14 +78,36 @@ DerivedMesh withoutUnusedVertices(const Points3& vertices, const FaceList& list)
 
 } // namespace
 
-RepairedSurface repairTriangleSoup(const TriangleMesh& soup, double tolerance)
+void requireUsableFaces(const TriangleMesh& soup)
 {
   if (soup.faceCount() == 0)
   {
     throw InvalidInput("the surface has no triangles: pass a surface, e.g. from Contour");
   }
-  requireFinite(soup);
+  for (int f = 0; f < soup.faceCount(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int v = soup.Faces(f, k);
+      if (v < 0 || v >= soup.vertexCount())
+      {
+        throw InvalidInput("face " + std::to_string(f) + " names vertex " + std::to_string(v) +
+                           ", but there are " + std::to_string(soup.vertexCount()) +
+                           " vertices: the data set is damaged");
+      }
+      if (!soup.Vertices.row(v).allFinite())
+      {
+        throw InvalidInput("point " + std::to_string(v) + " of face " + std::to_string(f) +
+                           " has a coordinate that is not finite: remove such points first, e.g. with "
+                           "Threshold or Extract Selection");
+      }
+    }
+  }
+}
 
+RepairedSurface repairTriangleSoup(const TriangleMesh& soup, double tolerance)
+{
+  requireUsableFaces(soup);
   RepairedSurface repaired;
   RepairReport& report = repaired.Report;
   FaceList list = mergedFaces(soup, tolerance, report);

@@ -28,10 +28,14 @@ struct RepairedSurface
   RepairReport Report;
 };
 
+/// @throws InvalidInput if there is no face, or a face names a vertex that does not exist or is not
+/// finite.
+void requireUsableFaces(const TriangleMesh& soup);
+
 /// Merges coincident points (see coincidentPoints for @p tolerance, in input units), removes needles and
 /// caps (removeNeedlesAndCaps) and duplicate faces, closes T-junctions (closeTJunctions), and makes the
 /// rest an oriented manifold (orientConsistently).
-/// @throws InvalidInput if there is no face, a vertex in use is not finite, or no face has an area.
+/// @throws InvalidInput as requireUsableFaces does, and if no face has an area.
 RepairedSurface repairTriangleSoup(const TriangleMesh& soup, double tolerance = 0.0);
 
 } // namespace flattening

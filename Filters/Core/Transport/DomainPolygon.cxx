@@ -37,7 +37,7 @@ void requireCoordinates(const Points2& outline, double size)
   if (!(size > LeastSize * outline.cwiseAbs().maxCoeff()) || !(size * size > 0.0) ||
       !std::isfinite(size * size))
   {
-    throw InvalidInput("the domain's outline has an extent of " + std::to_string(size) +
+    throw InvalidInput("the domain's outline has an extent of " + formatted(size) +
                        ", too small or too large for its place: give a convex polygon near the origin");
   }
 }

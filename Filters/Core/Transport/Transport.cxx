@@ -339,6 +339,11 @@ TransportResult transportNewton(PowerDiagram& diagram,
   const ProgressCallback& progress,
   const Eigen::VectorXd& startWeights)
 {
+  if (!(options.Tolerance > 0.0))
+  {
+    throw InvalidInput("the tolerance of the cell areas is " + formatted(options.Tolerance) +
+                       ": set it to a small positive number");
+  }
   return NewtonIteration(diagram, targets, options, progress).run(startWeights);
 }
 

@@ -215,6 +215,11 @@ TEST(IsotropicRemeshing, CanBeCancelledAndNamesABadLength)
   EXPECT_TRUE(contains(messageOf<InvalidInput>([&] { remeshIsotropically(input, -1.0); }), "positive"));
   EXPECT_TRUE(
     contains(messageOf<InvalidInput>([&] { remeshIsotropically(input, 10.0); }), "set it below"));
+  for (const double tiny : { 1e-300, 1e-5 })
+  {
+    const std::string message = messageOf<InvalidInput>([&] { remeshIsotropically(input, tiny); });
+    EXPECT_TRUE(contains(message, "points, more than 2e+07: set it above 0.0008")) << message;
+  }
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Base/Errors.h"
 #include "Mesh/MeshMeasures.h"
 #include "Mesh/MeshTopology.h"
 #include "Remeshing/LongestEdgeBisection.h"
@@ -32,6 +33,13 @@ TEST(LongestEdgeBisection, AddsVerticesToTheLongestLoopAlone)
 
   EXPECT_EQ(refineBoundary(tube, 20).Mesh.Faces, tube.Faces);
   EXPECT_EQ(refineBoundary(sphere(2), 128).Mesh.Faces, sphere(2).Faces);
+}
+
+TEST(LongestEdgeBisection, EndsWhereDoublePrecisionDoes)
+{
+  TriangleMesh tube = cylinder(20, 6, 3.0);
+  tube.Vertices.col(0).array() += 1e14;
+  EXPECT_THROW(refineBoundary(tube, 1000), InvalidInput);
 }
 
 } // namespace

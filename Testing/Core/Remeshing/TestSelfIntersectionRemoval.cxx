@@ -3,6 +3,7 @@
 #include "Mesh/SelfIntersections.h"
 #include "Remeshing/SelfIntersectionRemoval.h"
 #include "Remeshing/SliverRemoval.h"
+#include "Support/RandomNumbers.h"
 #include "Support/SampleSurfaces.h"
 
 #include <gtest/gtest.h>
@@ -88,6 +89,21 @@ TEST(SelfIntersectionRemoval, LeavesSheetsThatOnlyComeNear)
   MeshOnSurface surface(mesh);
   EXPECT_EQ(removeSelfIntersections(surface), 0);
   EXPECT_EQ(surface.derived().Mesh.Vertices, mesh.Vertices);
+}
+
+// There is no room on a tube that is pressed flat: it is left as it is, at once.
+TEST(SelfIntersectionRemoval, LeavesATubeThatIsPressedFlat)
+{
+  TriangleMesh tube = cylinder(60, 120, 8.0);
+  RandomNumbers random(5);
+  for (auto vertex : tube.Vertices.rowwise())
+  {
+    vertex << 1e-14 * vertex.x(), vertex.y() + random.real(-0.1, 0.1),
+      vertex.z() + random.real(-0.1, 0.1);
+  }
+  MeshOnSurface surface(tube);
+  EXPECT_GT(removeSelfIntersections(surface), tube.faceCount() / 10);
+  EXPECT_EQ(surface.derived().Mesh.Vertices, tube.Vertices);
 }
 
 } // namespace

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The size of a surface and its distance from the origin do not change its flat map.
+#include "../Core/Support/RandomNumbers.h"
+#include "FilterTest.h"
+
+#include <vtkConformalDiskFilter.h>
+#include <vtkDistortionMetrics.h>
+#include <vtkOMTAreaPreservingFilter.h>
+#include <vtkSurfaceToDiskFilter.h>
+
+#include <vtkNew.h>
+#include <vtkSphereSource.h>
+
+#include <cmath>
+#include <string>
+
+namespace
+{
+
+using namespace flattening;
+using namespace flattening::testing;
+
+// A closed surface without symmetry, with coordinates of 30 binary digits, so that it can be moved
+// without rounding.
+TriangleMesh closedSurface()
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetThetaResolution(30);
+  source->SetPhiResolution(30);
+  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  source->Update();
+  vtkPolyData* sphere = source->GetOutput();
+  TriangleMesh mesh;
+  mesh.Vertices.resize(sphere->GetNumberOfPoints(), 3);
+  for (vtkIdType i = 0; i < sphere->GetNumberOfPoints(); ++i)
+  {
+    sphere->GetPoint(i, mesh.Vertices.row(i).data());
+  }
+  samples::RandomNumbers random(1);
+  for (auto vertex : mesh.Vertices.rowwise())
+  {
+    vertex.z() *= 1.5;
+    vertex += random.point(-0.003, 0.003);
+  }
+  mesh.Vertices =
+    mesh.Vertices.unaryExpr([](double x) { return std::ldexp(std::round(std::ldexp(x, 30)), -30); });
+  mesh.Faces.resize(sphere->GetNumberOfCells(), 3);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType f = 0; f < sphere->GetNumberOfCells(); ++f)
+  {
+    sphere->GetCellPoints(f, corners);
+    mesh.Faces.row(f) << static_cast<int>(corners->GetId(0)), static_cast<int>(corners->GetId(1)),
+      static_cast<int>(corners->GetId(2));
+  }
+  return mesh;
+}
+
+struct Chain
+{
+  vtkNew<vtkSurfaceToDiskFilter> Disk;
+  vtkNew<vtkConformalDiskFilter> Conformal;
+  vtkNew<vtkOMTAreaPreservingFilter> Areas;
+  vtkNew<vtkDistortionMetrics> Metrics;
+
+  explicit Chain(const TriangleMesh& mesh)
+  {
+    this->Disk->SetInputData(polyDataOf(mesh));
+    this->Disk->SetCutModeToSeam();
+    this->Conformal->SetInputConnection(this->Disk->GetOutputPort());
+    this->Areas->SetInputConnection(this->Conformal->GetOutputPort());
+    this->Metrics->SetInputConnection(this->Areas->GetOutputPort());
+    this->Metrics->UseTargetAreaOff();
+    this->Metrics->Update();
+  }
+
+  Points3 flat()
+  {
+    vtkPolyData* map = this->Metrics->GetOutput();
+    Points3 points(map->GetNumberOfPoints(), 3);
+    for (vtkIdType i = 0; i < map->GetNumberOfPoints(); ++i)
+    {
+      map->GetPoint(i, points.row(i).data());
+    }
+    return points;
+  }
+
+  double figure(const char* name)
+  {
+    return flattening::testing::figure(this->Metrics->GetOutput(), name);
+  }
+};
+
+TEST(SizeAndPlace, TheMapIsTheSameAtAnySizeBitForBit)
+{
+  const TriangleMesh mesh = closedSurface();
+  Chain chain(mesh);
+  const Points3 flat = chain.flat();
+  ASSERT_GT(flat.rows(), 800);
+  EXPECT_EQ(chain.figure("Bijective"), 1.0);
+  EXPECT_GE(chain.figure("FacesWithin2Percent"), 95.0);
+  for (int exponent = -900; exponent <= 900; exponent += 150)
+  {
+    SCOPED_TRACE(exponent);
+    const auto times = [exponent](double x) { return std::ldexp(x, exponent); };
+    TriangleMesh scaled = mesh;
+    scaled.Vertices = mesh.Vertices.unaryExpr(times);
+    Chain other(scaled);
+    EXPECT_EQ(other.flat(), flat.unaryExpr(times).eval());
+    for (const char* name :
+      { "FacesWithin2Percent", "MeanAreaError", "MeanAngleError", "AreaWeightedMeanAngleError" })
+    {
+      EXPECT_EQ(other.figure(name), chain.figure(name)) << name;
+    }
+    EXPECT_EQ(other.figure("SurfaceArea"), std::ldexp(chain.figure("SurfaceArea"), 2 * exponent));
+    EXPECT_EQ(figure(other.Disk->GetOutput(), "SeamLength"),
+      times(figure(chain.Disk->GetOutput(), "SeamLength")));
+  }
+}
+
+TEST(SizeAndPlace, TheMapIsTheSameFarFromTheOrigin)
+{
+  const TriangleMesh mesh = closedSurface();
+  Chain chain(mesh);
+  const Points3 flat = chain.flat();
+  for (const double offset : { 1e3, 1e6 })
+  {
+    SCOPED_TRACE(offset);
+    TriangleMesh moved = mesh;
+    moved.Vertices.rowwise() += Eigen::RowVector3d(offset, -2.0 * offset, 0.5 * offset);
+    Chain other(moved);
+    const Points3 there = other.flat();
+    ASSERT_EQ(there.rows(), flat.rows());
+    EXPECT_LE((there - flat).cwiseAbs().maxCoeff(), 1e-4);
+    EXPECT_EQ(other.figure("Bijective"), 1.0);
+    EXPECT_NEAR(other.figure("FacesWithin2Percent"), chain.figure("FacesWithin2Percent"), 0.2);
+    EXPECT_NEAR(other.figure("SurfaceArea"), chain.figure("SurfaceArea"), 1e-9);
+  }
+}
+
+TEST(SizeAndPlace, WhatDoublePrecisionDoesNotHoldIsAnError)
+{
+  const TriangleMesh mesh = closedSurface();
+  vtkNew<vtkPolyData> empty;
+  for (const auto& [scale, offset, words] : { std::tuple(1e-300, 0.0, "too few for double precision"),
+         std::tuple(1.5e308, 0.0, "too many for double precision"),
+         std::tuple(1.0, 1e13, "away from the origin") })
+  {
+    TriangleMesh other = mesh;
+    other.Vertices = scale * mesh.Vertices.array() + offset;
+    vtkNew<vtkSurfaceToDiskFilter> filter;
+    ErrorLog errors(filter);
+    filter->SetInputData(polyDataOf(other));
+    filter->Update();
+    ASSERT_EQ(errors.messages().size(), 1u);
+    EXPECT_NE(errors.messages()[0].find(words), std::string::npos) << errors.messages()[0];
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  }
+}
+
+} // namespace
