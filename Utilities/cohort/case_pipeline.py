@@ -2,7 +2,6 @@
 """One case from its file to a measured flat map, by the filters that ParaView's menus have."""
 
 import resource
-import time
 from dataclasses import dataclass, field
 
 from case_files import CaseError, Messages, is_volume, read
@@ -116,11 +115,14 @@ def flatten(path, settings, announce=lambda stage: None):
     @settings: isovalue, smoothing, cut, plane_normal, plane_origin, hole_area, handles, remesh, edge_length.
     @announce: is told of each stage that begins, by its name.
     """
-    began = time.process_time()
     announce(READING)
     warnings = []
-    data = read(path, warnings)
-    if is_volume(path):
+    return flatten_data(read(path, warnings), is_volume(path), settings, announce, warnings)
+
+
+def flatten_data(data, volume, settings, announce, warnings):
+    """As flatten(), for what a file holds. @warnings: that there are so far."""
+    if volume:
         if settings["isovalue"] is None:
             raise CaseError("it is a volume: give --isovalue")
         announce(CONTOUR)
@@ -144,10 +146,21 @@ def flatten(path, settings, announce=lambda stage: None):
     metrics = vtkDistortionMetrics()
     metrics.SetInputData(area_preserving.GetOutput())
     flat = run(metrics, warnings, announce)
+    return CaseResult(flat, figures_of(flat), costs_of_process(), warnings)
+
+
+def figures_of(flat):
     figures = {"Points": flat.GetNumberOfPoints(), "Faces": flat.GetNumberOfCells()}
     for name in FIGURES:
         array = flat.GetFieldData().GetArray(name)
         figures[name] = array.GetTuple1(0) if array and array.GetNumberOfTuples() == 1 else None
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    costs = {"ProcessorSeconds": round(time.process_time() - began, 2), "PeakMemoryMB": round(peak / 1024)}
-    return CaseResult(flat, figures, costs, warnings)
+    return figures
+
+
+def costs_of_process():
+    """Of the process of the case, since it began."""
+    usage = resource.getrusage(resource.RUSAGE_SELF)
+    return {
+        "ProcessorSeconds": round(usage.ru_utime + usage.ru_stime, 2),
+        "PeakMemoryMB": round(usage.ru_maxrss / 1024),
+    }

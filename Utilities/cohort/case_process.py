@@ -2,6 +2,7 @@
 """One case in a child process: whatever ends that, there is a sentence for the summary."""
 
 import os
+import resource
 import signal
 
 from case_files import CaseError
@@ -10,6 +11,7 @@ from case_records import RunError
 from child_process import in_child
 
 WRITING = "the writer"
+READING_SECONDS = 600  # of processor time, of which good files need few: some damaged ones keep a reader busy for ever
 
 
 def flattened(case, records, settings, limits):
@@ -28,6 +30,7 @@ def flattened(case, records, settings, limits):
             nonlocal stage
             stage = name
             announce(name)
+            limit_processor_time(READING_SECONDS if name == READING else None)
 
         try:
             result = flatten(case.path, settings, begin)
@@ -53,11 +56,24 @@ def flattened(case, records, settings, limits):
     return outcome
 
 
+def limit_processor_time(seconds):
+    """Has the kernel end this process by SIGXCPU when it has used so many seconds from now on; None: never."""
+    _soft, hard = resource.getrlimit(resource.RLIMIT_CPU)
+    limit = hard
+    if seconds is not None:
+        usage = resource.getrusage(resource.RUSAGE_SELF)
+        limit = int(usage.ru_utime + usage.ru_stime + seconds) + 1
+        limit = limit if hard == resource.RLIM_INFINITY else min(limit, hard)
+    resource.setrlimit(resource.RLIMIT_CPU, (limit, hard))
+
+
 def reason(ending, seconds, megabytes):
     """Why a child ended without a word, in a sentence."""
     stage = ending.stage or READING
     if ending.timed_out:
         return f"it was given up in {stage} after {seconds:g} s, as --case-time asks"
+    if ending.signal == signal.SIGXCPU and stage == READING:
+        return f"{stage} did not end within {READING_SECONDS} s of processor time: the file may be damaged"
     if ending.signal == signal.SIGKILL:
         return f"its process was killed in {stage}: the machine may have had too little memory"
     if ending.signal:

@@ -12,7 +12,8 @@ import time
 from dataclasses import dataclass
 
 PR_SET_PDEATHSIG = 1  # of Linux's prctl
-CRASHES = (signal.SIGSEGV, signal.SIGABRT, signal.SIGBUS, signal.SIGFPE, signal.SIGILL)
+# MPI and ParaView print a page about these, which the parent reports in a sentence.
+REPORTED = (signal.SIGSEGV, signal.SIGABRT, signal.SIGBUS, signal.SIGFPE, signal.SIGILL, signal.SIGTERM)
 
 
 @dataclass
@@ -64,7 +65,7 @@ def _be_child(function, writable, parent, megabytes):
     status = 1
     try:
         _end_with(parent)
-        for number in CRASHES:  # MPI would print a page about a signal that the parent reports in a sentence
+        for number in REPORTED:
             signal.signal(number, signal.SIG_DFL)
         if megabytes:
             limit = int(megabytes * 2**20)

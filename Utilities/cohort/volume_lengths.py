@@ -54,8 +54,10 @@ def check_metaimage(path):
     fields, end = _fields(path, b"=", lambda line: line.startswith(b"ElementDataFile"))
     data = fields.get("elementdatafile", "")
     kind = fields.get("elementtype", "").removeprefix("MET_").removesuffix("_ARRAY")
-    if data.startswith("LIST") or "%" in data or kind not in METAIMAGE_BYTES or fields.get("binarydata") == "False":
-        return  # the reader says what it cannot read
+    if kind not in METAIMAGE_BYTES:
+        raise FileLengthError("the header is damaged: it has no ElementType of numbers")
+    if data.startswith("LIST") or "%" in data or fields.get("binarydata") == "False":
+        return  # voxels in several files, or as text
     sizes = _integers(fields.get("dimsize", ""))
     channels = _integers(fields.get("elementnumberofchannels", "1")) or [1]
     file, start = (path, end) if data.upper() == "LOCAL" else (os.path.join(os.path.dirname(path), data), 0)
@@ -70,12 +72,15 @@ def check_nrrd(path):
     kind = fields.get("type", "").removesuffix("_t").replace("unsigned ", "").replace("signed ", "")
     kind = kind.removesuffix(" int").removeprefix("u").replace("long long", "longlong")
     encoding = fields.get("encoding", "raw").lower()
-    if data.startswith("LIST") or len(data.split()) > 1 or kind not in NRRD_BYTES:
-        return
+    sizes = _integers(fields.get("sizes", ""))
+    if kind not in NRRD_BYTES or str(len(sizes)) != fields.get("dimension"):
+        raise FileLengthError("the header is damaged: it lacks the type of numbers, or as many sizes as dimensions")
+    if data.startswith("LIST") or len(data.split()) > 1:
+        return  # voxels in several files
     packings = {"raw": None, "gzip": GZIP, "gz": GZIP}
     if encoding in packings:
         file, start = (os.path.join(os.path.dirname(path), data), 0) if data else (path, end)
-        _require_voxels(file, start, _integers(fields.get("sizes", "")), NRRD_BYTES[kind], packings[encoding])
+        _require_voxels(file, start, sizes, NRRD_BYTES[kind], packings[encoding])
 
 
 def _require_voxels(path, start, sizes, voxel_bytes, packing):
@@ -105,11 +110,13 @@ def _fields(path, separator, is_last):
     with open(path, "rb") as stream:
         while stream.tell() < MAXIMUM_HEADER:
             line = stream.readline(MAXIMUM_HEADER)
+            if b"\0" in line:
+                break
             name, _separator, value = line.partition(separator)
             fields[name.decode("latin-1").strip().lower()] = value.decode("latin-1").strip("= \t\r\n")
             if not line or is_last(line):
                 return fields, stream.tell()
-    raise FileLengthError("the header has no end")
+    raise FileLengthError("the header is damaged: it has no end")
 
 
 def _unpacked_length(path, start, packing):
