@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "MapOracle.h"
+
+#include "ExactOrientation.h"
+#include "Triangles.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fuzz
+{
+namespace
+{
+
+constexpr long double Pi = 3.14159265358979323846264L;
+
+bool isFlat(const Triangles& map)
+{
+  return std::all_of(map.Points.begin(),
+    map.Points.end(),
+    [&](const Point& p)
+    { return std::isfinite(p[0]) && std::isfinite(p[1]) && p[2] == map.Points.front()[2]; });
+}
+
+// The orientation of each face, relative to that of most faces.
+std::vector<int> orientations(const Triangles& map)
+{
+  std::vector<int> signs;
+  int sum = 0;
+  for (const Triangle& face : map.Faces)
+  {
+    signs.push_back(orientation(map.Points[face[0]], map.Points[face[1]], map.Points[face[2]]));
+    sum += signs.back();
+  }
+  if (sum < 0)
+  {
+    std::transform(signs.begin(), signs.end(), signs.begin(), [](int sign) { return -sign; });
+  }
+  return signs;
+}
+
+long double signedArea(const Triangles& map, const Triangle& face)
+{
+  const Point& a = map.Points[face[0]];
+  const Point& b = map.Points[face[1]];
+  const Point& c = map.Points[face[2]];
+  return 0.5L * ((static_cast<long double>(b[0]) - a[0]) * (static_cast<long double>(c[1]) - a[1]) -
+                  (static_cast<long double>(b[1]) - a[1]) * (static_cast<long double>(c[0]) - a[0]));
+}
+
+enum class Domain
+{
+  Disk,
+  Rectangle,
+  Polygon
+};
+
+// The domain of a map; the campaign marks maps to a polygon.
+Domain domainOf(vtkPolyData* map)
+{
+  vtkFieldData* data = map->GetFieldData();
+  return data->HasArray("FuzzDomain")       ? Domain::Polygon
+         : data->HasArray("CornerPointIds") ? Domain::Rectangle
+                                            : Domain::Disk;
+}
+
+struct Box
+{
+  double Low[2] = { HUGE_VAL, HUGE_VAL };
+  double High[2] = { -HUGE_VAL, -HUGE_VAL };
+};
+
+Box boxOf(const Triangles& map, const std::vector<vtkIdType>& loop)
+{
+  Box box;
+  for (const vtkIdType p : loop)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      box.Low[k] = std::min(box.Low[k], map.Points[p][k]);
+      box.High[k] = std::max(box.High[k], map.Points[p][k]);
+    }
+  }
+  return box;
+}
+
+// Whether each step along the boundary goes round the centre counter-clockwise, and all steps once.
+bool goesRoundOnce(const Triangles& map,
+  const std::vector<vtkIdType>& loop,
+  const Point& centre,
+  double size)
+{
+  double turn = 0.0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const Point& a = map.Points[loop[i]];
+    const Point& b = map.Points[loop[(i + 1) % loop.size()]];
+    const double x[2] = { (a[0] - centre[0]) / size, (b[0] - centre[0]) / size };
+    const double y[2] = { (a[1] - centre[1]) / size, (b[1] - centre[1]) / size };
+    const double step = std::atan2(x[0] * y[1] - y[0] * x[1], x[0] * x[1] + y[0] * y[1]);
+    turn += orientation(centre, a, b) < 0 ? step + 2.0 * static_cast<double>(Pi) : step;
+  }
+  return std::abs(turn - 2.0 * static_cast<double>(Pi)) < 1e-6;
+}
+
+double radiusOf(const Triangles& map, const std::vector<vtkIdType>& loop)
+{
+  double radius = 0.0;
+  for (const vtkIdType p : loop)
+  {
+    radius = std::max(radius, std::hypot(map.Points[p][0], map.Points[p][1]));
+  }
+  return radius;
+}
+
+// Whether the boundary goes once around the inside, on the outline of its domain.
+void checkOutline(const Triangles& map,
+  const std::vector<vtkIdType>& loop,
+  Domain domain,
+  Findings& findings)
+{
+  const Box box = boxOf(map, loop);
+  const double size = std::max(box.High[0] - box.Low[0], box.High[1] - box.Low[1]);
+  const Point middle = {
+    0.5 * box.Low[0] + 0.5 * box.High[0], 0.5 * box.Low[1] + 0.5 * box.High[1], 0.0
+  };
+  const Point centre = domain == Domain::Disk ? Point{ 0.0, 0.0, 0.0 } : middle;
+  findings.require(goesRoundOnce(map, loop, centre, size),
+    "outline",
+    "Bijective, but the boundary does not go round its centre once");
+  const double radius = radiusOf(map, loop);
+  for (const vtkIdType p : domain == Domain::Polygon ? std::vector<vtkIdType>{} : loop)
+  {
+    const Point& a = map.Points[p];
+    const double away = domain == Domain::Disk
+                          ? radius - std::hypot(a[0], a[1])
+                          : std::min(std::min(a[0] - box.Low[0], box.High[0] - a[0]),
+                              std::min(a[1] - box.Low[1], box.High[1] - a[1]));
+    findings.require(
+      std::abs(away) <= 1e-9 * size, "outline", "Bijective, but a boundary point is not on the outline");
+  }
+}
+
+void checkDomainArea(const Triangles& map,
+  const std::vector<vtkIdType>& loop,
+  Domain domain,
+  long double surfaceArea,
+  Findings& findings)
+{
+  const Box box = boxOf(map, loop);
+  const long double radius = radiusOf(map, loop);
+  const long double area = domain == Domain::Disk
+                             ? Pi * radius * radius
+                             : (static_cast<long double>(box.High[0]) - box.Low[0]) *
+                                 (static_cast<long double>(box.High[1]) - box.Low[1]);
+  findings.require(std::abs(area - surfaceArea) <= 1e-8L * surfaceArea,
+    "domain-area",
+    "the domain has " + std::to_string(static_cast<double>(area / surfaceArea)) + " of the area");
+}
+
+} // namespace
+
+void checkMap(vtkPolyData* data, bool hasSurfaceArea, Findings& findings)
+{
+  const Triangles map = trianglesOf(data);
+  const Triangles surface = trianglesOf(data, "SurfacePoints");
+  if (!isFlat(map))
+  {
+    findings.fail("not-finite", "a map with points that are not finite or not flat");
+    return;
+  }
+  const std::vector<int> signs = orientations(map);
+  const auto flipped = std::count_if(signs.begin(), signs.end(), [](int sign) { return sign <= 0; });
+  const double reported = figure(data, "FlippedFaces");
+  findings.require(reported == static_cast<double>(flipped),
+    "flipped-faces",
+    "FlippedFaces is " + std::to_string(static_cast<long long>(reported)) + ", the exact count " +
+      std::to_string(flipped));
+  const bool isTransported = data->GetFieldData()->HasArray("Bijective") != 0;
+  const Domain domain = domainOf(data);
+  const auto loops = boundaryLoops(map);
+  if (loops.size() != 1)
+  {
+    findings.fail("disk-topology", "a map with several boundaries");
+    return;
+  }
+  const std::vector<vtkIdType>& loop = loops.front();
+  if (isTransported && figure(data, "Bijective") == 1.0)
+  {
+    findings.require(
+      flipped == 0, "bijective", "Bijective, but " + std::to_string(flipped) + " faces are flipped");
+    checkOutline(map, loop, domain, findings);
+  }
+  const long double area = totalArea(surface);
+  if (hasSurfaceArea && area > 0.0L && domain != Domain::Polygon)
+  {
+    checkDomainArea(map, loop, domain, area, findings);
+  }
+}
+
+void checkDistortion(vtkPolyData* data, bool hasTargets, Findings& findings)
+{
+  const Triangles map = trianglesOf(data);
+  const Triangles surface = trianglesOf(data, "SurfacePoints");
+  const std::vector<int> signs = orientations(map);
+  const auto flipped = std::count_if(signs.begin(), signs.end(), [](int sign) { return sign <= 0; });
+  findings.require(figure(data, "FlippedFaces") == static_cast<double>(flipped),
+    "flipped-faces",
+    "Distortion Metrics says " + std::to_string(static_cast<int>(figure(data, "FlippedFaces"))) +
+      " flipped, the exact count is " + std::to_string(flipped));
+  if (hasTargets)
+  {
+    return;
+  }
+  vtkDataArray* distortion = data->GetCellData()->GetArray("AreaDistortion");
+  vtkDataArray* degenerate = data->GetCellData()->GetArray("Degenerate");
+  long double flatTotal = 0.0L;
+  for (const Triangle& face : map.Faces)
+  {
+    flatTotal += signedArea(map, face);
+  }
+  flatTotal = std::abs(flatTotal);
+  const long double total = totalArea(surface);
+  for (std::size_t f = 0; f < map.Faces.size(); ++f)
+  {
+    const long double area = areaOf(surface, surface.Faces[f]);
+    const long double flat = std::abs(signedArea(map, map.Faces[f]));
+    if (degenerate->GetTuple1(f) != 0.0 || area == 0.0L || flat == 0.0L)
+    {
+      continue;
+    }
+    // The rounding of the coordinates' differences, which a needle magnifies.
+    const long double rounding = 1e-13L * (greatestSquaredSide(surface, surface.Faces[f]) / area +
+                                            greatestSquaredSide(map, map.Faces[f]) / flat);
+    const auto expected = std::log((area / total) / (flat / flatTotal));
+    findings.require(std::abs(distortion->GetTuple1(f) - expected) <= 1e-6L + rounding,
+      "area-distortion",
+      "face " + std::to_string(f) + ": " + std::to_string(distortion->GetTuple1(f)) + " instead of " +
+        std::to_string(static_cast<double>(expected)));
+  }
+}
+
+} // namespace fuzz
