@@ -22,7 +22,6 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 FINISHED = "finished"
 FAILED = "failed"
 FOLDERS = ("results", "cases")
-END_OF_RESULT = b"</VTKFile>"
 
 
 class RunError(Exception):
@@ -42,6 +41,27 @@ def remove(*paths):
     for path in paths:
         with reported("remove", path), contextlib.suppress(FileNotFoundError):
             os.remove(path)
+
+
+@contextlib.contextmanager
+def without_rest(path):
+    """Removes a file, as far as the disk allows it, that could not be written to its end."""
+    try:
+        yield
+    except OSError:
+        with contextlib.suppress(OSError):
+            os.remove(path)
+        raise
+
+
+@contextlib.contextmanager
+def whole_file(path, **options):
+    """A stream for a text file that gets its name once it is complete. Raises RunError."""
+    part = path + ".part"
+    with reported("write", path), without_rest(part):
+        with open(part, "w", encoding="utf-8", **options) as stream:
+            yield stream
+        os.replace(part, path)
 
 
 class CaseRecords:
@@ -128,14 +148,17 @@ class CaseRecords:
 
     def write_result(self, case, flat):
         """Writes the flat map beside its place: finish() puts it there."""
-        path = self.result_path(case) + ".part"
         writer = vtkXMLPolyDataWriter()
         writer.SetInputData(flat)
         writer.SetDataModeToBinary()  # Debian's ParaView cannot read appended data
-        writer.SetFileName(path)
-        if not writer.Write() or not ends_with(path, END_OF_RESULT):
-            remove(path)
-            raise RunError(f"cannot write {self.result_path(case)} to its end: the disk may be full")
+        writer.WriteToOutputStringOn()  # VTK 9.1 crashes if it writes to a full disk
+        written = writer.Write() and writer.GetOutputString()
+        if not written:
+            raise MemoryError
+        text = written.encode() if isinstance(written, str) else written
+        path = self.result_path(case)
+        with reported("write", path), without_rest(path + ".part"), open(path + ".part", "wb") as stream:
+            stream.write(text)
 
     def finish(self, case, figures, costs, warnings):
         path = self.result_path(case)
@@ -186,27 +209,3 @@ class CaseRecords:
             writer = csv.writer(stream)
             writer.writerow(["Case", *columns])
             writer.writerows([row["case"], *(row["costs"].get(name, "") for name in columns)] for row in rows)
-
-
-@contextlib.contextmanager
-def whole_file(path, **options):
-    """A stream for a text file that gets its name once it is complete. Raises RunError."""
-    part = path + ".part"
-    with reported("write", path):
-        try:
-            with open(part, "w", encoding="utf-8", **options) as stream:
-                yield stream
-            os.replace(part, path)
-        except OSError:
-            with contextlib.suppress(OSError):
-                os.remove(part)
-            raise
-
-
-def ends_with(path, text):
-    try:
-        with open(path, "rb") as stream:
-            stream.seek(-min(len(text) + 8, os.path.getsize(path)), os.SEEK_END)
-            return stream.read().rstrip().endswith(text)
-    except OSError:
-        return False

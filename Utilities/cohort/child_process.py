@@ -34,7 +34,7 @@ def in_child(function, seconds=None, megabytes=None):
     with its parent, whatever ends that.
 
     @seconds: after which the child is killed; None: never.
-    @megabytes: of address space that the child may use; None: any.
+    @megabytes: of address space that the child may use beyond those of its parent; None: any.
     """
     readable, writable = os.pipe()
     parent = os.getpid()
@@ -68,7 +68,7 @@ def _be_child(function, writable, parent, megabytes):
         for number in REPORTED:
             signal.signal(number, signal.SIG_DFL)
         if megabytes:
-            limit = int(megabytes * 2**20)
+            limit = _address_space() + int(megabytes * 2**20)
             resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
 
         def tell(kind, value):
@@ -84,6 +84,12 @@ def _be_child(function, writable, parent, megabytes):
         sys.stdout.flush()
         sys.stderr.flush()
         os._exit(status)
+
+
+def _address_space():
+    """Bytes of this process."""
+    with open("/proc/self/statm", encoding="ascii") as stream:
+        return int(stream.read().split()[0]) * resource.getpagesize()
 
 
 def _end_with(parent):

@@ -44,7 +44,7 @@ def parsed_arguments():
     parser.add_argument("--handles", choices=HANDLES, default="remove")
     parser.add_argument("--remesh", action="store_true", help="even triangles: fewer, better shaped, faster")
     parser.add_argument("--edge-length", type=float, default=0.0, help="with --remesh; 0: automatic")
-    parser.add_argument("--case-memory", type=float, metavar="MB", help="of address space that a case may use")
+    parser.add_argument("--case-memory", type=float, metavar="MB", help="of memory that a case may use")
     parser.add_argument("--case-time", type=float, metavar="S", help="seconds after which a case is given up")
     arguments = parser.parse_args()
     if arguments.list:

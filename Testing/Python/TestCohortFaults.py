@@ -1,0 +1,229 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Utilities/cohort with files that are cut short or crash, a full disk, two runs in one folder and untrue arguments."""
+
+import contextlib
+import gzip
+import io
+import os
+import resource
+import shutil
+import signal
+import sys
+import tempfile
+import time
+
+import numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
+from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
+from vtkmodules.vtkIOPLY import vtkPLYWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, HERE)
+sys.path.insert(0, os.path.join(HERE, "..", "..", "Utilities", "cohort"))
+
+import case_process
+import cohort
+import VolumeFiles
+from case_files import CaseError, extension, read
+from case_list import Case
+from case_records import CaseRecords, RunError
+from child_process import in_child
+from run_lock import RunLock
+
+folder = tempfile.mkdtemp(dir=os.environ.get("TEMPORARY_DIRECTORY"))
+sphere = vtkSphereSource()
+sphere.SetThetaResolution(12)
+sphere.SetPhiResolution(12)
+sphere.SetEndPhi(100)
+sphere.Update()
+SETTINGS = {
+    "isovalue": None, "smoothing": 1.0, "cut": "hole", "plane_normal": [1, 0, 0], "plane_origin": None,
+    "hole_area": 1e-3, "handles": "remove", "remesh": False, "edge_length": 0.0,
+}
+NO_LIMITS = {"seconds": None, "megabytes": None}
+
+
+def path_of(name):
+    return os.path.join(folder, name)
+
+
+def write_surface(writer, name, kind=None):
+    writer.SetInputData(sphere.GetOutput())
+    writer.SetFileName(path_of(name))
+    if kind:
+        getattr(writer, kind)()
+    assert writer.Write()
+    return path_of(name)
+
+
+def reading(path):
+    """The number of cells, or why the file cannot be read, or that the reader crashed."""
+
+    def work(_announce):
+        try:
+            return read(path, []).GetNumberOfCells()
+        except CaseError as error:
+            return str(error)
+
+    ending = in_child(work, seconds=60)
+    return f"signal {ending.signal}" if ending.signal else ending.value
+
+
+# --- A file that is cut short anywhere is refused -----------------------------------------------------------------
+grid = numpy.indices((8, 9, 10)).sum(axis=0).astype(numpy.int16)
+files = {
+    write_surface(vtkPolyDataWriter(), "text.vtk", "SetFileTypeToASCII"): "damaged",
+    write_surface(vtkPolyDataWriter(), "binary.vtk", "SetFileTypeToBinary"): "damaged",
+    write_surface(vtkXMLPolyDataWriter(), "binary.vtp", "SetDataModeToBinary"): "damaged",
+    write_surface(vtkPLYWriter(), "text.ply", "SetFileTypeToASCII"): "cut short",
+    write_surface(vtkPLYWriter(), "binary.ply", "SetFileTypeToBinary"): "cut short",
+    write_surface(vtkSTLWriter(), "text.stl", "SetFileTypeToASCII"): "damaged",
+    write_surface(vtkSTLWriter(), "binary.stl", "SetFileTypeToBinary"): "cut short",
+}
+for name, write in (
+    ("ball.nii", VolumeFiles.write_nifti), ("ball.mha", VolumeFiles.write_metaimage), ("ball.nrrd", VolumeFiles.write_nrrd),
+):
+    write(path_of(name), grid, (1.0, 1.0, 1.5))
+    files[path_of(name)] = "cut short"
+with open(path_of("ball.nii"), "rb") as stream, open(path_of("packed.nii.gz"), "wb") as packed:
+    packed.write(gzip.compress(stream.read()))
+files[path_of("packed.nii.gz")] = "cut short"
+for path, word in files.items():
+    assert reading(path) > 100, (path, reading(path))
+    for share in (1 / 2, 2 / 3, 0.97):
+        cut = path_of("cut" + extension(path))
+        shutil.copy(path, cut)
+        os.truncate(cut, int(share * os.path.getsize(path)))
+        assert word in str(reading(cut)), (path, share, reading(cut))
+whole = write_surface(vtkOBJWriter(), "surface.obj")
+os.truncate(whole, os.path.getsize(whole) - 2)  # within a word of the last line, or after it
+warnings = []
+read(whole, warnings)
+assert len(warnings) == 1 and "does not end with a line break" in warnings[0], warnings
+with open(path_of("packed.nii.gz"), "r+b") as stream:
+    stream.seek(-7, os.SEEK_END)
+    stream.write(b"\1\2\3")  # the checksum
+assert "compressed data are damaged" in reading(path_of("packed.nii.gz"))
+with open(path_of("cut.nrrd"), "wb") as stream, open(path_of("ball.nrrd"), "rb") as source:
+    stream.write(source.read().replace(b"type: short", b"\0: short"))  # VTK's reader does not end with such files
+assert "header is damaged" in reading(path_of("cut.nrrd"))
+
+# --- Whatever ends the process of a case, there is a sentence, and the next case is done --------------------------
+case = Case("surface", path_of("binary.vtk"))
+records = CaseRecords(path_of("output"), SETTINGS)
+records.make_folders()
+
+
+def ended_by(action, stage=case_process.READING, limits=NO_LIMITS):
+    def flatten(_path, _settings, announce):
+        announce(stage)
+        action()
+
+    genuine, case_process.flatten = case_process.flatten, flatten
+    try:
+        return case_process.flattened(case, records, SETTINGS, limits)["reason"]
+    finally:
+        case_process.flatten = genuine
+
+
+def endless():
+    while True:
+        pass
+
+
+def crash():
+    os.kill(os.getpid(), signal.SIGSEGV)
+
+
+assert ended_by(crash) == "the reader crashed (SIGSEGV): the file may be damaged"
+assert "Conformal Disk crashed (SIGSEGV), which is a fault of the program" in ended_by(crash, "Conformal Disk")
+assert "was killed in the reader" in ended_by(lambda: os.kill(os.getpid(), signal.SIGKILL))
+assert "exit status 3" in ended_by(lambda: os._exit(3))
+given_up = ended_by(endless, "Conformal Disk", {"seconds": 0.5, "megabytes": None})
+assert given_up == "it was given up in Conformal Disk after 0.5 s, as --case-time asks", given_up
+assert "not enough memory" in ended_by(lambda: bytearray(10**9), limits={"seconds": None, "megabytes": 50})
+case_process.READING_SECONDS = 0
+assert "did not end within 0 s of processor time" in ended_by(endless)
+case_process.READING_SECONDS = 600
+pid = in_child(lambda announce: os.getpid()).value
+assert pid != os.getpid() and not os.path.exists(f"/proc/{pid}")
+
+# --- A disk that is full while the result or the row is written ---------------------------------------------------
+assert records.take(case)
+
+
+def trouble(size, action):
+    """What a RunError says if files cannot be larger than so many bytes."""
+
+    def work(_announce):
+        resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+        try:
+            action()
+        except RunError as error:
+            return str(error)
+        return "no trouble"
+
+    return in_child(work).value
+
+
+text = trouble(100, lambda: records.write_result(case, sphere.GetOutput()))
+assert text.startswith("cannot write") and text.endswith("surface.vtp: File too large"), text
+assert "surface.json: File too large" in trouble(100, lambda: records.fail(case, "none"))
+assert os.listdir(path_of("output/results")) == [] and os.listdir(path_of("output/cases")) == ["surface.started"]
+records.write_result(case, vtkPolyData())
+records.finish(case, {"Faces": 0}, {}, [])
+assert records.is_finished(case)
+os.truncate(records.result_path(case), 10)
+assert not records.is_finished(case)
+
+# --- Two runs in one folder, and how often a case was interrupted --------------------------------------------------
+assert not records.take(case)
+records.release(case)
+for times in (1, 2):
+    assert records.take(case)
+    records.release(case)  # as the next run does if this one is killed now
+    assert records.interruptions(case) == times
+one, two = RunLock(path_of("output")), RunLock(path_of("output"))
+one.take_alone()
+one.share()
+RunLock(path_of("output")).share()
+began = time.monotonic()
+import run_lock
+
+run_lock.PATIENCE = 0.2
+try:
+    two.take_alone()
+    raise AssertionError("two runs in one folder")
+except RunError as error:
+    assert "another run is at work" in str(error) and time.monotonic() - began < 5
+
+# --- Sentences instead of Python's stack --------------------------------------------------------------------------
+with open(path_of("file"), "w", encoding="utf-8"):
+    pass
+
+
+def answer(*arguments):
+    """The exit status and what is said."""
+    said = io.StringIO()
+    genuine, sys.argv = sys.argv, ["cohort.py", *arguments]
+    try:
+        with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
+            cohort.main()
+    except SystemExit as end:
+        return end.code, said.getvalue()
+    finally:
+        sys.argv = genuine
+    return 0, said.getvalue()
+
+
+status, text = answer("--output", path_of("other"), "/a/x.vtk", "/a/x.ply")
+assert status == 2 and "error: two files would both be the case x" in text, text
+status, text = answer("--output", path_of("file"), path_of("binary.vtk"))
+assert status == 2 and "error: cannot make the folder" in text and "Not a directory" in text, text
+status, text = answer("--output", path_of("other"), "--list", path_of("none"))
+assert status == 2 and "No such file or directory" in text, text
+status, text = answer("--output", path_of("other"), path_of("binary.vtk"), path_of("cut.ply"))
+assert status == 1 and "1 finished, 1 failed" in text and "failed: cut: the file is cut short" in text, text
