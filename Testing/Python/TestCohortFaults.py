@@ -24,6 +24,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 sys.path.insert(0, os.path.join(HERE, "..", "..", "Utilities", "cohort"))
 
+import case_pipeline
 import case_process
 import cohort
 import VolumeFiles
@@ -109,7 +110,14 @@ with open(path_of("packed.nii.gz"), "r+b") as stream:
 assert "compressed data are damaged" in reading(path_of("packed.nii.gz"))
 with open(path_of("cut.nrrd"), "wb") as stream, open(path_of("ball.nrrd"), "rb") as source:
     stream.write(source.read().replace(b"type: short", b"\0: short"))  # VTK's reader does not end with such files
-assert "header is damaged" in reading(path_of("cut.nrrd"))
+assert "header has no end" in reading(path_of("cut.nrrd"))
+image = read(path_of("ball.mha"), [])
+image.SetSpacing(1.0, 0.0, 1.0)
+try:
+    case_pipeline.isosurface(image, 10.0, 1.0)
+    raise AssertionError("voxels without size")
+except CaseError as error:
+    assert str(error) == "the voxels have the sizes 1, 0, 1", error
 
 # --- Whatever ends the process of a case, there is a sentence, and the next case is done --------------------------
 case = Case("surface", path_of("binary.vtk"))

@@ -96,7 +96,8 @@ class Campaign:
     def __init__(self, scratch, arguments):
         self.scratch = scratch
         self.arguments = arguments
-        self.files = write_small_files(os.path.join(scratch, "valid"))
+        files = write_small_files(os.path.join(scratch, "valid"))
+        self.files = {name: files[name] for name in arguments.formats or files}
         self.table = {name: collections.Counter() for name in self.files}
         self.worst = collections.Counter()
 
@@ -186,6 +187,7 @@ def main():
     parser.add_argument("--seconds", type=float, default=60.0, help="after which a file hangs (default 60)")
     parser.add_argument("--megabytes", type=float, default=6000.0,
                         help="of address space per file; 0: any, for the address sanitizer (default 6000)")
+    parser.add_argument("--formats", nargs="*", help="some of the formats; the files depend on which")
     parser.add_argument("--one", metavar="SEED-NUMBER", help="repeat one file of a run, such as 1-4711")
     parser.add_argument("--keep", help="a folder for the files with a fault")
     parser.add_argument("--verbose", action="store_true", help="print what becomes of each file")

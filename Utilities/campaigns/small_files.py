@@ -19,7 +19,7 @@ import VolumeFiles
 
 SPACING = (1.0, 1.0, 1.5)
 ISOVALUE = 300.0
-SLICES = 8  # the writer of DICOM files allows no multiple of 7
+SLICES = 8  # the writer of DICOM files allows no multiple of 7; fewer than 10 columns are components to VTK in NRRD
 
 
 def write_small_files(folder):
@@ -73,6 +73,6 @@ def _sphere(closed):
 
 
 def _ball():
-    z, y, x = numpy.indices((SLICES, 8, 9)).astype(float)
-    distance = numpy.sqrt((1.5 * (z - 3.6)) ** 2 + (y - 3.6) ** 2 + (x - 3.9) ** 2)
+    z, y, x = numpy.indices((SLICES, 8, 12)).astype(float)
+    distance = numpy.sqrt((1.5 * (z - 3.6)) ** 2 + (y - 3.6) ** 2 + (x - 5.4) ** 2)
     return numpy.clip(ISOVALUE + 100.0 * (2.4 - distance), -1000, 2000).astype(numpy.int16)

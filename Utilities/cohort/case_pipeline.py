@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """One case from its file to a measured flat map, by the filters that ParaView's menus have."""
 
+import math
 import resource
 from dataclasses import dataclass, field
 
@@ -79,6 +80,8 @@ def isosurface(image, isovalue, smoothing):
     scalars = image.GetPointData().GetScalars()
     if scalars is None or scalars.GetNumberOfComponents() != 1:
         raise CaseError("the volume has no single value per voxel")
+    if not all(math.isfinite(size) and size > 0 for size in image.GetSpacing()):
+        raise CaseError(f"the voxels have the sizes {', '.join(f'{size:g}' for size in image.GetSpacing())}")
     low, high = scalars.GetRange()
     cast = vtkImageCast()
     cast.SetInputData(image)

@@ -67,7 +67,8 @@ def check_metaimage(path):
 
 def check_nrrd(path):
     """https://teem.sourceforge.net/nrrd/format.html: lines of name: value up to an empty one, then the voxels."""
-    fields, end = _fields(path, b":", lambda line: not line.strip())
+    detached = path.lower().endswith(".nhdr")
+    fields, end = _fields(path, b":", lambda line: not line.strip(), may_end=detached)
     data = fields.get("data file", fields.get("datafile", ""))
     kind = fields.get("type", "").removesuffix("_t").replace("unsigned ", "").replace("signed ", "")
     kind = kind.removesuffix(" int").removeprefix("u").replace("long long", "longlong")
@@ -104,19 +105,24 @@ def _integers(text):
         return []
 
 
-def _fields(path, separator, is_last):
-    """The fields of a text header, with small letters, and where it ends."""
+def _fields(path, separator, is_last, may_end=False):
+    """The fields of a text header, with small letters, and where it ends.
+
+    @may_end: the file may be a header alone, without the line that ends it.
+    """
     fields = {}
     with open(path, "rb") as stream:
         while stream.tell() < MAXIMUM_HEADER:
             line = stream.readline(MAXIMUM_HEADER)
             if b"\0" in line:
                 break
+            if not line and not may_end:
+                break
             name, _separator, value = line.partition(separator)
             fields[name.decode("latin-1").strip().lower()] = value.decode("latin-1").strip("= \t\r\n")
             if not line or is_last(line):
                 return fields, stream.tell()
-    raise FileLengthError("the header is damaged: it has no end")
+    raise FileLengthError("the header has no end: the file is cut short or damaged")
 
 
 def _unpacked_length(path, start, packing):
