@@ -381,9 +381,9 @@ public:
   /**
    * Least number of vertices of a boundary that the filter cuts: edges there are split where needed. A
    * boundary of the input gets at least 8 vertices, or this number if it is smaller, as a triangle
-   * covers less than half of its circle. Range [3, inf). Default: 128.
+   * covers less than half of its circle. Range [3, 100000]. Default: 128.
    */
-  vtkSetClampMacro(MinimumBoundaryVertices, int, 3, VTK_INT_MAX);
+  vtkSetClampMacro(MinimumBoundaryVertices, int, 3, 100000);
   vtkGetMacro(MinimumBoundaryVertices, int);
   ///@}
 

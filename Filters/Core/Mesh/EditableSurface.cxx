@@ -85,8 +85,25 @@ EditableSurface::EditableSurface(const TriangleMesh& mesh)
   }
 }
 
+namespace
+{
+
+// The greatest number of new vertices beside as many as the surface has: a guard. Cuts add some
+// thousands. Beside triangles that are 1e30 times smaller, as around a point that lies far off by
+// mistake, bisection would go on until memory is gone.
+constexpr std::size_t MostNewVertices = 1000000;
+
+} // namespace
+
 EditableSurface::Split EditableSurface::splitEdge(Halfedge edge, double t)
 {
+  if (this->Mesh.number_of_vertices() >
+      2 * static_cast<std::size_t>(this->OriginalVertices) + MostNewVertices)
+  {
+    throw InvalidInput(
+      "the cut would take more than a million new points, as the triangles beside it differ too "
+      "much in size: remove points that lie far off, or set Remesh");
+  }
   const Vertex source = this->Mesh.source(edge);
   const Vertex target = this->Mesh.target(edge);
   const Kernel::Point_3 p = this->Mesh.point(source);

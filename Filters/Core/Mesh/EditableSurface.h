@@ -55,6 +55,7 @@ public:
 
   /// Splits the edge at source + t (target - source), 0 < t < 1, and the one or two faces beside it.
   /// The new faces inherit the origin of the face that they are a part of.
+  /// @throws InvalidInput if the surface has more than twice its vertices and a million.
   Split splitEdge(Halfedge edge, double t);
 
   double squaredLength(Halfedge edge) const;

@@ -445,4 +445,29 @@ TEST(SurfaceToDisk, RejectsOptionsThatMakeNoSense)
     contains(messageOf<InvalidInput>([&] { surfaceToDisk(sphere(1), options); }), "zero area"));
 }
 
+// One point far off makes triangles whose sizes differ by any factor.
+TEST(SurfaceToDisk, EndsWhereAPointLiesFarOff)
+{
+  for (const double distance : { 1e3, 1e9, 1e15, 1e30 })
+  {
+    SCOPED_TRACE(distance);
+    for (const CutMode cut : { CutMode::Hole, CutMode::Seam })
+    {
+      TriangleMesh mesh = sphere(3);
+      mesh.Vertices.row(100) << distance, 0.3 * distance, 0.1;
+      SurfaceToDiskOptions options;
+      options.Cut = cut;
+      try
+      {
+        EXPECT_EQ(requireDisk(surfaceToDisk(mesh, options).Surface.Mesh).empty(), false);
+      }
+      catch (const FlatteningError& error)
+      {
+        EXPECT_GE(distance, 1e15) << error.what();
+        EXPECT_TRUE(contains(error.what(), ": ")) << error.what(); // the cause and the remedy
+      }
+    }
+  }
+}
+
 } // namespace
