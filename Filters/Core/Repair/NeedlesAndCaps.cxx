@@ -19,6 +19,10 @@ namespace
 
 using VertexClasses = boost::disjoint_sets_with_storage<>;
 
+// The greatest number of splits for each face: a guard. Isosurfaces have fewer caps than faces, and a
+// cap splits one face.
+constexpr std::size_t MostSplitsPerFace = 10;
+
 // Joins the ends of the face's shortest edge if that is too short. Returns whether they were two.
 bool joinIfNeedle(const Points3& vertices, const Triangle& face, VertexClasses& classes)
 {
@@ -69,9 +73,11 @@ RemovedSlivers collapseNeedles(const Points3& vertices, FaceList& list)
 class CapDissolver
 {
 public:
-  CapDissolver(const Points3& vertices, FaceList& list)
+  // @p splits: how many faces may still be split; counted down
+  CapDissolver(const Points3& vertices, FaceList& list, std::size_t& splits)
     : Vertices(vertices)
     , List(list)
+    , Splits(splits)
     , Alive(list.Faces.size(), 1)
   {
   }
@@ -154,6 +160,16 @@ private:
     }
   }
 
+  bool exists(const Triangle& t) const
+  {
+    const std::vector<int>& faces = this->FacesOfVertex[t[0]];
+    return std::any_of(faces.begin(),
+      faces.end(),
+      [&](int g) {
+        return this->Alive[g] && std::is_permutation(t.begin(), t.end(), this->List.Faces[g].begin());
+      });
+  }
+
   void dissolve(int f)
   {
     const auto [from, to, between] = this->longestEdgeFirst(this->List.Faces[f]);
@@ -162,8 +178,10 @@ private:
     for (const int g : candidates)
     {
       const Triangle beyond = this->List.Faces[g];
-      if (this->Alive[g] && std::find(beyond.begin(), beyond.end(), to) != beyond.end())
+      if (this->Splits > 0 && this->Alive[g] &&
+          std::find(beyond.begin(), beyond.end(), to) != beyond.end())
       {
+        --this->Splits;
         this->Alive[g] = 0;
         this->addPart(beyond, to, between, this->List.Origins[g]);
         this->addPart(beyond, from, between, this->List.Origins[g]);
@@ -178,6 +196,10 @@ private:
       return; // the mirror image of the cap: nothing is left of it
     }
     std::replace(whole.begin(), whole.end(), replaced, replacement);
+    if (this->exists(whole))
+    {
+      return; // copies would double with every split, where many caps lie on one line
+    }
     const int f = static_cast<int>(this->List.Faces.size());
     this->List.Faces.push_back(whole);
     this->List.Origins.push_back(origin);
@@ -188,6 +210,7 @@ private:
 
   const Points3& Vertices;
   FaceList& List;
+  std::size_t& Splits;
   std::vector<char> Alive; // per face
   std::vector<std::vector<int>> FacesOfVertex;
   std::priority_queue<std::pair<double, int>> Queue; // squared length of the longest edge, face
@@ -198,11 +221,14 @@ private:
 RemovedSlivers removeNeedlesAndCaps(const Points3& vertices, FaceList& faces)
 {
   RemovedSlivers removed;
+  // Where many caps lie on one line, splits can make new caps without end. Caps are then dropped, which
+  // leaves T-junctions.
+  std::size_t splits = MostSplitsPerFace * faces.Faces.size();
   // Either step may make new work for the other.
   for (bool changed = true; changed;)
   {
     const RemovedSlivers needles = collapseNeedles(vertices, faces);
-    const int caps = CapDissolver(vertices, faces).run();
+    const int caps = CapDissolver(vertices, faces, splits).run();
     removed.JoinedVertices += needles.JoinedVertices;
     removed.Faces += needles.Faces + caps;
     changed = needles.JoinedVertices > 0 || caps > 0;
