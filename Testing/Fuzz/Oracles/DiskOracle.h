@@ -11,6 +11,6 @@ namespace fuzz
 
 /// One connected manifold disk of finite points, consistently oriented, whose arrays and figures are
 /// true.
-void checkDisk(vtkPolyData* disk, vtkPolyData* input, Findings& findings);
+void checkDisk(vtkPolyData* disk, vtkPolyData* input, bool movesForAngles, Findings& findings);
 
 } // namespace fuzz

@@ -79,7 +79,7 @@ void runAborted(const Chain& chain, Random& random, Findings& findings)
 void runLifecycle(const Case& one, Findings& findings)
 {
   Random random = scenarioRandom(one);
-  const bool isLong = random.chance(0.3);
+  const bool isLong = random.chance(0.3) && one.Surface->GetNumberOfCells() < 500; // it runs many times
   std::vector<vtkSmartPointer<vtkPolyData>> surfaces = { one.Surface };
   surfaces.push_back(makeSurface("tiny", random));
   surfaces.push_back(makeSurface("spheres", random));

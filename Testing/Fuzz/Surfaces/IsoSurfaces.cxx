@@ -10,6 +10,7 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fuzz
@@ -131,6 +132,61 @@ Soup contour(Random& random, const Volume& volume, double value)
   return soupOf(edges->GetOutput());
 }
 
+using Index = std::array<int, 3>;
+
+// Squares between the corners of voxels, whole or as two triangles.
+class SquareFaces
+{
+public:
+  SquareFaces(int size, bool triangles)
+    : Size(size + 1)
+    , HasTriangles(triangles)
+    , Ids(static_cast<std::size_t>(this->Size) * this->Size * this->Size, -1)
+  {
+  }
+
+  // The square of a corner and two sides, clockwise if reversed.
+  void add(const Index& corner, const Index& u, const Index& v, bool reversed)
+  {
+    Cell cell = { this->pointAt(corner),
+      this->pointAt(sum(corner, u)),
+      this->pointAt(sum(sum(corner, u), v)),
+      this->pointAt(sum(corner, v)) };
+    if (reversed)
+    {
+      std::reverse(cell.begin(), cell.end());
+    }
+    if (this->HasTriangles)
+    {
+      this->Faces.addTriangle(cell[0], cell[1], cell[2]);
+      this->Faces.addTriangle(cell[0], cell[2], cell[3]);
+      return;
+    }
+    this->Faces.Polygons.push_back(cell);
+  }
+
+  Soup Faces;
+
+private:
+  static Index sum(const Index& a, const Index& b) { return { a[0] + b[0], a[1] + b[1], a[2] + b[2] }; }
+
+  vtkIdType pointAt(const Index& corner)
+  {
+    vtkIdType& id = this->Ids[(corner[2] * this->Size + corner[1]) * this->Size + corner[0]];
+    if (id < 0)
+    {
+      id = this->Faces.add({ static_cast<double>(corner[0]),
+        static_cast<double>(corner[1]),
+        static_cast<double>(corner[2]) });
+    }
+    return id;
+  }
+
+  int Size;
+  bool HasTriangles;
+  std::vector<vtkIdType> Ids;
+};
+
 } // namespace
 
 Soup smoothIsosurface(Random& random, int faces)
@@ -169,31 +225,7 @@ Soup voxelFaces(Random& random, int faces)
   const double value = quantile(volume, random.uniform(0.2, 0.97));
   close(volume);
   const int n = volume.Size;
-  const bool triangles = random.chance(0.6);
-  std::vector<vtkIdType> points((n + 1) * (n + 1) * (n + 1), -1);
-  Soup soup;
-  const auto corner = [&](int i, int j, int k)
-  {
-    vtkIdType& id = points[(k * (n + 1) + j) * (n + 1) + i];
-    return id >= 0
-             ? id
-             : id = soup.add({ static_cast<double>(i), static_cast<double>(j), static_cast<double>(k) });
-  };
-  const auto addSquare = [&](const Cell& square, bool reversed)
-  {
-    Cell cell = square;
-    if (reversed)
-    {
-      std::reverse(cell.begin(), cell.end());
-    }
-    if (!triangles)
-    {
-      soup.Polygons.push_back(cell);
-      return;
-    }
-    soup.addTriangle(cell[0], cell[1], cell[2]);
-    soup.addTriangle(cell[0], cell[2], cell[3]);
-  };
+  SquareFaces squares(n, random.chance(0.6));
   for (int k = 1; k < n; ++k)
   {
     for (int j = 1; j < n; ++j)
@@ -203,23 +235,20 @@ Soup voxelFaces(Random& random, int faces)
         const bool in = volume.at(i, j, k) > value;
         if (in != volume.at(i - 1, j, k) > value)
         {
-          addSquare(
-            { corner(i, j, k), corner(i, j + 1, k), corner(i, j + 1, k + 1), corner(i, j, k + 1) }, in);
+          squares.add({ i, j, k }, { 0, 1, 0 }, { 0, 0, 1 }, in);
         }
         if (in != volume.at(i, j - 1, k) > value)
         {
-          addSquare(
-            { corner(i, j, k), corner(i, j, k + 1), corner(i + 1, j, k + 1), corner(i + 1, j, k) }, in);
+          squares.add({ i, j, k }, { 0, 0, 1 }, { 1, 0, 0 }, in);
         }
         if (in != volume.at(i, j, k - 1) > value)
         {
-          addSquare(
-            { corner(i, j, k), corner(i + 1, j, k), corner(i + 1, j + 1, k), corner(i, j + 1, k) }, in);
+          squares.add({ i, j, k }, { 1, 0, 0 }, { 0, 1, 0 }, in);
         }
       }
     }
   }
-  return soup;
+  return squares.Faces;
 }
 
 } // namespace fuzz
