@@ -87,9 +87,16 @@ int runFilter(vtkAlgorithm* filter, vtkInformationVector* outputs, Body&& body)
     reportError(filter,
       "out of memory: reduce the input, e.g. a surface with Decimate or an image with Extract Subset");
   }
-  catch (const std::exception& error)
+  catch (const FlatteningError& error)
   {
     reportError(filter, error.what());
+  }
+  catch (const std::exception& error)
+  {
+    // What libraries throw, oneTBB for instance where no thread can be started.
+    reportError(filter,
+      std::string("a library has failed (") + error.what() +
+        "): if memory or the number of threads is limited, raise the limit or reduce the input");
   }
   catch (...)
   {

@@ -7,7 +7,7 @@ import math
 import re
 
 import surfaceflattening
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPlane
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 
@@ -20,11 +20,16 @@ def ball():
     source.SetPhiResolution(24)
     source.Update()
     surface = source.GetOutput()
-    x = vtk_to_numpy(surface.GetPoints().GetData())[:, 0]
-    for name, values in (("Label", (x > 0.2).astype("i4")), ("Height", x.astype("f8"))):
-        array = numpy_to_vtk(values, deep=True)
-        array.SetName(name)
-        surface.GetPointData().AddArray(array)
+    label = vtkIntArray()
+    label.SetName("Label")
+    height = vtkDoubleArray()
+    height.SetName("Height")
+    for i in range(surface.GetNumberOfPoints()):
+        x = surface.GetPoint(i)[0]
+        label.InsertNextValue(x > 0.2)
+        height.InsertNextValue(x)
+    surface.GetPointData().AddArray(label)
+    surface.GetPointData().AddArray(height)
     return surface
 
 
@@ -129,9 +134,9 @@ def run(filter):
     result = output(filter)
     points = result.GetPointData()
     arrays = [points.GetArray(i) for i in range(points.GetNumberOfArrays())]
-    data = [vtk_to_numpy(a).tobytes() for a in arrays if a is not None]
+    data = [bytes(memoryview(a)) for a in arrays if a is not None]
     if hasattr(result, "GetPoints") and result.GetPoints():
-        data.append(vtk_to_numpy(result.GetPoints().GetData()).tobytes())
+        data.append(bytes(memoryview(result.GetPoints().GetData())))
     return (data if result.GetNumberOfPoints() else None), errors
 
 

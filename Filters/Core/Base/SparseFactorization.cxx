@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Base/SparseFactorization.h"
 
+#include "Base/Errors.h"
 #include "Base/InterruptibleCall.h"
 
 #include <Eigen/CholmodSupport>
@@ -11,6 +12,7 @@
 #endif
 
 #include <mutex>
+#include <new>
 #include <utility>
 
 namespace flattening
@@ -30,6 +32,28 @@ std::mutex& blas()
   return mutex;
 }
 
+// CHOLMOD and UMFPACK return where they should throw.
+void requireMemory(bool hasMemory)
+{
+  if (!hasMemory)
+  {
+    throw std::bad_alloc();
+  }
+}
+
+// The first call of OpenBLAS takes a work area, and tries again without end where it gets none.
+void requireWorkArea()
+{
+  constexpr std::size_t WorkArea = std::size_t(160) << 20; // OpenBLAS 0.3 takes 129 MiB
+  static bool wasFound = false;
+  if (!wasFound)
+  {
+    const std::unique_ptr<char[]> area(new (std::nothrow) char[WorkArea]); // not touched: it costs nothing
+    requireMemory(area != nullptr);
+    wasFound = true;
+  }
+}
+
 // A lock that serializes calls of BLAS, because not every BLAS may be called from several threads (the
 // serial build of OpenBLAS returns wrong numbers then). It also keeps OpenMP from starting threads:
 // CHOLMOD would start four, however few cores there are, and have them wait for each other at every
@@ -41,6 +65,7 @@ public:
   BlasLock()
     : Lock(blas())
   {
+    requireWorkArea();
 #ifdef SURFACEFLATTENING_OPENMP
     this->OpenMPLevels = omp_get_max_active_levels();
     omp_set_max_active_levels(0);
@@ -69,12 +94,12 @@ struct SparseCholesky::Factor : Eigen::CholmodDecomposition<SparseMatrix, Eigen:
     , Order(std::move(order))
     , UsesBlas(kernel == Kernel::Blocks)
   {
+    this->cholmod().print = 0; // the caller reports
     if (kernel == Kernel::Entries)
     {
       this->cholmod().final_asis = 0;
       this->cholmod().final_ll = 1;
       this->cholmod().supernodal = CHOLMOD_SIMPLICIAL;
-      this->cholmod().print = 0;
     }
   }
 
@@ -86,6 +111,15 @@ struct SparseCholesky::Factor : Eigen::CholmodDecomposition<SparseMatrix, Eigen:
     }
     const std::unique_ptr<BlasLock> lock = this->blasLock();
     this->factorize(matrix);
+    this->requireMemoryAndSize();
+  }
+
+  Eigen::MatrixXd solution(const Eigen::Ref<const Eigen::MatrixXd>& rightSide)
+  {
+    const std::unique_ptr<BlasLock> lock = this->blasLock();
+    Eigen::MatrixXd result = this->solve(rightSide);
+    this->requireMemoryAndSize();
+    return result;
   }
 
   // Analyses the pattern in the order that is known. False if that order does not serve.
@@ -101,6 +135,7 @@ struct SparseCholesky::Factor : Eigen::CholmodDecomposition<SparseMatrix, Eigen:
     common.nmethods = 1; // only the first method, which is the given order
     cholmod_factor* factor = cholmod_analyze_p(&view, this->Order.Unknowns.data(), nullptr, 0, &common);
     common.nmethods = methods;
+    this->requireMemoryAndSize();
     if (!factor || common.lnz > GreatestGrowth * this->Order.Fill)
     {
       cholmod_free_factor(&factor, &common);
@@ -128,9 +163,21 @@ struct SparseCholesky::Factor : Eigen::CholmodDecomposition<SparseMatrix, Eigen:
     this->analyzePattern(matrix);
     common.nmethods = methods;
     common.method[0].ordering = first;
+    this->requireMemoryAndSize();
     const auto* order = static_cast<const int*>(this->m_cholmodFactor->Perm);
     this->Order.Unknowns.assign(order, order + matrix.rows());
     this->Order.Fill = common.lnz;
+  }
+
+  // After every call of CHOLMOD.
+  void requireMemoryAndSize()
+  {
+    requireMemory(this->cholmod().status != CHOLMOD_OUT_OF_MEMORY);
+    if (this->cholmod().status == CHOLMOD_TOO_LARGE)
+    {
+      throw InvalidInput("the factor of a linear system has more entries than CHOLMOD can count: reduce the "
+                  "surface, e.g. with Decimate");
+    }
   }
 
   std::unique_ptr<BlasLock> blasLock() const
@@ -192,8 +239,7 @@ Eigen::ComputationInfo SparseCholesky::info() const
 
 Eigen::MatrixXd SparseCholesky::solve(const Eigen::Ref<const Eigen::MatrixXd>& rightSide) const
 {
-  const std::unique_ptr<BlasLock> lock = this->Shared->blasLock();
-  return this->Shared->solve(rightSide);
+  return this->Shared->solution(rightSide);
 }
 
 const EliminationOrder& SparseCholesky::order() const
@@ -226,7 +272,10 @@ struct SparseLu::Factors : Eigen::UmfPackLU<SparseMatrix>
   void factor()
   {
     const BlasLock lock;
-    this->compute(this->Matrix);
+    this->analyzePattern(this->Matrix);
+    requireMemory(this->m_fact_errorCode != UMFPACK_ERROR_out_of_memory);
+    this->factorize(this->Matrix);
+    requireMemory(this->m_fact_errorCode != UMFPACK_ERROR_out_of_memory);
   }
 
   // @param system UMFPACK_A, or UMFPACK_At for the transposed matrix
@@ -240,7 +289,7 @@ struct SparseLu::Factors : Eigen::UmfPackLU<SparseMatrix>
     control[UMFPACK_IRSTEP] = 0; // callers refine by residuals of their own
     for (Eigen::Index k = 0; k < rightSide.cols(); ++k)
     {
-      umfpack_di_solve(system,
+      const int status = umfpack_di_solve(system,
         this->mp_matrix.outerIndexPtr(),
         this->mp_matrix.innerIndexPtr(),
         this->mp_matrix.valuePtr(),
@@ -249,6 +298,7 @@ struct SparseLu::Factors : Eigen::UmfPackLU<SparseMatrix>
         this->m_numeric,
         control,
         info);
+      requireMemory(status != UMFPACK_ERROR_out_of_memory);
     }
     return solution;
   }

@@ -202,6 +202,51 @@ struct StripGeodesic
   }
 };
 
+std::vector<Vertex> cornersOf(const SurfaceMesh& mesh, const PathPoint& point)
+{
+  return point.isVertex() ? std::vector<Vertex>{ point.Vertex }
+                          : std::vector<Vertex>{ mesh.source(point.Edge), mesh.target(point.Edge) };
+}
+
+// Whether two different points of a path lie on one face.
+bool shareFace(const SurfaceMesh& mesh, const PathPoint& a, const PathPoint& b)
+{
+  const std::vector<Vertex> ends = cornersOf(mesh, a);
+  std::vector<Vertex> both = cornersOf(mesh, b);
+  both.insert(both.end(), ends.begin(), ends.end());
+  std::sort(both.begin(), both.end());
+  both.erase(std::unique(both.begin(), both.end()), both.end());
+  const std::size_t differing = both.size() - ends.size();
+  if (a.isVertex() == b.isVertex() && differing == 0)
+  {
+    return false; // the same vertex or edge
+  }
+  if (both.size() == 2)
+  {
+    return mesh.halfedge(both[0], both[1]).is_valid();
+  }
+  return both.size() == 3 && mesh.halfedge(both[0], both[1]).is_valid() &&
+         mesh.halfedge(both[1], both[2]).is_valid() && mesh.halfedge(both[2], both[0]).is_valid();
+}
+
+// Whether consecutive points lie on one face and no vertex or edge comes twice. Rounding breaks this
+// where triangles are longer than wide by more than the digits of a double.
+bool isPathOverFaces(const SurfaceMesh& mesh, const std::vector<PathPoint>& points)
+{
+  std::vector<std::vector<Vertex>> places;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (i > 0 && !shareFace(mesh, points[i - 1], points[i]))
+    {
+      return false;
+    }
+    places.push_back(cornersOf(mesh, points[i]));
+    std::sort(places.back().begin(), places.back().end());
+  }
+  std::sort(places.begin(), places.end());
+  return std::adjacent_find(places.begin(), places.end()) == places.end();
+}
+
 // Whether the point lies on the border of the mesh.
 bool isAtBorder(const SurfaceMesh& mesh, const PathPoint& point)
 {
@@ -242,7 +287,7 @@ GeodesicPath geodesicPath(const SurfaceMesh& mesh,
     callInterruptibly([geodesic]() { geodesic->find(); }, progress, 0.5, PathStage);
     const SurfaceMesh& part = geodesic->Strip;
     GeodesicPath path = std::move(geodesic->Path);
-    const bool isWhole = path.Points.size() > 1;
+    const bool isWhole = path.Points.size() > 1 && isPathOverFaces(part, path.Points);
 
     // If the border of the strip holds the path back, a strip around that path lets the next path come
     // closer to the geodesic.
