@@ -31,7 +31,8 @@
  * Output arrays:
  * - point `vtkOriginalPointIds` (vtkIdType): id of the same point in the input, the smallest one of
  *   merged points; -1 for new points, which after remeshing are nearly all. The points on both sides of
- *   a seam have the same id.
+ *   a seam have the same id. A point that was moved (by FlattenFolds, HandleMode or SmallestAngle) keeps
+ *   its id.
  * - point `Seam` (unsigned char): 1 where the surface was cut open along a seam, 0 elsewhere.
  * - cell `vtkOriginalCellIds` (vtkIdType): id of the input cell; -1 on filled holes and caps.
  * - cell `Filled` (unsigned char): 1 on filled holes and on the caps of removed handles, 0 elsewhere.

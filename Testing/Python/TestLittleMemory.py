@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Each filter on the way to a flat map, with less and less memory: an error with an empty output, or the right map, and
+the right map as soon as there is memory again. Every run is a child process with a limit on its address space."""
+
+import ctypes
+import os
+import resource
+import signal
+import sys
+
+import surfaceflattening
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+
+STAGES = ("vtkSurfaceToDiskFilter", "vtkConformalDiskFilter", "vtkOMTAreaPreservingFilter", "vtkDistortionMetrics")
+MEGABYTES = (0.5, 1, 2, 4, 8, 16, 64, 384)
+LONGEST = 60  # processor seconds of a child, a hundred times what it takes
+
+
+def pipeline():
+    source = vtkSphereSource()
+    source.SetThetaResolution(80)
+    source.SetPhiResolution(80)
+    filters = [source]
+    for name in STAGES:
+        filters.append(getattr(surfaceflattening, name)())
+        filters[-1].SetInputConnection(filters[-2].GetOutputPort())
+    filters[1].SetCutMode(1)
+    return filters
+
+
+def result(filter):
+    filter.Update()
+    output = filter.GetOutput()
+    return bytes(memoryview(output.GetPoints().GetData())) if output.GetNumberOfPoints() else None
+
+
+def limit(megabytes):
+    """Lets the process have so much more memory; lifts the limit for None."""
+    hard = resource.getrlimit(resource.RLIMIT_AS)[1]
+    if megabytes is None:
+        resource.setrlimit(resource.RLIMIT_AS, (hard, hard))
+        return
+    ctypes.CDLL(None).malloc_trim(0)
+    with open("/proc/self/statm", encoding="ascii") as stream:
+        size = int(stream.read().split()[0]) * resource.getpagesize()
+    resource.setrlimit(resource.RLIMIT_AS, (size + int(megabytes * 1e6), hard))
+
+
+def run_in_child(stage, megabytes):
+    resource.setrlimit(resource.RLIMIT_CPU, (LONGEST, LONGEST))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    filters = pipeline()
+    filters[stage - 1].Update()
+    errors = []
+    filters[stage].AddObserver("ErrorEvent", lambda caller, event: errors.append(event))
+    limit(megabytes)
+    little = result(filters[stage])
+    limit(None)
+    expected = result(pipeline()[stage])
+    assert little == expected if little else len(errors) == 1, f"{len(errors)} errors, {little and len(little)} bytes"
+    filters[stage].Modified()
+    assert result(filters[stage]) == expected, "another result once there was memory again"
+    print("failed" if errors else "done", end="")
+
+
+def child(stage, megabytes):
+    """What a child printed; asserts that it came to an end by itself."""
+    reading, writing = os.pipe()
+    process = os.fork()
+    if process == 0:
+        os.dup2(writing, 1)
+        os.dup2(writing, 2)
+        status = 1
+        try:
+            run_in_child(stage, megabytes)
+            sys.stdout.flush()
+            status = 0
+        finally:
+            os._exit(status)
+    os.close(writing)
+    with os.fdopen(reading, encoding="utf-8", errors="replace") as stream:
+        text = stream.read()
+    status = os.waitpid(process, 0)[1]
+    # VTK ends the program where an array finds no memory, unless it was built with NDEBUG; so does the C library where the
+    # local data of a thread finds none.
+    if os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGABRT and "Unable to allocate" in text:
+        return "ended"
+    if "cannot allocate memory for thread-local data" in text:
+        return "ended"
+    assert status == 0, f"{STAGES[stage - 1]} with {megabytes} MB: status {status}: {text[-500:]}"
+    return "failed" if text.endswith("failed") else "done"
+
+
+if __name__ == "__main__":
+    for stage, name in enumerate(STAGES, 1):
+        outcomes = [child(stage, megabytes) for megabytes in MEGABYTES]
+        print(name, *outcomes, flush=True)
+        assert outcomes[-1] == "done" and (name == "vtkDistortionMetrics" or "failed" in outcomes)
