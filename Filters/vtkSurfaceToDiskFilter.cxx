@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkSurfaceToDiskFilter.h"
 
+#include "Core/Base/Errors.h"
+#include "Core/Mesh/CoordinateFrame.h"
+#include "Core/Mesh/MeshMeasures.h"
 #include "Internal/ChosenArray.h"
 #include "Internal/DiskOutput.h"
 #include "Internal/FilterExecution.h"
@@ -35,6 +38,10 @@ namespace
 {
 
 using flattening::InvalidInput;
+
+// Coordinates with steps of a greater share of the mean edge are worth a warning. A convention: the area
+// of a face is off by about as much, a tenth of a percent.
+constexpr double CoarsestStep = 1e-3;
 
 // A hole of fewer mean triangles is worth a warning. Measured on spheres with a hole of 0.1 % of the
 // area: 31 % of the triangles keep their areas within 2 % with a hole as large as 0.7 of them, 75 % with
@@ -103,6 +110,44 @@ std::vector<vtkIdType> cellsOf(vtkPolyData* triangles)
   return { ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfTuples() };
 }
 
+std::vector<std::string> warningsOf(const flattening::SurfaceToDiskReport& report)
+{
+  std::vector<std::string> warnings;
+  if (report.RemovedRegionPoints > 0)
+  {
+    warnings.push_back("the hole took " + std::to_string(report.RemovedRegionPoints) +
+                       " points of the region of interest, which leaves it no other place: mark a smaller "
+                       "region or lower the hole's area");
+  }
+  if (report.HoleFaces > 0.0 && report.HoleFaces < FewestHoleFaces)
+  {
+    warnings.push_back("the hole is as large as " + flattening::formatted(report.HoleFaces) +
+                       " triangles only, and a flat map cannot keep the areas around so small a hole: set "
+                       "Cut to Seam, or raise the hole's area, or set Remesh with a smaller edge length");
+  }
+  if (report.SeamRegionPoints > 0)
+  {
+    warnings.push_back("the cut of handles, or of a tube from end to end, runs through " +
+                       std::to_string(report.SeamRegionPoints) +
+                       " points of the region of interest: set Handles to Remove, or choose points for "
+                       "the seam, to keep it whole");
+  }
+  return warnings;
+}
+
+double meanEdge(const flattening::TriangleMesh& surface)
+{
+  const flattening::CoordinateFrame frame(surface);
+  return frame.restoredLength(flattening::meanEdgeLength(frame.normalised(surface)));
+}
+
+std::string roundingWarning(double step)
+{
+  return "the coordinates are stored in steps of " + flattening::formatted(step) +
+         ", which is much beside the edges of the surface, so that its areas are not those that were "
+         "measured: store the points in double precision or nearer to the origin";
+}
+
 const char* nameOf(int mode, std::initializer_list<const char*> names)
 {
   return names.begin()[mode];
@@ -121,31 +166,20 @@ void vtkSurfaceToDiskFilter::Execute(vtkInformationVector** inputVector,
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const auto triangles = triangulate(input);
-  const flattening::DiskSurface disk = flattening::surfaceToDisk(
-    flattening::toTriangleMesh(triangles), this->GetOptions(input), flattening::progressOf(this));
+  const flattening::TriangleMesh surface = flattening::toTriangleMesh(triangles);
+  const flattening::DiskSurface disk =
+    flattening::surfaceToDisk(surface, this->GetOptions(input), flattening::progressOf(this));
   flattening::setDisk(output, input, cellsOf(triangles), disk);
   output->GetFieldData()->PassData(input->GetFieldData());
   flattening::setReport(output, disk.Report, input->GetNumberOfVerts() + input->GetNumberOfLines());
-  if (disk.Report.RemovedRegionPoints > 0)
+  for (const std::string& warning : warningsOf(disk.Report))
   {
-    vtkWarningMacro(<< this->GetBlockPrefix() << "the hole took " << disk.Report.RemovedRegionPoints
-                    << " points of the region of interest, which leaves it no other "
-                       "place: mark a smaller region or lower the hole's area");
+    vtkWarningMacro(<< this->GetBlockPrefix() << warning);
   }
-  if (disk.Report.HoleFaces > 0.0 && disk.Report.HoleFaces < FewestHoleFaces)
+  const double step = flattening::coordinateStep(input);
+  if (step > CoarsestStep * meanEdge(surface))
   {
-    vtkWarningMacro(
-      << this->GetBlockPrefix() << "the hole is as large as " << disk.Report.HoleFaces
-      << " triangles only, and a flat map cannot keep the areas around so small a hole: set "
-         "Cut to Seam, or raise the hole's area, or set Remesh with a smaller edge length");
-  }
-  if (disk.Report.SeamRegionPoints > 0)
-  {
-    vtkWarningMacro(<< this->GetBlockPrefix()
-                    << "the cut of handles, or of a tube from end to end, runs through "
-                    << disk.Report.SeamRegionPoints
-                    << " points of the region of interest: set Handles to Remove, or choose points "
-                       "for the seam, to keep it whole");
+    vtkWarningMacro(<< this->GetBlockPrefix() << roundingWarning(step));
   }
 }
 

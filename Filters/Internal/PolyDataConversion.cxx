@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace flattening
@@ -90,6 +91,23 @@ TriangleMesh toTriangleMesh(vtkPolyData* data)
   mesh.Faces = toFaces(data);
   mesh.Vertices = pointsOf(data);
   return mesh;
+}
+
+double coordinateStep(vtkPolyData* data)
+{
+  std::array<double, 6> bounds;
+  data->GetBounds(bounds.data());
+  double greatest = 0.0;
+  for (const double bound : bounds)
+  {
+    greatest = std::max(greatest, std::abs(bound));
+  }
+  if (data->GetPoints()->GetDataType() == VTK_FLOAT)
+  {
+    const auto coordinate = static_cast<float>(greatest);
+    return std::nextafter(coordinate, HUGE_VALF) - coordinate;
+  }
+  return std::nextafter(greatest, HUGE_VAL) - greatest;
 }
 
 TriangleMesh surfaceOfFlattened(vtkPolyData* flattened)

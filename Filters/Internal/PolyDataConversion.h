@@ -32,6 +32,10 @@ Points3 pointsOf(vtkPolyData* data);
 /// @throws InvalidInput if it has cells other than triangles.
 TriangleMesh toTriangleMesh(vtkPolyData* data);
 
+/// The distance from the greatest coordinate to the next number of the type in which the points are
+/// stored, input units: floating point types store the coordinates of the surface to half of it.
+double coordinateStep(vtkPolyData* data);
+
 /// The surface in space of a flattened surface: its triangles with the points of its array
 /// SurfacePoints.
 /// @throws InvalidInput as toTriangleMesh does, and if the array is missing or does not have 3

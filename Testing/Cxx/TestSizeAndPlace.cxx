@@ -10,6 +10,7 @@
 
 #include <vtkNew.h>
 #include <vtkSphereSource.h>
+#include <vtkTestErrorObserver.h>
 
 #include <cmath>
 #include <string>
@@ -154,6 +155,34 @@ TEST(SizeAndPlace, WhatDoublePrecisionDoesNotHoldIsAnError)
     ASSERT_EQ(errors.messages().size(), 1u);
     EXPECT_NE(errors.messages()[0].find(words), std::string::npos) << errors.messages()[0];
     EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  }
+}
+
+// With 24 binary digits, coordinates around 1e5 have steps of 0.008, a tenth of the edges of this ball.
+TEST(SizeAndPlace, CoarseCoordinatesAreAWarning)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetThetaResolution(30);
+  source->SetPhiResolution(30);
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->SetCutModeToSeam();
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::WarningEvent, observer);
+  for (const auto& [precision, x, isCoarse] : { std::tuple(vtkAlgorithm::SINGLE_PRECISION, 0.0, false),
+         std::tuple(vtkAlgorithm::SINGLE_PRECISION, 100.0, false),
+         std::tuple(vtkAlgorithm::SINGLE_PRECISION, 1e5, true),
+         std::tuple(vtkAlgorithm::DOUBLE_PRECISION, 1e5, false) })
+  {
+    SCOPED_TRACE(x);
+    observer->Clear();
+    source->SetOutputPointsPrecision(precision);
+    source->SetCenter(x, 0.0, 0.0);
+    filter->Update();
+    EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 1000);
+    EXPECT_EQ(observer->GetWarning(), isCoarse);
+    EXPECT_EQ(observer->GetWarningMessage().find("in steps of 0.0078125,") != std::string::npos, isCoarse)
+      << observer->GetWarningMessage();
   }
 }
 

@@ -3,6 +3,7 @@
 /// and the remedy; the VTK classes report it word for word.
 #pragma once
 
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -10,11 +11,12 @@
 namespace flattening
 {
 
-/// A number as it stands in messages: six digits, and an exponent where it is very large or small.
+/// A number as it stands in messages: six digits, and an exponent where it is very large or small. NaN
+/// has no sign.
 inline std::string formatted(double number)
 {
   std::ostringstream text;
-  text << number;
+  text << (std::isnan(number) ? std::abs(number) : number);
   return text.str();
 }
 

@@ -28,6 +28,9 @@ constexpr std::size_t MostVertices = 20;
 // Rounds in which every vertex of a set moves to the mean of its neighbours: a fin three edges high and
 // five long comes down to a fiftieth of an edge. With fewer rounds larger folds stay folded.
 constexpr int Sweeps = 100;
+// The share of the area that must be left. A guard: a surface that is all folds, such as a small one
+// pressed flat, has no shape without them. Folds of an object are a few percent of its area.
+constexpr double LeastAreaLeft = 0.01;
 
 using VertexSet = std::vector<int>; // ascending
 
@@ -74,6 +77,7 @@ public:
       faces.push_back(this->facesAround(set));
     }
     const Points3 before = this->Mesh.Vertices;
+    const double areaBefore = faceAreas(before, this->Mesh.Faces).sum();
     const std::vector<int> intersectionsBefore = intersectionsPerGroup(this->Mesh, faces);
     std::vector<char> flat;
     for (const VertexSet& set : sets)
@@ -96,6 +100,12 @@ public:
     {
       result.AreaChange += areaVector(this->Mesh.Vertices, this->Mesh.Faces, f).norm() -
                            areaVector(before, this->Mesh.Faces, f).norm();
+    }
+    if (areaBefore + result.AreaChange < LeastAreaLeft * areaBefore)
+    {
+      this->Mesh.Vertices = before;
+      result = FlattenedFolds();
+      result.LeftFolded = static_cast<int>(sets.size());
     }
     return result;
   }

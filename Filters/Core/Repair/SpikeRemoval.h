@@ -23,7 +23,8 @@ struct FlattenedFolds
 /// Moves the vertices of every connected set of at most 20 steep inner vertices, of which at least one
 /// is folded, to the means of their neighbours. A move is kept only if it unfolds the set, folds no
 /// vertex beside it and makes no more faces intersect, so that larger sheets, which belong to the
-/// object, stay as they are. Vertices and faces keep their numbers.
+/// object, stay as they are. Nothing is moved if less than a percent of the area would be left. Vertices
+/// and faces keep their numbers.
 /// @param mesh an oriented manifold.
 FlattenedFolds flattenSpikesAndFins(TriangleMesh& mesh);
 

@@ -470,4 +470,30 @@ TEST(SurfaceToDisk, EndsWhereAPointLiesFarOff)
   }
 }
 
+// Geodesics over triangles that are longer than wide by more than the digits of a double are not exact.
+TEST(SurfaceToDisk, EndsWhereTheSurfaceIsStretched)
+{
+  for (const double stretch : { 1e3, 1e6, 1e9, 2e9, 1e12, 1e15 })
+  {
+    SCOPED_TRACE(stretch);
+    for (const int level : { 2, 3 })
+    {
+      TriangleMesh mesh = sphere(level);
+      mesh.Vertices.col(0) *= stretch;
+      SurfaceToDiskOptions options;
+      options.Cut = CutMode::Seam;
+      options.Handles = HandleMode::Keep;
+      try
+      {
+        EXPECT_EQ(requireDisk(surfaceToDisk(mesh, options).Surface.Mesh).empty(), false);
+      }
+      catch (const FlatteningError& error)
+      {
+        EXPECT_GE(stretch, 1e6) << error.what();
+        EXPECT_TRUE(contains(error.what(), ": ")) << error.what(); // the cause and the remedy
+      }
+    }
+  }
+}
+
 } // namespace

@@ -176,4 +176,21 @@ TEST(SpikeRemoval, FoldsAreFlattenedOnTheWayToADisk)
   EXPECT_GT(report.SurfaceArea, totalArea(sphere(3)) + 0.1);
 }
 
+// Two triangles and their two backs: each of the four points is the tip of a fold.
+TEST(SpikeRemoval, KeepsASurfaceThatIsAllFolds)
+{
+  TriangleMesh mesh;
+  mesh.Vertices.resize(4, 3);
+  mesh.Vertices << 0.4, 0.0, 5.5, //
+    -0.6, 0.0, 5.3,               //
+    -0.2, 0.0, 0.0,               //
+    0.8, 0.0, 0.0;
+  mesh.Faces.resize(4, 3);
+  mesh.Faces << 0, 1, 2, 0, 2, 3, 1, 0, 3, 1, 3, 2;
+  const TriangleMesh before = mesh;
+  EXPECT_EQ(flattenSpikesAndFins(mesh).Spikes, 0);
+  EXPECT_EQ(mesh.Vertices, before.Vertices);
+  EXPECT_GT(surfaceToDisk(before, {}).Report.SurfaceArea, 1.0);
+}
+
 } // namespace
