@@ -2,8 +2,10 @@
 #include "vtkOMTAreaPreservingFilter.h"
 
 #include "Core/Areas/AreaPreservingDisk.h"
+#include "Core/FlatMap/FlatMapLocation.h"
 #include "Core/Mesh/CoordinateFrame.h"
 #include "Core/Mesh/MeshTopology.h"
+#include "Core/Mesh/OutlineCrossings.h"
 #include "Core/Transport/DomainPolygon.h"
 #include "Core/Untangling/MapPlacement.h"
 #include "Internal/ArrayConversion.h"
@@ -185,17 +187,54 @@ void fillMap(vtkPolyData* output,
   flattening::addPointArray(output, "TargetArea", placedAreas(map.TargetAreas, placement));
   flattening::addPointArray(output, "CellArea", placedAreas(map.CellAreas, placement));
   flattening::addPointArray(output, "PowerWeight", placedAreas(map.PowerWeights, placement));
+  // The map to the domain, as placed: that of the output unless the outline is free.
+  const vtkSmartPointer<vtkPoints> onDomain = vtk::TakeSmartPointer(flattening::newPlanarPoints(
+    map.Deformations > 0
+      ? flattening::Points2((placement.Scale * map.OnDomain).rowwise() + placement.Centre)
+      : positions));
   vtkNew<vtkDoubleArray> flatPoints;
-  flatPoints->DeepCopy(output->GetPoints()->GetData());
+  flatPoints->DeepCopy(onDomain->GetData());
   flatPoints->SetName(FlatPoints);
   output->GetPointData()->AddArray(flatPoints);
 }
 
+// Carries points of the domain to where a map with a free outline has them.
+class DomainCarrier
+{
+public:
+  DomainCarrier(const flattening::FaceMatrix& faces, const flattening::AreaPreservingMap& map)
+  {
+    if (map.Deformations > 0)
+    {
+      flattening::TriangleMesh freed{ flattening::Points3::Zero(map.Positions.rows(), 3), faces };
+      freed.Vertices.leftCols<2>() = map.Positions;
+      this->Location.emplace(freed, map.OnDomain);
+    }
+  }
+
+  Eigen::Vector2d operator()(const Eigen::Vector2d& point)
+  {
+    if (!this->Location)
+    {
+      return point;
+    }
+    const flattening::MapPlace place = this->Location->onMap(point.transpose(), this->LastFace);
+    this->LastFace = place.Face;
+    return this->Location->surfacePoint(place).head<2>().transpose();
+  }
+
+private:
+  std::optional<flattening::FlatMapLocation> Location;
+  int LastFace = 0;
+};
+
 void fillPowerDiagram(vtkPolyData* output,
   const flattening::AreaPreservingResult& result,
+  const flattening::FaceMatrix& faces,
   const Placement& placement)
 {
   const auto& [scale, centre] = placement;
+  DomainCarrier carried(faces, result.Map);
   constexpr double oneDegree = EIGEN_PI / 180.0;
   const flattening::PowerDiagram& diagram = result.Diagram;
   std::vector<vtkIdType> pointOfSite(diagram.siteCount(), -1);
@@ -220,8 +259,9 @@ void fillPowerDiagram(vtkPolyData* output,
   {
     const std::vector<Eigen::Vector2d> outline = diagram.outline(site, oneDegree);
     polygons->InsertNextCell(static_cast<int>(outline.size()));
-    for (const Eigen::Vector2d& corner : outline)
+    for (const Eigen::Vector2d& onDomain : outline)
     {
+      const Eigen::Vector2d corner = carried(onDomain);
       polygons->InsertCellPoint(
         points->InsertNextPoint(centre.x() + scale * corner.x(), centre.y() + scale * corner.y(), 0.0));
     }
@@ -241,7 +281,7 @@ void setReport(vtkFieldData* data, const flattening::AreaPreservingMap& map)
   const auto count = [data](const char* name, int value)
   { flattening::setDatum(data, name, static_cast<long long>(value)); };
   data->RemoveArray("CornerPointIds"); // those of the conformal map
-  if (!map.CornerVertices.empty())
+  if (!map.CornerVertices.empty() && map.Deformations == 0)
   {
     flattening::setIds(data, "CornerPointIds", map.CornerVertices);
   }
@@ -255,6 +295,7 @@ void setReport(vtkFieldData* data, const flattening::AreaPreservingMap& map)
   count("WarmStart", map.WarmStarted ? 1 : 0);
   count("RefinementRounds", map.RefinementRounds);
   count("RefinementRepairs", map.RepairedFaces);
+  count("FreeOutline", map.Deformations > 0 ? 1 : 0);
 }
 
 } // namespace
@@ -312,17 +353,20 @@ void vtkOMTAreaPreservingFilter::Execute(vtkInformationVector** inputVector,
   options.Start.Positions = startPositions(conformal, placement);
   options.RefineFaces = this->FaceRefinement;
   options.Refinement.AngleWeight = this->AngleWeight;
+  options.FreeOutline = this->FreeOutline;
   options.VerticesPerSite = this->PointsPerSite;
   flattening::AreaPreservingResult result =
     areaPreservingMap(input, this->FixCorners, weights, options, flattening::progressOf(this));
   const flattening::PlacedMap placed =
     flattening::placeMap(input.Surface, input.Loop, result.Map.Positions, placement);
   result.Map.FlippedFaces = placed.FlippedFaces;
-  result.Map.Bijective &= placed.FlippedFaces == 0;
+  result.Map.Bijective &=
+    placed.FlippedFaces == 0 &&
+    (result.Map.Deformations == 0 || flattening::isSimpleOutline(placed.Positions, input.Loop));
 
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   fillMap(output, conformal, result.Map, placed.Positions, placement);
-  fillPowerDiagram(vtkPolyData::GetData(outputVector, 1), result, placement);
+  fillPowerDiagram(vtkPolyData::GetData(outputVector, 1), result, input.Surface.Faces, placement);
   setReport(output->GetFieldData(), result.Map);
   if (!result.Map.Bijective)
   {
@@ -332,6 +376,12 @@ void vtkOMTAreaPreservingFilter::Execute(vtkInformationVector** inputVector,
       << (this->FaceRefinement
              ? " and could not be untangled: remesh the surface (Surface To Disk, Remesh)"
              : ", as the centroids of the power cells leave them: turn FaceRefinement on"));
+  }
+  if (this->FreeOutline && result.Map.Deformations == 0)
+  {
+    vtkWarningMacro(<< this->GetBlockPrefix()
+                    << "the outline could not be freed, and the map fills the domain: "
+                       "remesh the surface (Surface To Disk, Remesh)");
   }
   const double area = EIGEN_PI * placement.Scale * placement.Scale;
   if (!std::isnormal(area))
@@ -361,5 +411,6 @@ void vtkOMTAreaPreservingFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseAreaWeight: " << this->UseAreaWeight << "\n";
   os << indent << "FaceRefinement: " << this->FaceRefinement << "\n";
   os << indent << "AngleWeight: " << this->AngleWeight << "\n";
+  os << indent << "FreeOutline: " << this->FreeOutline << "\n";
   os << indent << "PointsPerSite: " << this->PointsPerSite << "\n";
 }

@@ -30,9 +30,11 @@
  *
  * Output port 0 has the points and cells of the input, one to one and with all of their arrays, in the
  * plane z = 0: in the disk around the origin, in the rectangle with its lower left corner there, or in
- * the polygon, scaled about its centroid. Output port 1 is the power diagram (Zhao et al. 2013, figure
+ * the polygon, scaled about its centroid. With FreeOutline, the map lies around the centroid of the
+ * domain instead. Output port 1 is the power diagram (Zhao et al. 2013, figure
  * 4): one polygon per cell, with arcs as polylines of steps of at most one degree. Points that share a
- * position or a site share a cell.
+ * position or a site share a cell. With FreeOutline, the cells are carried along with the map; their
+ * areas are those in the domain.
  *
  * Newton's method on the convex energy is damped by the rule of Kitagawa, Merigot and Thibert, which
  * converges from any start without empty cells. Where the conformal map shrinks a long protrusion to
@@ -49,7 +51,7 @@
  * not a one-to-one map to the present domain, if more than a percent of the triangles would flip on the
  * way, or with an AngleWeight.
  *
- * A warning is given if the map is not one-to-one.
+ * A warning is given if the map is not one-to-one, or if its outline could not be freed.
  *
  * Output arrays of port 0:
  * - point `TargetArea` (double, output units squared): area that the point is to have; the sum is the
@@ -58,8 +60,8 @@
  *   of the cell of its site; the sum is the area of the domain.
  * - point `PowerWeight` (double, output units squared): weight of the site of the point in the power
  *   diagram.
- * - point `FlatPoints` (double x 3, output units): position of the point, for the warm start of a later
- *   run.
+ * - point `FlatPoints` (double x 3, output units): position of the point in the domain, for the warm
+ *   start of a later run; the position in the output unless FreeOutline is on.
  * - point `TCoords` (float x 2, [0, 1]): active texture coordinates, the flat position in the smallest
  *   square around the map with the same centre.
  *
@@ -76,14 +78,15 @@
  *   |CellArea - TargetArea| / TargetArea.
  * - `CoincidentPoints` (vtkIdType): number of points that shared the position of another.
  * - `FlippedFaces` (vtkIdType): number of triangles that are not positively oriented.
- * - `Bijective` (vtkIdType): 1 if the map is one-to-one: no triangle is flipped and the boundary points
- *   are in order; else 0.
+ * - `Bijective` (vtkIdType): 1 if the map is one-to-one: no triangle is flipped, and the boundary points
+ *   are in order on the domain or, with FreeOutline, the outline does not cross itself; else 0.
  * - `WarmStart` (vtkIdType): 1 if the refinement went on from `FlatPoints`, else 0.
  * - `RefinementRounds` (vtkIdType): passes of the refinement over the parts that were not yet exact.
  * - `RefinementRepairs` (vtkIdType): number of triangles that were flipped on the way and were
  *   untangled.
+ * - `FreeOutline` (vtkIdType): 1 if the outline is free, else 0.
  * - `CornerPointIds` (vtkIdType, one tuple per corner): ids of the points in the corners of the domain,
- *   counter-clockwise; absent if there are none.
+ *   counter-clockwise; absent if there are none or the outline is free.
  *
  * An empty input gives empty outputs. The following are errors, each with empty outputs: no array
  * `SurfacePoints`; a boundary that is neither a circle around the origin nor a rectangle with a point
@@ -174,6 +177,17 @@ public:
 
   ///@{
   /**
+   * Whether the map lets go of the domain after the refinement: the boundary points are then free, the
+   * triangles keep their areas, and their shapes are less distorted. The outline does not cross itself.
+   * It needs FaceRefinement; an error says so. Default: off.
+   */
+  vtkSetMacro(FreeOutline, bool);
+  vtkGetMacro(FreeOutline, bool);
+  vtkBooleanMacro(FreeOutline, bool);
+  ///@}
+
+  ///@{
+  /**
    * Number of neighbouring points that the transport takes together as one site, if FaceRefinement is
    * on: the transport then has to correct areas over whole regions only. On surfaces of less than some
    * thousand points it is reduced. 1 makes every point a site, as without refinement, where this setting
@@ -223,6 +237,7 @@ protected:
   double AngleWeight = 0.0;
   int PointsPerSite = 8;
   bool FixCorners = false;
+  bool FreeOutline = false;
 
 private:
   vtkOMTAreaPreservingFilter(const vtkOMTAreaPreservingFilter&) = delete;

@@ -121,7 +121,8 @@ std::vector<Property> areaPreserving()
     flag("FaceRefinement", &F::SetFaceRefinement),
     number("AngleWeight", Kind::Fraction, 0, 0.99, &F::SetAngleWeight),
     number("PointsPerSite", Kind::Count, 1, 1000, &F::SetPointsPerSite),
-    flag("FixCorners", &F::SetFixCorners) };
+    flag("FixCorners", &F::SetFixCorners),
+    flag("FreeOutline", &F::SetFreeOutline) };
 }
 
 std::vector<Property> distortionMetrics()

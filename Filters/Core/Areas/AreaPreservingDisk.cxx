@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Areas/AreaPreservingDisk.h"
 
+#include "Areas/FreeOutline.h"
 #include "Areas/WarmStart.h"
 #include "Base/Errors.h"
 #include "Mesh/FaceOrientation.h"
@@ -163,6 +164,7 @@ public:
   AreaPreservingResult make(const ProgressCallback& progress)
   {
     const double transportEnd = this->Options.RefineFaces ? 0.5 : 0.95;
+    this->requireOptions();
     this->chooseSites();
     this->transport(subrange(progress, 0.0, transportEnd));
     report(progress, transportEnd + 0.01, "Flat positions");
@@ -175,13 +177,27 @@ public:
     this->countFlipped();
     if (this->Options.RefineFaces)
     {
-      this->refine(subrange(progress, transportEnd + 0.02, 1.0));
+      this->refine(subrange(progress, transportEnd + 0.02, this->Options.FreeOutline ? 0.75 : 1.0));
+    }
+    this->Map.OnDomain = this->Map.Positions;
+    if (this->Options.FreeOutline)
+    {
+      this->freeOutline(subrange(progress, 0.75, 1.0));
     }
     report(progress, 1.0, "Area-preserving map");
     return { std::move(this->Map), std::move(*this->Diagram), std::move(this->Sites.SiteOfVertex) };
   }
 
 private:
+  void requireOptions() const
+  {
+    if (this->Options.FreeOutline && !this->Options.RefineFaces)
+    {
+      throw InvalidInput("a free outline needs the face refinement: turn FaceRefinement on, or "
+                         "FreeOutline off");
+    }
+  }
+
   void chooseSites()
   {
     const int n = this->Mesh.vertexCount();
@@ -286,11 +302,32 @@ private:
     this->Map.Bijective = this->Map.FlippedFaces == 0; // boundaryParameters() are in order
   }
 
-  void refine(const ProgressCallback& progress)
+  // The areas that the faces should have, up to a common factor.
+  Eigen::VectorXd targetsOfFaces() const
   {
     const Eigen::VectorXd relative = this->Weights.size() > 0
                                        ? Eigen::VectorXd(this->Weights / this->Weights.maxCoeff())
                                        : this->Weights;
+    return faceTargets(this->Mesh, relative);
+  }
+
+  void freeOutline(const ProgressCallback& progress)
+  {
+    FreeOutlineResult freed = flattening::freeOutline(this->Mesh,
+      this->Boundary.Vertices,
+      this->Map.Positions,
+      this->targetsOfFaces(),
+      shapeWeight(this->Options.Refinement),
+      progress);
+    this->Map.Positions = std::move(freed.Positions);
+    this->Map.FlippedFaces = freed.FlippedFaces;
+    this->Map.Bijective = freed.Bijective;
+    this->Map.RefinementRounds += freed.Rounds;
+    this->Map.Deformations = freed.Deformations;
+  }
+
+  void refine(const ProgressCallback& progress)
+  {
     FaceRefinementResult refined = refineFaces(this->Mesh,
       { this->Domain,
         this->Boundary.Vertices,
@@ -299,7 +336,7 @@ private:
         this->Map.Positions,
         this->OnDomain,
         this->Map.WarmStarted ? RefinementStart::WarmStart : RefinementStart::Transport },
-      faceTargets(this->Mesh, relative),
+      this->targetsOfFaces(),
       this->Options.Refinement,
       progress);
     this->Map.Positions = std::move(refined.Positions);

@@ -23,6 +23,8 @@ struct AreaPreservingOptions
   WarmStart Start;         ///< an earlier result to begin with, or nothing
   bool RefineFaces = true; ///< whether faces are refined from exact cells to exact areas (refineFaces)
   FaceRefinementOptions Refinement;
+  bool FreeOutline =
+    false; ///< whether the map then lets go of the domain (freeOutline); needs RefineFaces
   /// How many neighbouring vertices share one site of the transport, >= 1; fewer where the mesh has few
   /// vertices. The refinement corrects areas within small regions, and the transport has to get right
   /// the areas of large ones only. Without refinement every vertex is a site, as with 1.
@@ -32,7 +34,10 @@ struct AreaPreservingOptions
 /// An area-preserving map to a domain of area pi, and how it was found.
 struct AreaPreservingMap
 {
-  Points2 Positions;               ///< n x 2; boundary vertices lie on the boundary of the domain
+  /// n x 2; boundary vertices lie on the boundary of the domain unless the outline is free. A map with a
+  /// free outline has its centroid in the origin.
+  Points2 Positions;
+  Points2 OnDomain;                ///< n x 2; Positions before the outline was free
   Eigen::VectorXd TargetAreas;     ///< n, sum pi
   Eigen::VectorXd CellAreas;       ///< n, sum pi; vertices of one site share its cell by target area
   Eigen::VectorXd PowerWeights;    ///< n, those of the vertices' sites, squared lengths in the domain
@@ -47,6 +52,7 @@ struct AreaPreservingMap
   int RefinementRounds = 0;        ///< number of rounds of the refinement
   int RepairedFaces = 0;           ///< faces that were untangled between the stages of the refinement
   double StartShare = 1.0;         ///< see FaceRefinementResult
+  int Deformations = 0;            ///< see FreeOutlineResult; 0 without a free outline
   std::vector<int> CornerVertices; ///< vertices that stay in the domain's corners, counter-clockwise
 };
 

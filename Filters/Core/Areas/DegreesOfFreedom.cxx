@@ -39,6 +39,11 @@ DegreesOfFreedom::DegreesOfFreedom(std::shared_ptr<const ConvexDomain> domain,
   this->number(stays);
 }
 
+DegreesOfFreedom::DegreesOfFreedom(int vertexCount)
+{
+  this->number(std::vector<char>(vertexCount, 0));
+}
+
 void DegreesOfFreedom::number(const std::vector<char>& stays)
 {
   const std::size_t vertices = stays.size();

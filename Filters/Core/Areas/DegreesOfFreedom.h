@@ -29,6 +29,8 @@ public:
     std::shared_ptr<const ConvexDomain> domain,
     std::vector<int> loop,
     const std::vector<int>& corners);
+  /// For a whole map whose boundary is free: all vertices are like those of the interior.
+  explicit DegreesOfFreedom(int vertexCount);
   /// For a part of a map: @p members are its vertices on the boundary, in order; a vertex with 1 in
   /// @p stays (n) does not move.
   DegreesOfFreedom(std::shared_ptr<const ConvexDomain> domain,

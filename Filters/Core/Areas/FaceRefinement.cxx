@@ -111,16 +111,6 @@ private:
     Large
   };
 
-  static double shapeWeight(const FaceRefinementOptions& options)
-  {
-    if (!(options.AngleWeight >= 0.0 && options.AngleWeight < 1.0))
-    {
-      throw InvalidInput(
-        "the angle weight is " + formatted(options.AngleWeight) + ": it must be at least 0 and below 1");
-    }
-    return LeastShapeWeight + ShapeWeightScale * options.AngleWeight / (1.0 - options.AngleWeight);
-  }
-
   DomainMap mapTo(const Points2& positions) const
   {
     return { positions, this->Map.Domain->parametersOf(positions, this->Map.Loop) };
@@ -261,6 +251,16 @@ private:
 };
 
 } // namespace
+
+double shapeWeight(const FaceRefinementOptions& options)
+{
+  if (!(options.AngleWeight >= 0.0 && options.AngleWeight < 1.0))
+  {
+    throw InvalidInput(
+      "the angle weight is " + formatted(options.AngleWeight) + ": it must be at least 0 and below 1");
+  }
+  return LeastShapeWeight + ShapeWeightScale * options.AngleWeight / (1.0 - options.AngleWeight);
+}
 
 FaceRefinementResult refineFaces(const TriangleMesh& surface,
   const TransportedMap& map,

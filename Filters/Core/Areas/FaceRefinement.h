@@ -22,6 +22,10 @@ struct FaceRefinementOptions
   double AngleWeight = 0.0;
 };
 
+/// The weight of shapes against areas in the refinement energy, > 0.
+/// @throws InvalidInput if AngleWeight is out of its range.
+double shapeWeight(const FaceRefinementOptions& options);
+
 /// The map to be refined, and what it came from.
 struct TransportedMap
 {

@@ -108,13 +108,13 @@ double smallestPositiveRoot(double a, double b, double c)
 
 RefinementDescent::RefinementDescent(RefinementEnergy& energy,
   const DegreesOfFreedom& dofs,
-  const FaceMatrix& faces,
+  const RefinementTerms& terms,
   SparseCholesky::Kernel kernel,
   const ProgressCallback& progress)
   : Energy(energy)
   , Dofs(dofs)
-  , Faces(faces)
-  , Cholesky(expandedOrder(faces,
+  , Terms(terms)
+  , Cholesky(expandedOrder(terms.Faces,
                dofs,
                kernel == SparseCholesky::Kernel::Blocks ? SparseCholesky::Ordering::Thorough
                                                         : SparseCholesky::Ordering::Quick,
@@ -179,7 +179,7 @@ Eigen::VectorXd RefinementDescent::direction(const Eigen::VectorXd& gradient) co
 // straight.
 double RefinementDescent::lengthToFlip(const DomainMap& map, const Eigen::VectorXd& step) const
 {
-  const int m = static_cast<int>(this->Faces.rows());
+  const int m = static_cast<int>(this->Terms.Faces.rows());
   const int tasks = (m + PerTask - 1) / PerTask;
   std::vector<double> parts(tasks, std::numeric_limits<double>::infinity());
   const auto motion = [&](int v) -> Eigen::Vector2d
@@ -197,13 +197,13 @@ double RefinementDescent::lengthToFlip(const DomainMap& map, const Eigen::Vector
     {
       for (int f = task * PerTask; f < std::min(m, (task + 1) * PerTask); ++f)
       {
-        const int a = this->Faces(f, 0);
+        const int a = this->Terms.Faces(f, 0);
         const Eigen::Vector2d base = motion(a);
         Eigen::Vector2d sides[2];
         Eigen::Vector2d changes[2];
         for (int k = 0; k < 2; ++k)
         {
-          const int b = this->Faces(f, k + 1);
+          const int b = this->Terms.Faces(f, k + 1);
           sides[k] = map.Positions.row(b) - map.Positions.row(a);
           changes[k] = motion(b) - base;
         }
@@ -232,7 +232,8 @@ RefinementDescent::LineSearch RefinementDescent::searchLine(const DomainMap& map
     search.Length *= halving == 0 ? 1.0 : 0.5;
     search.Map = this->Dofs.moved(map, step, search.Length);
     search.Energy = this->Energy.value(search.Map);
-    search.Succeeded = search.Energy <= energy + ArmijoShare * search.Length * slope;
+    search.Succeeded = search.Energy <= energy + ArmijoShare * search.Length * slope &&
+                       !edgesCross(search.Map.Positions, this->Terms.Outline);
   }
   return search;
 }

@@ -20,7 +20,7 @@ public:
   /// Finds an order of elimination. The references must live as long as this does. @throws Cancelled.
   RefinementDescent(RefinementEnergy& energy,
     const DegreesOfFreedom& dofs,
-    const FaceMatrix& faces,
+    const RefinementTerms& terms,
     SparseCholesky::Kernel kernel = SparseCholesky::Kernel::Blocks,
     const ProgressCallback& progress = {});
 
@@ -62,7 +62,7 @@ private:
 
   RefinementEnergy& Energy;
   const DegreesOfFreedom& Dofs;
-  const FaceMatrix& Faces;
+  const RefinementTerms& Terms;
   SparseCholesky Cholesky;
   bool KeepsOrientation = false;
   double Damping;              // added to the Hessian's diagonal

@@ -79,13 +79,7 @@ void RefinementEnergy::setEpsilon(double epsilon)
 
 void RefinementEnergy::setEnclosed(const DomainMap& map)
 {
-  const std::vector<int>& loop = this->Dofs.loop();
-  double twice = 0.0;
-  for (std::size_t k = 0; k < loop.size(); ++k)
-  {
-    twice += cross(map.Positions.row(loop[k]), map.Positions.row(loop[(k + 1) % loop.size()]));
-  }
-  this->Scale = 0.5 * twice / this->Targets.sum();
+  this->Scale = signedFaceAreas(map.Positions, this->Terms.Faces).sum() / this->Targets.sum();
 }
 
 RefinementEnergy::FlatFace RefinementEnergy::flatFace(const Points2& positions, int face) const
@@ -132,6 +126,22 @@ RefinementEnergy::GapTerm RefinementEnergy::gapTerm(const DomainMap& map, const 
     weight / (rho * rho * gap.Share * gap.Share) };
 }
 
+RefinementEnergy::ReachTerm RefinementEnergy::reachTerm(const DomainMap& map, const VertexReach& reach)
+{
+  const Eigen::Vector2d way =
+    (map.Positions.row(reach.Vertex).transpose() - reach.Place) / reach.Distance;
+  const double rest = 1.0 - way.squaredNorm();
+  if (!(rest > 0.0))
+  {
+    return { std::numeric_limits<double>::infinity(), Eigen::Vector2d::Zero(), Eigen::Matrix2d::Zero() };
+  }
+  const double perLength = reach.Weight / reach.Distance;
+  return { -reach.Weight * std::log(rest),
+    2.0 * perLength / rest * way,
+    perLength / reach.Distance *
+      (2.0 / rest * Eigen::Matrix2d::Identity() + 4.0 / (rest * rest) * way * way.transpose()) };
+}
+
 double RefinementEnergy::value(const DomainMap& map) const
 {
   double sum = orderedSum(static_cast<int>(this->Terms.Faces.rows()),
@@ -139,6 +149,10 @@ double RefinementEnergy::value(const DomainMap& map) const
   for (const BoundaryGap& gap : this->Terms.Gaps)
   {
     sum += this->gapTerm(map, gap).Energy;
+  }
+  for (const VertexReach& reach : this->Terms.Reaches)
+  {
+    sum += reachTerm(map, reach).Energy;
   }
   return sum;
 }
@@ -188,6 +202,12 @@ double RefinementEnergy::gradient(const DomainMap& map, Eigen::VectorXd& gradien
     {
       gradient[next] += term.Slope;
     }
+  }
+  for (const VertexReach& reach : this->Terms.Reaches)
+  {
+    const ReachTerm term = reachTerm(map, reach);
+    sum += term.Energy;
+    gradient.segment<2>(this->Dofs.first(reach.Vertex)) += term.Slope;
   }
   return sum;
 }
@@ -350,6 +370,14 @@ const SparseMatrix& RefinementEnergy::hessian(const DomainMap& map)
     {
       this->Hessian.coeffRef(std::max(a, b), std::min(a, b)) -= curvature;
     }
+  }
+  for (const VertexReach& reach : this->Terms.Reaches)
+  {
+    const Eigen::Matrix2d curvature = reachTerm(map, reach).Curvature;
+    const int x = this->Dofs.first(reach.Vertex);
+    this->Hessian.coeffRef(x, x) += curvature(0, 0);
+    this->Hessian.coeffRef(x + 1, x) += curvature(1, 0);
+    this->Hessian.coeffRef(x + 1, x + 1) += curvature(1, 1);
   }
   return this->Hessian;
 }

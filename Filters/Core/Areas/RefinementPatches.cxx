@@ -27,6 +27,9 @@ constexpr double Turn = 1.0;
 constexpr double EnoughPatchShare = 0.001;
 // A round that lowers the energy of a patch by a smaller share is its last one in the pass.
 constexpr double LeastPatchGain = 0.1;
+// The weight of the energy of a vertex's reach, in mean target areas. A choice: so little that it counts
+// only near the end of the reach.
+constexpr double ReachWeight = 0.01;
 
 } // namespace
 
@@ -43,7 +46,7 @@ public:
   {
     for (const int v : part)
     {
-      if (this->moves(v, partOf))
+      if (whole.moves(v, partOf))
       {
         this->Vertices.push_back(v);
         const VertexFaces::Range around = whole.FacesOf[v];
@@ -101,7 +104,7 @@ private:
     RefinementEnergy energy(terms, facesOf, dofs);
     energy.setTargets(this->ThePass.Targets(this->Rows));
     energy.setEpsilon(this->ThePass.Epsilon);
-    RefinementDescent descent(energy, dofs, terms.Faces, SparseCholesky::Kernel::Entries);
+    RefinementDescent descent(energy, dofs, terms, SparseCholesky::Kernel::Entries);
     descent.keepOrientation(this->ThePass.KeepsOrientation);
     for (int round = 0; round < LargestRounds; ++round)
     {
@@ -112,22 +115,6 @@ private:
         break;
       }
     }
-  }
-
-  // A vertex stays if it has a neighbour in an earlier part.
-  bool moves(int vertex, const std::vector<int>& partOf) const
-  {
-    for (const int f : this->Whole.FacesOf[vertex])
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        if (partOf[this->Whole.Terms.Faces(f, k)] < partOf[vertex])
-        {
-          return false;
-        }
-      }
-    }
-    return true;
   }
 
   double offShare(const DomainMap& map) const
@@ -210,7 +197,28 @@ private:
         part.Gaps.push_back(gap);
       }
     }
+    this->addOutline(part);
     return part;
+  }
+
+  // The edges of a free boundary that move, and the reach of their vertices.
+  void addOutline(RefinementTerms& part) const
+  {
+    const auto isFree = [this](int vertex)
+    { return std::binary_search(this->Vertices.begin(), this->Vertices.begin() + this->Free, vertex); };
+    for (std::size_t k = 0; k < this->Whole.Terms.Outline.size(); ++k)
+    {
+      const auto& [a, b] = this->Whole.Terms.Outline[k];
+      if (isFree(a))
+      {
+        part.Reaches.push_back(this->Whole.Reaches[k]);
+        part.Reaches.back().Vertex = this->local(a);
+      }
+      if (isFree(a) || isFree(b))
+      {
+        part.Outline.push_back({ this->local(a), this->local(b) });
+      }
+    }
   }
 
   const RefinementPatches& Whole;
@@ -229,6 +237,43 @@ RefinementPatches::RefinementPatches(const RefinementTerms& terms,
 {
 }
 
+bool RefinementPatches::moves(int vertex, const std::vector<int>& partOf) const
+{
+  for (const int f : this->FacesOf[vertex])
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (partOf[this->Terms.Faces(f, k)] < partOf[vertex])
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+// Edges that move in one patch are kept from crossing by the steps of the patch, the others by the reach
+// of their vertices.
+void RefinementPatches::setReaches(const Pass& pass,
+  const Points2& positions,
+  const std::vector<int>& partOf)
+{
+  std::vector<int> loop;
+  std::vector<int> groups;
+  for (const auto& [a, b] : this->Terms.Outline)
+  {
+    loop.push_back(a);
+    groups.push_back(this->moves(a, partOf) ? partOf[a] : this->moves(b, partOf) ? partOf[b] : -1);
+  }
+  const std::vector<double> reach = outlineReach(positions, loop, groups);
+  this->Reaches.clear();
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    this->Reaches.push_back(
+      { loop[k], positions.row(loop[k]), reach[k], ReachWeight * pass.Targets.mean() });
+  }
+}
+
 int RefinementPatches::run(const Pass& pass, DomainMap& map, const ProgressCallback& progress)
 {
   const std::vector<std::vector<int>> parts =
@@ -241,6 +286,7 @@ int RefinementPatches::run(const Pass& pass, DomainMap& map, const ProgressCallb
       partOf[v] = static_cast<int>(p);
     }
   }
+  this->setReaches(pass, map.Positions, partOf);
   // Patches may run at the same time: no patch reads a vertex that another one moves.
   std::atomic<int> worked = 0;
   std::atomic<int> done = 0;

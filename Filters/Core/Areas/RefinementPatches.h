@@ -5,6 +5,7 @@
 #include "Areas/DegreesOfFreedom.h"
 #include "Areas/RefinementTerms.h"
 #include "Base/Progress.h"
+#include "Mesh/OutlineReach.h"
 #include "Mesh/VertexFaces.h"
 
 #include <vector>
@@ -44,10 +45,14 @@ public:
 
 private:
   class Patch;
+  // A vertex stays if it has a neighbour in an earlier part.
+  bool moves(int vertex, const std::vector<int>& partOf) const;
+  void setReaches(const Pass& pass, const Points2& positions, const std::vector<int>& partOf);
 
   const RefinementTerms& Terms;
   const VertexFaces& FacesOf;
   const DegreesOfFreedom& Dofs;
+  std::vector<VertexReach> Reaches; // of the vertices where the edges of a free boundary begin
   int Passes = 0;
 };
 

@@ -52,6 +52,7 @@ RefinementRounds::RefinementRounds(const TriangleMesh& surface,
   const DegreesOfFreedom& dofs,
   RefinementStart start)
   : Surface(surface)
+  , Terms(terms)
   , Dofs(dofs)
   , Energy(terms, facesOf, dofs)
   , Patches(terms, facesOf, dofs)
@@ -125,7 +126,7 @@ void RefinementRounds::balance(DomainMap& map, double tolerance, const ProgressC
   if (!this->Descent)
   {
     this->Descent.emplace(
-      this->Energy, this->Dofs, this->Surface.Faces, SparseCholesky::Kernel::Blocks, progress);
+      this->Energy, this->Dofs, this->Terms, SparseCholesky::Kernel::Blocks, progress);
   }
   this->Descent->keepOrientation(this->Epsilon == 0.0);
   this->Descent->round(map, progress);

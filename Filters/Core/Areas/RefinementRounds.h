@@ -62,6 +62,7 @@ private:
   double imbalance(const DomainMap& map);
 
   const TriangleMesh& Surface;
+  const RefinementTerms& Terms;
   const DegreesOfFreedom& Dofs;
   RefinementEnergy Energy;
   RefinementPatches Patches;

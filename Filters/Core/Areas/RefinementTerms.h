@@ -2,6 +2,7 @@
 /// The coefficients of the refinement energy that depend on the surface.
 #pragma once
 
+#include "Mesh/OutlineCrossings.h"
 #include "Mesh/TriangleMesh.h"
 
 #include <vector>
@@ -17,6 +18,15 @@ struct BoundaryGap
   double Share; ///< its part of the domain's perimeter, by length on the surface
 };
 
+/// A vertex that must stay within a distance of a place.
+struct VertexReach
+{
+  int Vertex;
+  Eigen::Vector2d Place;
+  double Distance; ///< > 0
+  double Weight;   ///< of its energy, in the unit of areas
+};
+
 /// The coefficients of a mesh or a part of it.
 struct RefinementTerms
 {
@@ -24,6 +34,8 @@ struct RefinementTerms
   Eigen::MatrixX3d Cotangents;  ///< of the surface's angles (m x 3); slivers are opened first
   Eigen::VectorXd ShapeWeights; ///< per face (m)
   std::vector<BoundaryGap> Gaps;
+  std::vector<VertexReach> Reaches;
+  std::vector<FlatEdge> Outline; ///< edges of a free boundary, which must not cross
 
   /// @p loop holds the boundary vertices. @p shapeWeight (>= 0) is for faces that are no slivers;
   /// slivers get less. @p perimeter is that of the domain.

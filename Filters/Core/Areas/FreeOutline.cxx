@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Areas/FreeOutline.h"
+
+#include "Areas/DegreesOfFreedom.h"
+#include "Areas/RefinementRounds.h"
+#include "Areas/RefinementTerms.h"
+#include "Areas/SmoothDeformation.h"
+#include "Mesh/FaceOrientation.h"
+#include "Mesh/OutlineCrossings.h"
+#include "Mesh/PlaneVectors.h"
+#include "Mesh/VertexFaces.h"
+#include "Untangling/MapUntangling.h"
+#include "Untangling/TargetTriangles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace flattening
+{
+namespace
+{
+
+// The least target of a face, in mean targets. A guard for faces without area on the surface.
+constexpr double TargetFloor = 1e-6;
+// The deformations end when one lowers the distortion of shapes by less than LeastShapeGain of it, or
+// after MostDeformations. A compromise: the next ones would gain less than a tenth of a degree each.
+constexpr int MostDeformations = 10;
+constexpr double LeastShapeGain = 0.01;
+// The greatest weight of areas against shapes in a deformation. A choice: with more the deformations are
+// small, with less the refinement has to correct more.
+constexpr double GreatestAreaWeight = 300.0;
+// The shares of a deformation to try: with the smaller ones fewer faces flip.
+constexpr double Shares[] = { 1.0, 0.5, 0.25 };
+// The weight of areas while untangling. A choice: areas count as much as shapes.
+constexpr double UntanglingAreaWeight = 1.0;
+// A limit of the time; the last rounds mostly end earlier, when they no longer help (RefinementRounds).
+constexpr int LastRounds = 6;
+// The region error above which a step of the whole mesh ends the refinement, as in FaceRefinement.
+constexpr double RegionGoal = 2e-4;
+
+class OutlineRelease
+{
+public:
+  OutlineRelease(const TriangleMesh& surface,
+    const std::vector<int>& loop,
+    const Points2& positions,
+    const Eigen::VectorXd& faceTargets,
+    double shapeWeight)
+    : Surface(surface)
+    , Loop(loop)
+    , Area(signedFaceAreas(positions, surface.Faces).sum())
+    , AreaWeight(std::min(GreatestAreaWeight, 1.0 / shapeWeight))
+    , FacesOf(surface.Faces, surface.vertexCount())
+    , Dofs(surface.vertexCount())
+    , Targets(faceTargets.cwiseMax(TargetFloor * faceTargets.mean()))
+    , Terms(surface, loop, 1.0, shapeWeight)
+    , Rounds(surface, this->Terms, this->FacesOf, this->Dofs, RefinementStart::WarmStart)
+    , OnBoundary(surface.vertexCount(), 0)
+    , Map{ positions, {} }
+  {
+    this->Targets *= this->Area / this->Targets.sum();
+    this->Terms.Gaps.clear();
+    for (std::size_t k = 0; k < loop.size(); ++k)
+    {
+      this->Terms.Outline.push_back({ loop[k], loop[(k + 1) % loop.size()] });
+      this->OnBoundary[loop[k]] = 1;
+    }
+    this->Rounds.setStage(this->Targets, 0.0);
+  }
+
+  FreeOutlineResult run(const ProgressCallback& progress)
+  {
+    if (this->isOneToOne(this->Map.Positions))
+    {
+      this->deform(subrange(progress, 0.0, 0.7));
+      this->Rounds.run(
+        this->Map, LastRounds, RefinementRounds::Until::Enough, subrange(progress, 0.7, 0.9));
+      this->Rounds.balance(this->Map, RegionGoal, subrange(progress, 0.9, 1.0));
+    }
+    this->Result.Positions = this->centred();
+    this->Result.Rounds = this->Rounds.count();
+    this->Result.FlippedFaces = countFlippedFaces(this->Result.Positions, this->Surface.Faces);
+    this->Result.Bijective =
+      this->Result.FlippedFaces == 0 && isSimpleOutline(this->Result.Positions, this->Loop);
+    return std::move(this->Result);
+  }
+
+private:
+  bool isOneToOne(const Points2& positions) const
+  {
+    return countFlippedFaces(positions, this->Surface.Faces) == 0 &&
+           isSimpleOutline(positions, this->Loop);
+  }
+
+  // A round of the refinement follows each deformation, so that small errors do not add up.
+  void deform(const ProgressCallback& progress)
+  {
+    double before = this->distortion();
+    for (int k = 0; k < MostDeformations; ++k)
+    {
+      const double begin = static_cast<double>(k) / MostDeformations;
+      const double middle = (k + 0.5) / MostDeformations;
+      const double end = (k + 1.0) / MostDeformations;
+      std::optional<Points2> next = this->deformed(subrange(progress, begin, middle));
+      if (!next)
+      {
+        return;
+      }
+      ++this->Result.Deformations;
+      this->Map.Positions = std::move(*next);
+      this->Rounds.run(
+        this->Map, 1, RefinementRounds::Until::AllRounds, subrange(progress, middle, end));
+      const double after = this->distortion();
+      if (before - after < LeastShapeGain * before)
+      {
+        return;
+      }
+      before = after;
+    }
+  }
+
+  // Nothing if every share of the deformation leaves the outline crossed or faces flipped.
+  std::optional<Points2> deformed(const ProgressCallback& progress) const
+  {
+    const Points2 whole = smoothlyDeformed(
+      this->Terms, this->Map.Positions, this->Targets, this->AreaWeight, subrange(progress, 0.0, 0.7));
+    UntanglingOptions options;
+    options.AreaWeight = UntanglingAreaWeight;
+    for (const double share : Shares)
+    {
+      Points2 next = (1.0 - share) * this->Map.Positions + share * whole;
+      if (!isSimpleOutline(next, this->Loop))
+      {
+        continue;
+      }
+      const UntanglingReport report = untangleMap(this->Surface.Faces,
+        this->OnBoundary,
+        trianglesOfArea(this->Surface, this->Targets),
+        next,
+        options,
+        atFraction(progress, 0.7, "Free outline: untangling"));
+      if (report.FlippedFaces == 0)
+      {
+        return next;
+      }
+    }
+    return std::nullopt;
+  }
+
+  // The mean over the area of the logarithm of the ratio of Dirichlet energy to area; 0 if all shapes
+  // are kept.
+  double distortion() const
+  {
+    double sum = 0.0;
+    for (int f = 0; f < this->Surface.faceCount(); ++f)
+    {
+      Eigen::Vector2d sides[3];
+      double dirichlet = 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        sides[k] = this->Map.Positions.row(this->Surface.Faces(f, (k + 2) % 3)) -
+                   this->Map.Positions.row(this->Surface.Faces(f, (k + 1) % 3));
+        dirichlet += 0.25 * this->Terms.Cotangents(f, k) * sides[k].squaredNorm();
+      }
+      const double area = 0.5 * cross(sides[0], sides[1]);
+      sum += dirichlet > area ? this->Targets[f] * std::log(dirichlet / area) : 0.0;
+    }
+    return sum / this->Area;
+  }
+
+  // The map with its centroid in the origin and the area that it had in the beginning.
+  Points2 centred() const
+  {
+    const Eigen::VectorXd areas = signedFaceAreas(this->Map.Positions, this->Surface.Faces);
+    Eigen::RowVector2d moment = Eigen::RowVector2d::Zero();
+    for (int f = 0; f < this->Surface.faceCount(); ++f)
+    {
+      moment +=
+        areas[f] / 3.0 * this->Map.Positions(this->Surface.Faces.row(f), Eigen::all).colwise().sum();
+    }
+    const Eigen::RowVector2d centroid = moment / areas.sum();
+    return std::sqrt(this->Area / areas.sum()) * (this->Map.Positions.rowwise() - centroid);
+  }
+
+  const TriangleMesh& Surface;
+  const std::vector<int>& Loop;
+  double Area;
+  double AreaWeight;
+  VertexFaces FacesOf;
+  DegreesOfFreedom Dofs;
+  Eigen::VectorXd Targets;
+  RefinementTerms Terms;
+  RefinementRounds Rounds;
+  std::vector<char> OnBoundary;
+  DomainMap Map;
+  FreeOutlineResult Result;
+};
+
+} // namespace
+
+FreeOutlineResult freeOutline(const TriangleMesh& surface,
+  const std::vector<int>& loop,
+  const Points2& positions,
+  const Eigen::VectorXd& faceTargets,
+  double shapeWeight,
+  const ProgressCallback& progress)
+{
+  return OutlineRelease(surface, loop, positions, faceTargets, shapeWeight).run(progress);
+}
+
+} // namespace flattening

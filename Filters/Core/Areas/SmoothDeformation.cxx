@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Areas/SmoothDeformation.h"
+
+#include "Areas/DeformationEnergy.h"
+#include "Areas/DeformationLattice.h"
+#include "Base/SparseFactorization.h"
+
+#include <algorithm>
+
+namespace flattening
+{
+namespace
+{
+
+// LatticeSquares of the lattice along the longer side of its box. A compromise: with half as many the
+// angle error of half a brain is 0.05 degrees larger, with twice as many it is the same and takes five
+// times as long.
+constexpr int LatticeSquares = 32;
+// The box is larger than the map by this share of its longer side everywhere: the plane around the map
+// takes part. A choice: any share of more than a square of the lattice gives about the same map.
+constexpr double LatticeMargin = 0.1;
+// Weights of the areas before the last one. With that one alone, steps that keep all areas would be
+// short.
+constexpr double FirstAreaWeights[] = { 3.0, 30.0 };
+// Limits of the time: Newton steps for one weight, and the relative decrease of the energy that ends
+// them earlier.
+constexpr int MostSteps = 12;
+constexpr double LeastStepGain = 1e-3;
+// A guard: shorter steps than 2^-20 change the energy by rounding only.
+constexpr int MostStepHalvings = 20;
+// The usual share of the linear decrease that a step must reach (Nocedal and Wright 2006, section 3.1).
+constexpr double DecreaseShare = 1e-4;
+// Added to the diagonal of the second derivative, as a share of its mean. A guard: the energy does not
+// depend on where the map lies and how it is turned.
+constexpr double RelativeDamping = 1e-8;
+
+DeformationLattice latticeAround(const Points2& positions)
+{
+  Eigen::AlignedBox2d box(
+    positions.colwise().minCoeff().transpose(), positions.colwise().maxCoeff().transpose());
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(LatticeMargin * box.sizes().maxCoeff());
+  box = Eigen::AlignedBox2d(box.min() - margin, box.max() + margin);
+  return { box, LatticeSquares };
+}
+
+// Newton's method for the displacements of a lattice's nodes.
+class DeformationDescent
+{
+public:
+  DeformationDescent(const DeformationLattice& lattice, DeformationEnergy& energy)
+    : Energy(energy)
+    , Displacements(Points2::Zero(lattice.nodeCount(), 2))
+  {
+    this->Cholesky.expectConstantPattern();
+  }
+
+  void descend(const ProgressCallback& progress)
+  {
+    for (int step = 0; step < MostSteps; ++step)
+    {
+      report(progress, static_cast<double>(step) / MostSteps, "Free outline: deformation");
+      if (!this->makeStep())
+      {
+        return;
+      }
+    }
+  }
+
+  const Points2& displacements() const { return this->Displacements; }
+
+private:
+  // Returns whether the energy fell by enough for another step.
+  bool makeStep()
+  {
+    Eigen::VectorXd gradient;
+    SparseMatrix hessian;
+    const double before = this->Energy.derivatives(this->Displacements, gradient, hessian);
+    const double damping = RelativeDamping * hessian.diagonal().mean();
+    hessian.diagonal().array() += damping;
+    this->Cholesky.compute(hessian);
+    if (this->Cholesky.info() != Eigen::Success)
+    {
+      return false;
+    }
+    const Eigen::VectorXd solution = this->Cholesky.solve(gradient);
+    const Eigen::Map<const Points2> step(solution.data(), this->Displacements.rows(), 2);
+    const double slope = gradient.dot(solution);
+    double length = 1.0;
+    for (int halving = 0; halving < MostStepHalvings; ++halving, length *= 0.5)
+    {
+      const Points2 next = this->Displacements - length * step;
+      const double after = this->Energy.value(next);
+      if (after <= before - DecreaseShare * length * slope)
+      {
+        this->Displacements = next;
+        return before - after > LeastStepGain * before;
+      }
+    }
+    return false;
+  }
+
+  DeformationEnergy& Energy;
+  Points2 Displacements;
+  SparseCholesky Cholesky;
+};
+
+} // namespace
+
+Points2 smoothlyDeformed(const RefinementTerms& terms,
+  const Points2& positions,
+  const Eigen::VectorXd& targets,
+  double areaWeight,
+  const ProgressCallback& progress)
+{
+  const DeformationLattice lattice = latticeAround(positions);
+  DeformationEnergy energy(lattice, terms, positions, targets);
+  DeformationDescent descent(lattice, energy);
+  double begin = 0.0;
+  for (const double weight : FirstAreaWeights)
+  {
+    energy.setAreaWeight(std::min(weight, areaWeight));
+    descent.descend(subrange(progress, begin, begin + 0.3));
+    begin += 0.3;
+  }
+  energy.setAreaWeight(areaWeight);
+  descent.descend(subrange(progress, begin, 1.0));
+  return lattice.moved(positions, descent.displacements());
+}
+
+} // namespace flattening
