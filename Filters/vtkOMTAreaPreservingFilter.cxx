@@ -380,8 +380,9 @@ void vtkOMTAreaPreservingFilter::Execute(vtkInformationVector** inputVector,
   if (this->FreeOutline && result.Map.Deformations == 0)
   {
     vtkWarningMacro(<< this->GetBlockPrefix()
-                    << "the outline could not be freed, and the map fills the domain: "
-                       "remesh the surface (Surface To Disk, Remesh)");
+                    << "the outline could not be freed without a loss of areas, and the map fills "
+                       "the domain: remesh the surface (Surface To Disk, Remesh), or use area weights "
+                       "that differ less");
   }
   const double area = EIGEN_PI * placement.Scale * placement.Scale;
   if (!std::isnormal(area))

@@ -317,6 +317,7 @@ private:
       this->Boundary.Vertices,
       this->Map.Positions,
       this->targetsOfFaces(),
+      this->Domain->area(),
       shapeWeight(this->Options.Refinement),
       progress);
     this->Map.Positions = std::move(freed.Positions);

@@ -52,7 +52,7 @@ struct AreaPreservingMap
   int RefinementRounds = 0;        ///< number of rounds of the refinement
   int RepairedFaces = 0;           ///< faces that were untangled between the stages of the refinement
   double StartShare = 1.0;         ///< see FaceRefinementResult
-  int Deformations = 0;            ///< see FreeOutlineResult; 0 without a free outline
+  int Deformations = 0;            ///< see FreeOutlineResult; 0 unless the outline is free
   std::vector<int> CornerVertices; ///< vertices that stay in the domain's corners, counter-clockwise
 };
 

@@ -2,6 +2,7 @@
 #include "Areas/FreeOutline.h"
 
 #include "Areas/DegreesOfFreedom.h"
+#include "Areas/RefinementPatches.h"
 #include "Areas/RefinementRounds.h"
 #include "Areas/RefinementTerms.h"
 #include "Areas/SmoothDeformation.h"
@@ -37,8 +38,13 @@ constexpr double Shares[] = { 1.0, 0.5, 0.25 };
 constexpr double UntanglingAreaWeight = 1.0;
 // A limit of the time; the last rounds mostly end earlier, when they no longer help (RefinementRounds).
 constexpr int LastRounds = 6;
-// The region error above which a step of the whole mesh ends the refinement, as in FaceRefinement.
-constexpr double RegionGoal = 2e-4;
+// The share of the faces that may get worse than the tolerance: where more do, weights or horns ask for
+// more than a free outline can give, and the map stays in its domain.
+constexpr double GreatestLoss = 0.01;
+// Then steps of the whole mesh follow, a round at a time, until one lowers the energy by less than this
+// share. One round sets regions right; more are worth their time where all shapes can be kept.
+constexpr int LastWholeRounds = 20;
+constexpr double LeastRoundGain = 0.1;
 
 class OutlineRelease
 {
@@ -47,10 +53,11 @@ public:
     const std::vector<int>& loop,
     const Points2& positions,
     const Eigen::VectorXd& faceTargets,
+    double area,
     double shapeWeight)
     : Surface(surface)
     , Loop(loop)
-    , Area(signedFaceAreas(positions, surface.Faces).sum())
+    , Area(area)
     , AreaWeight(std::min(GreatestAreaWeight, 1.0 / shapeWeight))
     , FacesOf(surface.Faces, surface.vertexCount())
     , Dofs(surface.vertexCount())
@@ -72,15 +79,11 @@ public:
 
   FreeOutlineResult run(const ProgressCallback& progress)
   {
+    this->Result.Positions = this->Map.Positions;
     if (this->isOneToOne(this->Map.Positions))
     {
-      this->deform(subrange(progress, 0.0, 0.7));
-      this->Rounds.run(
-        this->Map, LastRounds, RefinementRounds::Until::Enough, subrange(progress, 0.7, 0.9));
-      this->Rounds.balance(this->Map, RegionGoal, subrange(progress, 0.9, 1.0));
+      this->release(progress);
     }
-    this->Result.Positions = this->centred();
-    this->Result.Rounds = this->Rounds.count();
     this->Result.FlippedFaces = countFlippedFaces(this->Result.Positions, this->Surface.Faces);
     this->Result.Bijective =
       this->Result.FlippedFaces == 0 && isSimpleOutline(this->Result.Positions, this->Loop);
@@ -94,8 +97,39 @@ private:
            isSimpleOutline(positions, this->Loop);
   }
 
+  // Leaves the result as it is if the map with a free outline would lose too many areas.
+  void release(const ProgressCallback& progress)
+  {
+    const double before = this->shareOff();
+    this->Map.Positions *= std::sqrt(this->Area / this->covered());
+    const int deformations = this->deform(subrange(progress, 0.0, 0.7));
+    if (deformations == 0)
+    {
+      return;
+    }
+    this->Rounds.run(
+      this->Map, LastRounds, RefinementRounds::Until::Enough, subrange(progress, 0.7, 0.9));
+    this->Rounds.settle(this->Map, LeastRoundGain, LastWholeRounds, subrange(progress, 0.9, 1.0));
+    if (this->shareOff() <= before + GreatestLoss)
+    {
+      this->Result.Positions = this->centred();
+      this->Result.Rounds = this->Rounds.count();
+      this->Result.Deformations = deformations;
+    }
+  }
+
+  // The share of the faces whose area is off by more than the tolerance.
+  double shareOff() const
+  {
+    const Eigen::ArrayXd ratios =
+      signedFaceAreas(this->Map.Positions, this->Surface.Faces).array() / this->Targets.array();
+    const double scale = this->Targets.sum() / this->covered();
+    return ((scale * ratios - 1.0).abs() > RefinementPatches::AreaTolerance).cast<double>().mean();
+  }
+
   // A round of the refinement follows each deformation, so that small errors do not add up.
-  void deform(const ProgressCallback& progress)
+  // Returns the number of deformations.
+  int deform(const ProgressCallback& progress)
   {
     double before = this->distortion();
     for (int k = 0; k < MostDeformations; ++k)
@@ -106,19 +140,19 @@ private:
       std::optional<Points2> next = this->deformed(subrange(progress, begin, middle));
       if (!next)
       {
-        return;
+        return k;
       }
-      ++this->Result.Deformations;
       this->Map.Positions = std::move(*next);
       this->Rounds.run(
         this->Map, 1, RefinementRounds::Until::AllRounds, subrange(progress, middle, end));
       const double after = this->distortion();
       if (before - after < LeastShapeGain * before)
       {
-        return;
+        return k + 1;
       }
       before = after;
     }
+    return MostDeformations;
   }
 
   // Nothing if every share of the deformation leaves the outline crossed or faces flipped.
@@ -170,7 +204,9 @@ private:
     return sum / this->Area;
   }
 
-  // The map with its centroid in the origin and the area that it had in the beginning.
+  double covered() const { return signedFaceAreas(this->Map.Positions, this->Surface.Faces).sum(); }
+
+  // The map with its centroid in the origin and its whole area.
   Points2 centred() const
   {
     const Eigen::VectorXd areas = signedFaceAreas(this->Map.Positions, this->Surface.Faces);
@@ -204,10 +240,11 @@ FreeOutlineResult freeOutline(const TriangleMesh& surface,
   const std::vector<int>& loop,
   const Points2& positions,
   const Eigen::VectorXd& faceTargets,
+  double area,
   double shapeWeight,
   const ProgressCallback& progress)
 {
-  return OutlineRelease(surface, loop, positions, faceTargets, shapeWeight).run(progress);
+  return OutlineRelease(surface, loop, positions, faceTargets, area, shapeWeight).run(progress);
 }
 
 } // namespace flattening

@@ -16,7 +16,7 @@ namespace flattening
 struct FreeOutlineResult
 {
   Points2 Positions;      ///< n x 2, with the centroid of the map in the origin
-  int Deformations = 0;   ///< number of smooth deformations that the map went through
+  int Deformations = 0;   ///< number of smooth deformations; 0 if the map is as it was
   int Rounds = 0;         ///< number of passes of the refinement
   int FlippedFaces = 0;   ///< faces not positively oriented (exact)
   bool Bijective = false; ///< whether no face is flipped and the outline does not cross itself (exact)
@@ -26,14 +26,17 @@ struct FreeOutlineResult
 /// Its faces have about the areas @p faceTargets (m, >= 0, up to a common factor). Smooth deformations
 /// (smoothlyDeformed) lower the distortion of shapes and hold the areas of regions; rounds of the
 /// refinement make the areas of the faces exact, while boundary vertices are as free as the others. No
-/// step lets a face flip or the outline cross itself, and the map remains one-to-one. The area that it
-/// covers is that of the map before. A map that is not one-to-one is only centred.
-/// @p shapeWeight (> 0) is that of the face refinement (RefinementTerms).
+/// step lets a face flip or the outline cross itself, and the map remains one-to-one. The map is
+/// returned as it is if it is not one-to-one, if no deformation can be applied to it, or if more than 1
+/// % of the faces would lose their areas.
+/// @p area (> 0) is what the map is to cover in the end. @p shapeWeight (> 0) is that of the face
+/// refinement (RefinementTerms).
 /// @throws Cancelled, ConvergenceError.
 FreeOutlineResult freeOutline(const TriangleMesh& surface,
   const std::vector<int>& loop,
   const Points2& positions,
   const Eigen::VectorXd& faceTargets,
+  double area,
   double shapeWeight,
   const ProgressCallback& progress = {});
 

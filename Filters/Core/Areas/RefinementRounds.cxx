@@ -119,17 +119,38 @@ double RefinementRounds::imbalance(const DomainMap& map)
 
 void RefinementRounds::balance(DomainMap& map, double tolerance, const ProgressCallback& progress)
 {
-  if (this->imbalance(map) < tolerance)
+  if (this->imbalance(map) >= tolerance)
   {
-    return;
+    this->descend(map, progress);
   }
+}
+
+void RefinementRounds::settle(DomainMap& map,
+  double leastGain,
+  int most,
+  const ProgressCallback& progress)
+{
+  for (int round = 0; round < most; ++round)
+  {
+    this->Energy.setEnclosed(map);
+    const double begin = static_cast<double>(round) / most;
+    if (this->descend(map, subrange(progress, begin, begin + 1.0 / most)) < leastGain)
+    {
+      return;
+    }
+  }
+}
+
+// A round of steps of the whole mesh; returns the relative decrease of the energy.
+double RefinementRounds::descend(DomainMap& map, const ProgressCallback& progress)
+{
   if (!this->Descent)
   {
     this->Descent.emplace(
       this->Energy, this->Dofs, this->Terms, SparseCholesky::Kernel::Blocks, progress);
   }
   this->Descent->keepOrientation(this->Epsilon == 0.0);
-  this->Descent->round(map, progress);
+  return this->Descent->round(map, progress);
 }
 
 void RefinementRounds::run(DomainMap& map, int most, Until until, const ProgressCallback& progress)

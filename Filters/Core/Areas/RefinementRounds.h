@@ -54,12 +54,17 @@ public:
   /// the share @p tolerance. @throws Cancelled, ConvergenceError.
   void balance(DomainMap& map, double tolerance, const ProgressCallback& progress);
 
+  /// Makes steps of the whole mesh, at most @p most rounds of them, until a round lowers the energy by
+  /// less than the share @p leastGain. @throws Cancelled, ConvergenceError.
+  void settle(DomainMap& map, double leastGain, int most, const ProgressCallback& progress);
+
   int count() const { return this->Count; } ///< number of rounds so far
 
 private:
   struct WrongFaces;
   WrongFaces wrongFaces(const DomainMap& map);
   double imbalance(const DomainMap& map);
+  double descend(DomainMap& map, const ProgressCallback& progress);
 
   const TriangleMesh& Surface;
   const RefinementTerms& Terms;

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "AnalyticSurfaces.h"
+#include "Areas/AreaPreservingDisk.h"
+#include "Areas/FreeOutline.h"
+#include "Conformal/ConformalDisk.h"
+#include "FlatMap/DistortionMeasures.h"
+#include "FlatMap/DistortionSummary.h"
+#include "Mesh/FaceOrientation.h"
+#include "Mesh/MeshTopology.h"
+#include "Mesh/OutlineCrossings.h"
+
+#include <gtest/gtest.h>
+
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace flattening;
+using namespace flattening::analytic;
+
+AreaPreservingMap freeMap(const TriangleMesh& surface,
+  const Eigen::VectorXd& weights = {},
+  const ProgressCallback& progress = {})
+{
+  AreaPreservingOptions options;
+  options.FreeOutline = true;
+  return areaPreservingDiskMap(surface, conformalDiskMap(surface).Positions, weights, options, progress)
+    .Map;
+}
+
+DistortionSummary summaryOf(const TriangleMesh& surface,
+  const Points2& positions,
+  const Eigen::VectorXd& weights = {})
+{
+  return summariseDistortion(measureDistortion(surface, positions, weights));
+}
+
+// A rectangle of squares, each cut in two along alternating diagonals, in space.
+TriangleMesh sheet(int columns, int rows, const std::function<Eigen::RowVector3d(double, double)>& place)
+{
+  TriangleMesh mesh;
+  mesh.Vertices.resize((columns + 1) * (rows + 1), 3);
+  mesh.Faces.resize(2 * columns * rows, 3);
+  int face = 0;
+  for (int j = 0; j <= rows; ++j)
+  {
+    for (int i = 0; i <= columns; ++i)
+    {
+      const int v = j * (columns + 1) + i;
+      mesh.Vertices.row(v) = place(static_cast<double>(i) / columns, static_cast<double>(j) / rows);
+      if (i == columns || j == rows)
+      {
+        continue;
+      }
+      const int up = v + columns + 1;
+      if ((i + j) % 2 == 0)
+      {
+        mesh.Faces.row(face++) << v, v + 1, up + 1;
+        mesh.Faces.row(face++) << v, up + 1, up;
+      }
+      else
+      {
+        mesh.Faces.row(face++) << v, v + 1, up;
+        mesh.Faces.row(face++) << v + 1, up + 1, up;
+      }
+    }
+  }
+  return mesh;
+}
+
+struct Developable
+{
+  std::string Name;
+  TriangleMesh Surface;
+};
+
+std::vector<Developable> developables()
+{
+  const double turn = 2.0 * EIGEN_PI;
+  const auto cone = [turn](double u, double v, double sine) -> Eigen::RowVector3d
+  {
+    const double r = 1.0 + v;
+    return {
+      sine * r * std::cos(turn * u), sine * r * std::sin(turn * u), -r * std::sqrt(1.0 - sine * sine)
+    };
+  };
+  return { { "Sheet", sheet(30, 30, [](double u, double v) { return Eigen::RowVector3d(u, v, 0.0); }) },
+    { "Strip", sheet(90, 15, [](double u, double v) { return Eigen::RowVector3d(6.0 * u, v, 0.0); }) },
+    { "Cylinder", // cut along a straight seam, whose banks lie on each other
+      sheet(60,
+        20,
+        [turn](double u, double v)
+        { return Eigen::RowVector3d(std::cos(turn * u), std::sin(turn * u), 2.0 * v); }) },
+    { "Cone", sheet(60, 20, [cone](double u, double v) { return cone(u, v, 0.5); }) },
+    { "WideCone", sheet(80, 15, [cone](double u, double v) { return cone(u, v, 0.9); }) },
+    { "FoldedPaper",
+      sheet(30,
+        30,
+        [](double u, double v)
+        {
+          return u < 0.5 ? Eigen::RowVector3d(u, v, 0.0)
+                         : Eigen::RowVector3d(0.5 + 0.6 * (u - 0.5), v, 0.8 * (u - 0.5));
+        }) } };
+}
+
+class FreeOutlineOfADevelopable : public testing::TestWithParam<Developable>
+{
+};
+
+// What can be unrolled is unrolled: every edge keeps its length. Its map to the disk does not.
+TEST_P(FreeOutlineOfADevelopable, KeepsEveryLength)
+{
+  const TriangleMesh& surface = this->GetParam().Surface;
+  const AreaPreservingMap map = freeMap(surface);
+  EXPECT_GT(map.Deformations, 0);
+  EXPECT_TRUE(map.Bijective);
+  const auto greatestError = [&](const Points2& positions)
+  {
+    const double scale =
+      std::sqrt(faceAreas(surface.Vertices, surface.Faces).sum() / EIGEN_PI); // the domain has area pi
+    double greatest = 0.0;
+    for (int f = 0; f < surface.faceCount(); ++f)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const int a = surface.Faces(f, k);
+        const int b = surface.Faces(f, (k + 1) % 3);
+        const double length = (surface.Vertices.row(a) - surface.Vertices.row(b)).norm();
+        const double flat = scale * (positions.row(a) - positions.row(b)).norm();
+        greatest = std::max(greatest, std::abs(flat / length - 1.0));
+      }
+    }
+    return greatest;
+  };
+  EXPECT_LT(greatestError(map.Positions), 1e-5);
+  EXPECT_GT(greatestError(map.OnDomain), 0.1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Surfaces,
+  FreeOutlineOfADevelopable,
+  testing::ValuesIn(developables()),
+  [](const testing::TestParamInfo<Developable>& info) { return info.param.Name; });
+
+// A bump on an ellipse, twice as long as wide.
+TEST(FreeOutline, KeepsAreasAndBettersAngles)
+{
+  TriangleMesh surface = sunflowerMesh(gaussianBump(1.0, 0.35), 6000).Mesh;
+  surface.Vertices.col(0) *= 2.0;
+  const AreaPreservingMap map = freeMap(surface);
+  EXPECT_TRUE(map.Bijective);
+  EXPECT_EQ(map.FlippedFaces, 0);
+  EXPECT_TRUE(isSimpleOutline(map.Positions, requireDisk(surface)));
+  EXPECT_NEAR(signedFaceAreas(map.Positions, surface.Faces).sum(), EIGEN_PI, 1e-9);
+  const DistortionSummary freed = summaryOf(surface, map.Positions);
+  const DistortionSummary onDomain = summaryOf(surface, map.OnDomain);
+  EXPECT_GE(freed.FacesWithin2Percent, 99.5);
+  EXPECT_LE(freed[Measure::AngleError].Mean, 0.8 * onDomain[Measure::AngleError].Mean);
+}
+
+// An isosurface has no symmetry that the disk could share.
+TEST(FreeOutline, OfAnUnevenSheetIsMuchBetterThanTheDisk)
+{
+  const TriangleMesh surface = sheet(80,
+    25,
+    [](double u, double v)
+    {
+      return Eigen::RowVector3d(
+        4.0 * u, v + 0.3 * std::sin(6.0 * u), 0.15 * std::sin(9.0 * u) * std::cos(7.0 * v));
+    });
+  const AreaPreservingMap map = freeMap(surface);
+  EXPECT_TRUE(map.Bijective);
+  const DistortionSummary freed = summaryOf(surface, map.Positions);
+  EXPECT_GE(freed.FacesWithin2Percent, 99.5);
+  EXPECT_LE(
+    freed[Measure::AngleError].Mean, 0.25 * summaryOf(surface, map.OnDomain)[Measure::AngleError].Mean);
+}
+
+// A part grows beside the rest. Where that needs more room than a free outline can make, the map stays
+// in the disk.
+TEST(FreeOutline, TakesWeights)
+{
+  const RevolutionMesh mesh = sunflowerMesh(sphericalCap(1.2), 3000);
+  for (const double factor : { 3.0, 30.0, 1e3, 1e6 })
+  {
+    Eigen::VectorXd weights(mesh.Mesh.vertexCount());
+    for (int v = 0; v < mesh.Mesh.vertexCount(); ++v)
+    {
+      const Eigen::Vector2d place = mesh.Mesh.Vertices.row(v).head<2>();
+      weights[v] = std::pow(factor, std::exp(-8.0 * (place - Eigen::Vector2d(0.4, 0.2)).squaredNorm()));
+    }
+    const AreaPreservingMap map = freeMap(mesh.Mesh, weights);
+    EXPECT_TRUE(map.Bijective) << factor;
+    const DistortionSummary freed = summaryOf(mesh.Mesh, map.Positions, weights);
+    const DistortionSummary onDomain = summaryOf(mesh.Mesh, map.OnDomain, weights);
+    EXPECT_GE(freed.FacesWithin2Percent, onDomain.FacesWithin2Percent - 1.0) << factor;
+    EXPECT_LE(freed[Measure::AngleError].Mean, onDomain[Measure::AngleError].Mean + 0.5) << factor;
+  }
+}
+
+TEST(FreeOutline, SameBitsWhateverTheThreads)
+{
+  const TriangleMesh surface = sunflowerMesh(gaussianBump(1.5, 0.35), 9000).Mesh;
+  const Points2 expected = freeMap(surface).Positions;
+  for (const std::size_t threads : { 1, 2, 4 })
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    EXPECT_TRUE((freeMap(surface).Positions.array() == expected.array()).all()) << threads;
+  }
+}
+
+TEST(FreeOutline, CancelsAnywhere)
+{
+  const TriangleMesh surface = sunflowerMesh(gaussianBump(1.0, 0.3), 500).Mesh;
+  std::vector<double> fractions;
+  freeMap(surface,
+    {},
+    [&](double fraction, const char*)
+    {
+      if (fractions.empty() || fraction != fractions.back())
+      {
+        fractions.push_back(fraction);
+      }
+      return true;
+    });
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_EQ(fractions.back(), 1.0);
+  for (const double stop : fractions)
+  {
+    EXPECT_THROW(
+      freeMap(surface, {}, [stop](double fraction, const char*) { return fraction < stop; }), Cancelled);
+  }
+}
+
+TEST(FreeOutline, LeavesAMapThatIsNotOneToOneAsItIs)
+{
+  const TriangleMesh surface = sunflowerMesh(flatDisk(), 500).Mesh;
+  const std::vector<int> loop = requireDisk(surface);
+  Points2 positions = surface.Vertices.leftCols<2>();
+  positions.row(0) += Eigen::RowVector2d(0.3, 0.0); // flips faces around the centre
+  const FreeOutlineResult result =
+    freeOutline(surface, loop, positions, faceAreas(surface.Vertices, surface.Faces), EIGEN_PI, 1e-3);
+  EXPECT_EQ(result.Deformations, 0);
+  EXPECT_FALSE(result.Bijective);
+  EXPECT_GT(result.FlippedFaces, 0);
+  EXPECT_TRUE((result.Positions.array() == positions.array()).all());
+}
+
+TEST(FreeOutline, NeedsTheFaceRefinement)
+{
+  const TriangleMesh surface = sunflowerMesh(flatDisk(), 500).Mesh;
+  AreaPreservingOptions options;
+  options.FreeOutline = true;
+  options.RefineFaces = false;
+  EXPECT_THROW(
+    areaPreservingDiskMap(surface, surface.Vertices.leftCols<2>(), {}, options), InvalidInput);
+}
+
+} // namespace
