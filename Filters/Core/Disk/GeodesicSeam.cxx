@@ -143,10 +143,6 @@ private:
       }
       const double legs = static_cast<double>(this->Points.Vertices.size() - 1);
       const double done = static_cast<double>(leg);
-      if (this->Seams.areJoined(this->Points.Vertices[leg], this->Points.Vertices[leg + 1]))
-      {
-        throw TopologyError(crossing(leg));
-      }
       // Inserting one leg changes the mesh for the next one.
       std::vector<PathPoint> points = leg == 0 ? this->FirstLeg
                                                : geodesicPath(this->Mesh,
@@ -158,6 +154,10 @@ private:
         points,
         [this](Vertex v) { return this->Mesh.is_border(v) || this->Seams.isTaken(v); });
       this->requireFree(points, leg);
+      if (this->Seams.areJoined(this->Points.Vertices[leg], this->Points.Vertices[leg + 1]))
+      {
+        throw TopologyError(crossing(leg));
+      }
       this->Seams.insert(points);
     }
   }
