@@ -8,28 +8,23 @@
 #include "Internal/DiskOutput.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/PolyDataConversion.h"
+#include "Internal/SeamLines.h"
 #include "Internal/SelectedPoints.h"
+#include "Internal/TriangulatedInput.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
-#include <vtkCellData.h>
-#include <vtkDataArray.h>
 #include <vtkFieldData.h>
-#include <vtkIdList.h>
-#include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
-#include <vtkTriangleFilter.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkSurfaceToDiskFilter);
@@ -48,82 +43,22 @@ constexpr double CoarsestStep = 1e-3;
 // 10, 92 % with 39, and 98 % on a brain with 260.
 constexpr double FewestHoleFaces = 50.0;
 
-// Checks the points of the cells before triangulation, which needs finite points and changes the ids of
-// the cells.
-void requireFinitePoints(vtkPolyData* input, vtkCellArray* cells)
-{
-  auto cell = vtk::TakeSmartPointer(cells->NewIterator());
-  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
-  {
-    vtkIdType size;
-    const vtkIdType* ids;
-    cell->GetCurrentCell(size, ids);
-    for (vtkIdType i = 0; i < size; ++i)
-    {
-      if (ids[i] < 0 || ids[i] >= input->GetNumberOfPoints())
-      {
-        throw InvalidInput("a cell names point " + std::to_string(ids[i]) +
-                           ", which does not exist: the data set is damaged");
-      }
-      double x[3];
-      input->GetPoint(ids[i], x);
-      if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
-      {
-        throw InvalidInput("point " + std::to_string(ids[i]) +
-                           " has a coordinate that is not finite: remove such points first, e.g. with "
-                           "Threshold or Extract Selection");
-      }
-    }
-  }
-}
-
-// The triangles of all polygons and strips, with the id of the input cell of each.
-vtkSmartPointer<vtkPolyData> triangulate(vtkPolyData* input)
-{
-  requireFinitePoints(input, input->GetPolys());
-  requireFinitePoints(input, input->GetStrips());
-
-  vtkNew<vtkPolyData> bare;
-  bare->CopyStructure(input);
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName(flattening::OriginalCellIdsName);
-  ids->SetNumberOfTuples(input->GetNumberOfCells());
-  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
-  {
-    ids->SetValue(cell, cell);
-  }
-  bare->GetCellData()->AddArray(ids);
-
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(bare);
-  triangles->PassVertsOff();
-  triangles->PassLinesOff();
-  triangles->Update();
-  return triangles->GetOutput();
-}
-
-// The input cell of each triangle.
-std::vector<vtkIdType> cellsOf(vtkPolyData* triangles)
-{
-  auto* ids =
-    vtkIdTypeArray::SafeDownCast(triangles->GetCellData()->GetArray(flattening::OriginalCellIdsName));
-  return { ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfTuples() };
-}
-
 std::vector<std::string> warningsOf(const flattening::SurfaceToDiskReport& report)
 {
   std::vector<std::string> warnings;
   if (report.RemovedRegionPoints > 0)
   {
-    warnings.push_back("the hole took " + std::to_string(report.RemovedRegionPoints) +
-                       " points of the region of interest, which leaves it no other place: mark a smaller "
-                       "region or lower the hole's area");
+    warnings.push_back(
+      "the hole took " + std::to_string(report.RemovedRegionPoints) +
+      " points of the region of interest, which leaves it no other place: mark a smaller "
+      "region or lower the hole's area");
   }
   if (report.HoleFaces > 0.0 && report.HoleFaces < FewestHoleFaces)
   {
-    warnings.push_back("the hole is as large as " + flattening::formatted(report.HoleFaces) +
-                       " triangles only, and a flat map cannot keep the areas around so small a hole: set "
-                       "Cut to Seam, or raise the hole's area, or set Remesh with a smaller edge length");
+    warnings.push_back(
+      "the hole is as large as " + flattening::formatted(report.HoleFaces) +
+      " triangles only, and a flat map cannot keep the areas around so small a hole: set "
+      "Cut to Seam, or raise the hole's area, or set Remesh with a smaller edge length");
   }
   if (report.SeamRegionPoints > 0)
   {
@@ -160,16 +95,51 @@ void print(ostream& os, vtkIndent indent, const char* name, const double x[3])
 
 } // namespace
 
+vtkSurfaceToDiskFilter::vtkSurfaceToDiskFilter()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+int vtkSurfaceToDiskFilter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+void vtkSurfaceToDiskFilter::SetSeamLinesConnection(vtkAlgorithmOutput* lines)
+{
+  this->SetInputConnection(1, lines);
+}
+
+void vtkSurfaceToDiskFilter::SetSeamLinesData(vtkPolyData* lines)
+{
+  this->SetInputData(1, lines);
+}
+
 void vtkSurfaceToDiskFilter::Execute(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  const auto triangles = triangulate(input);
+  const auto triangles = flattening::triangulate(input);
   const flattening::TriangleMesh surface = flattening::toTriangleMesh(triangles);
+  const std::vector<vtkIdType> cells = flattening::cellsOf(triangles);
+  flattening::SurfaceToDiskOptions options = this->GetOptions(input);
+  if (this->CutMode == SEAM)
+  {
+    this->SetSeam(options, vtkPolyData::GetData(inputVector[1]));
+  }
+  else if (this->CutMode == LABEL)
+  {
+    options.Labelled = flattening::labelledTriangles(
+      triangles, flattening::chosenArray(this, input, "the array of labels", 1), this->CutLabel);
+  }
   const flattening::DiskSurface disk =
-    flattening::surfaceToDisk(surface, this->GetOptions(input), flattening::progressOf(this));
-  flattening::setDisk(output, input, cellsOf(triangles), disk);
+    flattening::surfaceToDisk(surface, options, flattening::progressOf(this));
+  flattening::setDisk(output, input, cells, disk);
   output->GetFieldData()->PassData(input->GetFieldData());
   flattening::setReport(output, disk.Report, input->GetNumberOfVerts() + input->GetNumberOfLines());
   for (const std::string& warning : warningsOf(disk.Report))
@@ -202,17 +172,8 @@ flattening::SurfaceToDiskOptions vtkSurfaceToDiskFilter::GetOptions(vtkPolyData*
   }
   options.Hole.AreaFraction = this->HoleAreaFraction;
   options.Hole.BoundaryVertices = this->MinimumBoundaryVertices;
-  if (this->UseSeamPoints && this->CutMode == SEAM)
-  {
-    if (this->SeamPoints.empty())
-    {
-      throw InvalidInput("no point of the seam is given: add two or more, or turn Use Seam Points off");
-    }
-    for (const std::array<double, 3>& point : this->SeamPoints)
-    {
-      options.SeamPoints.emplace_back(point.data());
-    }
-  }
+  options.Relief.Gain = this->ReliefGain;
+  options.Relief.Longest = this->LongestRelief;
   options.Plane.Origin = Eigen::Vector3d(this->PlaneOrigin);
   options.Plane.Normal = Eigen::Vector3d(this->PlaneNormal);
   options.SmallestAngle = this->SmallestAngle;
@@ -233,6 +194,78 @@ flattening::SurfaceToDiskOptions vtkSurfaceToDiskFilter::GetOptions(vtkPolyData*
     options.RegionOfInterest = flattening::pointsWhereNotZero(input, chosen);
   }
   return options;
+}
+
+void vtkSurfaceToDiskFilter::SetSeam(flattening::SurfaceToDiskOptions& options, vtkPolyData* lines)
+{
+  if (lines)
+  {
+    flattening::SeamLines seam = flattening::seamLines(lines);
+    options.SeamPoints = std::move(seam.Points);
+    options.SeamPathStarts = std::move(seam.PathStarts);
+    options.SeamPointsAreDense = true;
+  }
+  else if (this->UseSeamPoints)
+  {
+    if (this->SeamPoints.empty())
+    {
+      throw InvalidInput("no point of the seam is given: add two or more, or turn Use Seam Points off");
+    }
+    for (const std::array<double, 3>& point : this->SeamPoints)
+    {
+      options.SeamPoints.emplace_back(point.data());
+    }
+    options.SeamPathStarts = this->SeamPathStarts;
+  }
+}
+
+void vtkSurfaceToDiskFilter::SetNumberOfSeamPathStarts(int number)
+{
+  number = std::max(number, 0);
+  if (number != this->GetNumberOfSeamPathStarts())
+  {
+    this->SeamPathStarts.resize(number, 0);
+    this->Modified();
+  }
+}
+
+int vtkSurfaceToDiskFilter::GetNumberOfSeamPathStarts()
+{
+  return static_cast<int>(this->SeamPathStarts.size());
+}
+
+void vtkSurfaceToDiskFilter::SetSeamPathStart(int index, int point)
+{
+  if (index < 0 || index >= this->GetNumberOfSeamPathStarts())
+  {
+    vtkErrorMacro("there is no seam path start " << index << ": call SetNumberOfSeamPathStarts first");
+  }
+  else if (point != this->SeamPathStarts[index])
+  {
+    this->SeamPathStarts[index] = point;
+    this->Modified();
+  }
+}
+
+int vtkSurfaceToDiskFilter::GetSeamPathStart(int index)
+{
+  if (index < 0 || index >= this->GetNumberOfSeamPathStarts())
+  {
+    vtkErrorMacro("there is no seam path start " << index);
+    return 0;
+  }
+  return this->SeamPathStarts[index];
+}
+
+void vtkSurfaceToDiskFilter::AddSeamPathStart(int point)
+{
+  this->SeamPathStarts.push_back(point);
+  this->Modified();
+}
+
+void vtkSurfaceToDiskFilter::RemoveAllSeamPathStarts()
+{
+  this->SetNumberOfSeamPathStarts(0);
 }
 
 void vtkSurfaceToDiskFilter::SetNumberOfSeamPoints(int number)
@@ -307,7 +340,8 @@ void vtkSurfaceToDiskFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FillLengthLimit: " << this->FillLengthLimit << "\n";
   os << indent << "FlattenFolds: " << (this->FlattenFolds ? "on" : "off") << "\n";
   os << indent << "HandleMode: " << nameOf(this->HandleMode, { "Remove", "Cut", "Error" }) << "\n";
-  os << indent << "CutMode: " << nameOf(this->CutMode, { "Hole", "Seam", "Plane" }) << "\n";
+  os << indent << "CutMode: " << nameOf(this->CutMode, { "Hole", "Seam", "Plane", "Relief", "Label" })
+     << "\n";
   os << indent << "UseHolePoint: " << (this->UseHolePoint ? "on" : "off") << "\n";
   print(os, indent, "HolePoint", this->HolePoint);
   os << indent << "HoleAreaFraction: " << this->HoleAreaFraction << "\n";
@@ -317,6 +351,13 @@ void vtkSurfaceToDiskFilter::PrintSelf(ostream& os, vtkIndent indent)
   {
     print(os, indent, "SeamPoint", point.data());
   }
+  for (const int start : this->SeamPathStarts)
+  {
+    os << indent << "SeamPathStart: " << start << "\n";
+  }
+  os << indent << "ReliefGain: " << this->ReliefGain << "\n";
+  os << indent << "LongestRelief: " << this->LongestRelief << "\n";
+  os << indent << "CutLabel: " << this->CutLabel << "\n";
   print(os, indent, "PlaneOrigin", this->PlaneOrigin);
   print(os, indent, "PlaneNormal", this->PlaneNormal);
   os << indent << "MinimumBoundaryVertices: " << this->MinimumBoundaryVertices << "\n";

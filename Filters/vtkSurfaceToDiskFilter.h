@@ -12,14 +12,18 @@
  * - It keeps one component (ComponentMode) and orients its faces consistently, those of a closed
  *   surface outward.
  * - It flattens spikes, pits and fins of one voxel (FlattenFolds).
- * - It keeps one side of a plane, if CutMode is PLANE.
+ * - It keeps one side of a plane, or removes a labelled part, if CutMode is PLANE or LABEL.
  * - It keeps one boundary (BoundaryMode) and fills all others with patches of the density around them.
  *   A boundary shorter than that of the hole below is filled, too, and the surface opened there.
  * - It removes handles and tunnels, or cuts them open without changing the surface (HandleMode).
  * - On request it replaces the triangles by nearly equilateral ones (Remesh).
- * - It opens a closed surface by a small geodesic hole or along a seam (CutMode). The new boundary gets
- *   at least MinimumBoundaryVertices vertices: the mesh is refined there, as a boundary of six edges
- *   cannot become that of a disk. A tube with two open ends is cut from end to end (CutMode SEAM).
+ * - It opens a closed surface by a small geodesic hole, along a seam or along a tree of seams (CutMode).
+ *   The new boundary gets at least MinimumBoundaryVertices vertices: the mesh is refined there, as a
+ *   boundary of six edges cannot become that of a disk. A tube with two open ends is cut from end to end
+ *   (CutMode SEAM), and an open surface along a tree of seams from its boundary inwards (CutMode
+ *   RELIEF).
+ *
+ * The second input is optional: polydata whose lines are the seams, if CutMode is SEAM.
  *
  * The output is a single component of genus 0 with one boundary loop, points in double precision and no
  * unused point. It keeps all point and cell arrays but the global ids. At new points, arrays of
@@ -67,9 +71,16 @@
  * - `RemeshEdgeLength` (double, input units): target edge length; 0 without remeshing.
  * - `HoleCentre` (double x 3, input units): centre of the hole that was cut.
  * - `HoleRadius` (double, input units): geodesic radius of that hole; 0 if none was cut.
- * - `SeamLength` (double, input units): length of the seam; 0 if there is none.
- * - `RemovedArea` (double, input units squared): area of the hole, or of the side of the plane that was
- *   cut off.
+ * - `SeamLength` (double, input units): length of all seams, those of a relief and of handles included;
+ *   0 if there is none.
+ * - `ReliefBranches` (vtkIdType): number of branches of the relief; 0 if CutMode is another.
+ * - `ReliefLength` (double, input units): length of these branches.
+ * - `ReliefStrain` (double x 2, without unit): strain before and after the relief was cut: the standard
+ *   deviation over the area of the conformal factor of the map with a free outline. A map with exact
+ *   areas stretches by about e to this power one way, and as much less the other way: 0.016 is one
+ *   degree of angle error. 0 if CutMode is another.
+ * - `RemovedArea` (double, input units squared): area of the hole, of the side of the plane that was cut
+ *   off, or of the label.
  * - `RemovedRegionPoints` (vtkIdType): number of points of the region of interest in the hole, where
  *   the surface has no other position for it.
  * - `SeamRegionPoints` (vtkIdType): number of points of the region of interest on the cut of handles or
@@ -88,8 +99,9 @@
  * distance from the origin at which double precision cannot hold points between those of the surface
  * (some 1e8 times its size); zero area; a one-sided surface; parameters out
  * of range or that name something that does not exist (a point off the surface, a component, a plane
- * that misses the surface); a boundary too long to be filled without being asked; handles if HandleMode
- * is HANDLES_ARE_ERRORS. Other sizes and places do not change the result.
+ * that misses the surface); seams that cross, close a loop or do not meet; a label that is nowhere, in
+ * several pieces or the whole surface; a boundary too long to be filled without being asked; handles if
+ * HandleMode is HANDLES_ARE_ERRORS. Other sizes and places do not change the result.
  *
  * A warning is given if a hole that is cut is smaller than 50 triangles: a flat map cannot keep the
  * areas around it.
@@ -100,7 +112,9 @@
  * CGAL); Botsch and Kobbelt, "A Remeshing Approach to Multiresolution Modeling", SGP 2004; Crane,
  * Weischedel, Wardetzky, "Geodesics in Heat", TOG 2013; Rivara, "Algorithms for Refining Triangular
  * Grids", IJNME 1984; Eppstein, "Dynamic Generators of Topologically Embedded Graphs", SODA 2003
- * (tree-cotree).
+ * (tree-cotree); Sawhney and Crane, "Boundary First Flattening", TOG 2017; Li et al., "OptCuts: Joint
+ * Optimization of Surface Cuts and Parameterization", TOG 2018; Chai et al., "Surface Cutting by
+ * Voting", 2019 (the relief).
  *
  * @sa vtkConformalDiskFilter vtkOMTAreaPreservingFilter
  */
@@ -260,7 +274,9 @@ public:
   {
     HOLE = 0,
     SEAM = 1,
-    PLANE = 2
+    PLANE = 2,
+    RELIEF = 3,
+    LABEL = 4
   };
 
   ///@{
@@ -276,14 +292,23 @@ public:
    * handles. The seam of a tube does not avoid a region of interest; a warning tells if it meets one.
    * - PLANE (2): the part on the side of the plane to which PlaneNormal points is kept; of several
    * parts, ComponentMode chooses one (for BY_INDEX the largest).
+   * - RELIEF (3): the surface is cut along a tree of geodesics and keeps its area. The tree grows from
+   *   the boundary, or on a closed surface from a first branch, to the places where a conformal map
+   *   would change the scale most, as long as a branch lowers the strain by enough (ReliefGain,
+   *   LongestRelief). This suits a flat map whose outline is free. Handles that are to be cut are cut
+   *   first.
+   * - LABEL (4): the part with a label (CutLabel) is removed, and its border becomes the boundary of the
+   *   disk.
    *
    * Default: HOLE.
    */
-  vtkSetClampMacro(CutMode, int, HOLE, PLANE);
+  vtkSetClampMacro(CutMode, int, HOLE, LABEL);
   vtkGetMacro(CutMode, int);
   void SetCutModeToHole() { this->SetCutMode(HOLE); }
   void SetCutModeToSeam() { this->SetCutMode(SEAM); }
   void SetCutModeToPlane() { this->SetCutMode(PLANE); }
+  void SetCutModeToRelief() { this->SetCutMode(RELIEF); }
+  void SetCutModeToLabel() { this->SetCutMode(LABEL); }
   ///@}
 
   ///@{
@@ -319,10 +344,10 @@ public:
 
   ///@{
   /**
-   * Whether a hole or seam that is placed automatically avoids a region of interest: the points where
-   * the input array to process 0 (SetInputArrayToProcess) is not 0, or the corners of cells where it is
-   * not 0. An error if the array is missing, has the wrong length or leaves no room for a seam; a
-   * warning tells if the hole takes points of the region. Default: off.
+   * Whether a hole, seam or relief that is placed automatically avoids a region of interest: the points
+   * where the input array to process 0 (SetInputArrayToProcess) is not 0, or the corners of cells where
+   * it is not 0. An error if the array is missing, has the wrong length or leaves no room for a seam or
+   * a relief; a warning tells if the hole takes points of the region. Default: off.
    */
   vtkSetMacro(UseRegionOfInterest, bool);
   vtkGetMacro(UseRegionOfInterest, bool);
@@ -359,6 +384,65 @@ public:
   void GetSeamPoint(int index, double point[3]);
   void AddSeamPoint(double x, double y, double z);
   void RemoveAllSeamPoints();
+  ///@}
+
+  ///@{
+  /**
+   * Numbers of the seam points with which a further path begins, counted from 0, in ascending order. No
+   * seam runs from the point before to such a point. A path may begin or end on one before it, so that
+   * the seams form a tree; paths that cross, close a loop or do not meet are an error, and so is a path
+   * of one point. Range of each [2, number of points - 2]. Default: none, all points are on one path.
+   */
+  void SetNumberOfSeamPathStarts(int number);
+  int GetNumberOfSeamPathStarts();
+  void SetSeamPathStart(int index, int point);
+  int GetSeamPathStart(int index);
+  void AddSeamPathStart(int point);
+  void RemoveAllSeamPathStarts();
+  ///@}
+
+  ///@{
+  /**
+   * Lines along which the surface is cut if CutMode is SEAM, in place of SeamPoints (second input;
+   * optional). The cut runs along geodesics between the points of the lines; points closer to each other
+   * than the edges of the surface are skipped, except for the ends of lines. Lines may meet at points of
+   * theirs, as paths of SeamPathStarts do. A point farther from the surface than 5 % of the diagonal of
+   * its bounding box is an error.
+   */
+  void SetSeamLinesConnection(vtkAlgorithmOutput* lines);
+  void SetSeamLinesData(vtkPolyData* lines);
+  ///@}
+
+  ///@{
+  /**
+   * By how much a branch must lower the strain (see ReliefStrain) if CutMode is RELIEF and it is as long
+   * as the square root of the surface's area; a branch of another length must do so in proportion. A
+   * third of the default is worth one degree of angle error. Less makes more branches. Range [0, inf),
+   * otherwise an error. Default: 0.05.
+   */
+  vtkSetMacro(ReliefGain, double);
+  vtkGetMacro(ReliefGain, double);
+  ///@}
+
+  ///@{
+  /**
+   * Greatest length of all branches together if CutMode is RELIEF, in square roots of the surface's
+   * area. The first branch of a closed surface is cut whatever its length. Range (0, inf), otherwise an
+   * error. Default: 8.
+   */
+  vtkSetMacro(LongestRelief, double);
+  vtkGetMacro(LongestRelief, double);
+  ///@}
+
+  ///@{
+  /**
+   * Label of the part that is removed if CutMode is LABEL: the triangles of cells with this value, or
+   * with two corners or more with this value, of the input array to process 1 (SetInputArrayToProcess).
+   * An error if no part has it, if it has several pieces, if its border is several loops or if it is the
+   * whole surface. Default: 1.
+   */
+  vtkSetMacro(CutLabel, int);
+  vtkGetMacro(CutLabel, int);
   ///@}
 
   ///@{
@@ -438,9 +522,10 @@ public:
   ///@}
 
 protected:
-  vtkSurfaceToDiskFilter() = default;
+  vtkSurfaceToDiskFilter();
   ~vtkSurfaceToDiskFilter() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   void Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
   double MergeTolerance = 0.0;
@@ -459,6 +544,10 @@ protected:
   bool UseRegionOfInterest = false;
   bool UseSeamPoints = false;
   std::vector<std::array<double, 3>> SeamPoints;
+  std::vector<int> SeamPathStarts;
+  double ReliefGain = 0.05;
+  double LongestRelief = 8.0;
+  int CutLabel = 1;
   double PlaneOrigin[3] = { 0.0, 0.0, 0.0 };
   double PlaneNormal[3] = { 1.0, 0.0, 0.0 };
   int MinimumBoundaryVertices = 128;
@@ -470,6 +559,7 @@ protected:
 
 private:
   flattening::SurfaceToDiskOptions GetOptions(vtkPolyData* input);
+  void SetSeam(flattening::SurfaceToDiskOptions& options, vtkPolyData* lines);
 
   vtkSurfaceToDiskFilter(const vtkSurfaceToDiskFilter&) = delete;
   void operator=(const vtkSurfaceToDiskFilter&) = delete;

@@ -25,9 +25,9 @@ vtkDataArray* arrayOf(vtkDataSetAttributes* attributes, vtkInformation* choice)
 
 } // namespace
 
-ChosenArray chosenArray(vtkAlgorithm* filter, vtkPolyData* data, const std::string& what)
+ChosenArray chosenArray(vtkAlgorithm* filter, vtkPolyData* data, const std::string& what, int index)
 {
-  vtkInformation* choice = filter->GetInputArrayInformation(0);
+  vtkInformation* choice = filter->GetInputArrayInformation(index);
   const char* name = choice->Get(vtkDataObject::FIELD_NAME());
   const std::string chosen = name ? name : "";
   if (!choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()) && (chosen.empty() || chosen == "None"))

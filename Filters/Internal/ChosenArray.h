@@ -17,11 +17,14 @@ struct ChosenArray
   bool OnCells = false;          ///< whether it is a cell array, else a point array
 };
 
-/// The point or cell array of one component that was set as input array to process 0 of the filter
-/// (SetInputArrayToProcess). None if nothing, an empty name or "None" was set.
+/// The point or cell array of one component that was set as input array to process @p index of the
+/// filter (SetInputArrayToProcess). None if nothing, an empty name or "None" was set.
 /// @param what name of the array in messages, such as "the region array".
 /// @throws InvalidInput if the data have no such array, or if it has several components or the wrong
 /// number of tuples.
-ChosenArray chosenArray(vtkAlgorithm* filter, vtkPolyData* data, const std::string& what = "the array");
+ChosenArray chosenArray(vtkAlgorithm* filter,
+  vtkPolyData* data,
+  const std::string& what = "the array",
+  int index = 0);
 
 } // namespace flattening

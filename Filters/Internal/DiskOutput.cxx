@@ -129,6 +129,10 @@ void setReport(vtkPolyData* output, const SurfaceToDiskReport& report, vtkIdType
   data->AddArray(newTuples<vtkDoubleArray>("HoleCentre", report.HoleCentre.transpose()));
   measure("HoleRadius", report.HoleRadius);
   measure("SeamLength", report.SeamLength);
+  count("ReliefBranches", report.ReliefBranches);
+  measure("ReliefLength", report.ReliefLength);
+  data->AddArray(newTuples<vtkDoubleArray>(
+    "ReliefStrain", Eigen::RowVector2d(report.ReliefStrain[0], report.ReliefStrain[1])));
   measure("RemovedArea", report.RemovedArea);
   count("RemovedRegionPoints", report.RemovedRegionPoints);
   count("SeamRegionPoints", report.SeamRegionPoints);

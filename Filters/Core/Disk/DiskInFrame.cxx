@@ -42,6 +42,7 @@ void restoreUnits(DiskSurface& disk, const CoordinateFrame& frame)
          &report.RemeshEdgeLength,
          &report.HoleRadius,
          &report.SeamLength,
+         &report.ReliefLength,
          &report.BoundaryLength })
   {
     *length = frame.restoredLength(*length);

@@ -5,6 +5,8 @@
 #include "Disk/EdgeCut.h"
 #include "Disk/GeodesicHole.h"
 #include "Disk/GeodesicSeam.h"
+#include "Disk/ReliefCut.h"
+#include "Disk/ReliefPlacement.h"
 #include "Disk/SeamPlacement.h"
 #include "Disk/TubeSeam.h"
 #include "Handles/HandleLoops.h"
@@ -77,13 +79,20 @@ public:
     }
   }
 
-  // A cut graph opens a closed surface too; a hole or a seam is cut as well if its place was given.
+  // A cut graph opens a closed surface too; a hole or a seam is cut as well if its place was given, and
+  // a relief in any case.
   void open(const ProgressCallback& progress)
   {
     const bool cutsGraph = this->Report.Genus > 0 && this->Options.Handles == HandleMode::Keep;
+    const bool cutsRelief = this->Options.Cut == CutMode::Relief;
     if (!cutsGraph)
     {
-      this->cutHoleOrSeam(progress);
+      cutsRelief ? this->cutRelief(progress) : this->cutHoleOrSeam(progress);
+    }
+    else if (cutsRelief)
+    {
+      this->cutGraph(subrange(progress, 0.0, 0.4));
+      this->cutRelief(subrange(progress, 0.4, 1.0));
     }
     else if (this->hasPlaceOfCut())
     {
@@ -140,6 +149,8 @@ private:
   {
     GeodesicSeamOptions seam;
     seam.Points = this->Options.SeamPoints;
+    seam.PathStarts = this->Options.SeamPathStarts;
+    seam.AreDense = this->Options.SeamPointsAreDense;
     seam.BoundaryVertices = this->Hole.BoundaryVertices;
     if (this->isTube())
     {
@@ -160,6 +171,25 @@ private:
       this->Report.SeamRegionPoints = countOnSeam(region, cut) / 2; // the seam has two sides
     }
     this->followSeam(std::move(cut));
+  }
+
+  // Opens the surface along a relief. An open one on which no branch is worth its length stays as it is.
+  void cutRelief(const ProgressCallback& progress)
+  {
+    const PlacedRelief placed =
+      placeRelief(this->mesh(), this->avoided(), this->Options.Relief, subrange(progress, 0.0, 0.5));
+    this->Report.ReliefStrain = { placed.StrainBefore, placed.StrainAfter };
+    if (!placed.Tips.empty())
+    {
+      ReliefOpenedSurface relief =
+        flattening::cutRelief(this->mesh(), placed.Tips, this->avoided(), subrange(progress, 0.5, 1.0));
+      this->Report.ReliefBranches = relief.Branches;
+      this->Report.ReliefLength = relief.Opened.Length;
+      this->followSeam(std::move(relief.Opened.Cut));
+    }
+    this->resolveBoundary(this->Report.ReliefBranches > 0
+                            ? this->Hole.BoundaryVertices
+                            : std::min(LeastBoundaryVertices, this->Hole.BoundaryVertices));
   }
 
   // The region of interest on the surface as it is now.

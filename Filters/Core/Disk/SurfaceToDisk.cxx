@@ -4,6 +4,7 @@
 #include "Base/Errors.h"
 #include "Disk/DiskInFrame.h"
 #include "Disk/DiskOpening.h"
+#include "Disk/LabelCut.h"
 #include "Disk/TubeSeam.h"
 #include "Mesh/CoordinateFrame.h"
 #include "Mesh/MeshMeasures.h"
@@ -32,37 +33,6 @@ namespace
 // area. A convention: longer loops are errors, as a patch there would be a large part of the surface.
 constexpr double FilledAreaShare = 0.05;
 constexpr int RemeshIterations = 3; // a convention, as in CGAL's examples
-
-void requireValid(const TriangleMesh& soup, const SurfaceToDiskOptions& options)
-{
-  if (!(options.MergeTolerance >= 0.0) || !std::isfinite(options.MergeTolerance))
-  {
-    throw InvalidInput("the merge tolerance is " + formatted(options.MergeTolerance) +
-                       ": set it to 0 or a small length in the units of the surface");
-  }
-  if (!(options.FillLengthLimit >= 0.0) || !std::isfinite(options.FillLengthLimit))
-  {
-    throw InvalidInput("the longest boundary to be filled is " + formatted(options.FillLengthLimit) +
-                       ": set it to 0 or a length in the units of the surface");
-  }
-  if (options.Remesh && options.TargetEdgeLength == 0.0 &&
-      (!(options.RelativeEdgeLength > 0.0) || !std::isfinite(options.RelativeEdgeLength)))
-  {
-    throw InvalidInput("the relative edge length is " + formatted(options.RelativeEdgeLength) +
-                       ": set it above 0, in mean edge lengths of the surface");
-  }
-  if (!(options.SmallestAngle >= 0.0 && options.SmallestAngle <= 15.0))
-  {
-    throw InvalidInput(
-      "the smallest angle is " + formatted(options.SmallestAngle) + " degrees: set it between 0 and 15");
-  }
-  if (!options.RegionOfInterest.empty() &&
-      options.RegionOfInterest.size() != static_cast<std::size_t>(soup.vertexCount()))
-  {
-    throw InvalidInput("the region of interest has " + std::to_string(options.RegionOfInterest.size()) +
-                       " values for " + std::to_string(soup.vertexCount()) + " points");
-  }
-}
 
 // Counts pairs of intersecting faces. The two sides of a seam coincide, so their vertices are joined
 // first.
@@ -110,6 +80,10 @@ public:
     if (this->Options.Cut == CutMode::Plane)
     {
       this->keepSideOfPlane(subrange(progress, 0.2, 0.24));
+    }
+    else if (this->Options.Cut == CutMode::Label)
+    {
+      this->removeLabel();
     }
     this->closeBoundaries(subrange(progress, 0.24, 0.28));
     this->requireHandlesWanted();
@@ -218,6 +192,33 @@ private:
     }
   }
 
+  // Removes the labelled faces, and notes their border.
+  void removeLabel()
+  {
+    std::vector<char> labelled(this->mesh().faceCount(), 0);
+    for (int f = 0; f < this->mesh().faceCount(); ++f)
+    {
+      const int origin = this->Disk.Surface.Faces[f];
+      labelled[f] = origin >= 0 ? this->Options.Labelled[origin] : 0;
+    }
+    LabelCutSurface rest = cutLabel(this->mesh(), labelled);
+    this->Report.RemovedArea = rest.RemovedArea;
+    this->BorderOfLabel = rest.Boundary.front();
+    follow(this->Disk.Surface, std::move(rest.Surface));
+  }
+
+  // The number of the loop that is not filled; -1 for none.
+  int boundaryKept(const std::vector<std::vector<int>>& loops) const
+  {
+    if (this->BorderOfLabel < 0)
+    {
+      return chooseBoundary(this->mesh().Vertices, loops, this->Options.Boundary);
+    }
+    const auto hasBorder = [this](const std::vector<int>& loop)
+    { return std::find(loop.begin(), loop.end(), this->BorderOfLabel) != loop.end(); };
+    return static_cast<int>(std::find_if(loops.begin(), loops.end(), hasBorder) - loops.begin());
+  }
+
   // Fills all boundary loops but the one that becomes the disk's, or the two ends of a tube.
   void closeBoundaries(const ProgressCallback& progress)
   {
@@ -225,7 +226,7 @@ private:
     MeshTopology topology = analyseTopology(this->mesh().Faces, this->mesh().vertexCount());
     this->Report.Genus = topology.Genus;
     std::vector<std::vector<int>>& loops = topology.BoundaryLoops;
-    const int kept = chooseBoundary(this->mesh().Vertices, loops, this->Options.Boundary);
+    const int kept = this->boundaryKept(loops);
     const std::vector<int> ends =
       kept >= 0 && this->seamOpensTube() ? endsOfTube(this->mesh().Vertices, loops) : std::vector<int>();
     if (!ends.empty())
@@ -236,7 +237,8 @@ private:
     }
     else if (kept >= 0)
     {
-      if (isPuncture(this->mesh(), loops[kept], this->Options.Hole.AreaFraction))
+      if (this->BorderOfLabel < 0 &&
+          isPuncture(this->mesh(), loops[kept], this->Options.Hole.AreaFraction))
       {
         this->Ends.Puncture = centreOfLoop(this->mesh().Vertices, loops[kept]);
       }
@@ -335,7 +337,8 @@ private:
   std::vector<char> Reversed; // per face: whether the repair reversed its orientation
   std::vector<char> OneSided; // per face: whether its component is one-sided
   OpenEnds Ends;
-  bool Pierced = false; // whether a patch or a cap intersects other faces
+  int BorderOfLabel = -1; // a vertex on the border of the label that was removed
+  bool Pierced = false;   // whether a patch or a cap intersects other faces
 };
 
 // Errors name lengths and places in the frame.
@@ -377,7 +380,7 @@ DiskSurface surfaceToDisk(const TriangleMesh& soup,
   const SurfaceToDiskOptions& options,
   const ProgressCallback& progress)
 {
-  requireValid(soup, options);
+  requireValid(options, soup);
   requireUsableFaces(soup);
   const CoordinateFrame frame(soup);
   return frame.isIdentity() ? DiskMaker(options).make(soup, progress)

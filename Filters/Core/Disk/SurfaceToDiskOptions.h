@@ -5,6 +5,7 @@
 #include "Disk/BoundaryChoice.h"
 #include "Disk/GeodesicHole.h"
 #include "Disk/PlaneCut.h"
+#include "Disk/ReliefPlacement.h"
 #include "Handles/HandleRemoval.h"
 #include "Mesh/DerivedMesh.h"
 #include "Mesh/SliverThresholds.h"
@@ -14,6 +15,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <vector>
 
 namespace flattening
@@ -32,10 +34,14 @@ enum class HandleMode
 /// How the surface is cut. Handles that are kept need a cut graph besides, see HandleMode.
 enum class CutMode
 {
-  Hole, ///< a closed surface loses a geodesic disk (cutGeodesicHole)
-  Seam, ///< the surface is cut along a geodesic path and loses nothing (cutGeodesicSeam); a tube with
-        ///< two open ends (endsOfTube) is cut from end to end (placeTubeSeam)
-  Plane ///< one side of a plane is kept (cutAtPlane)
+  Hole,   ///< a closed surface loses a geodesic disk (cutGeodesicHole)
+  Seam,   ///< the surface is cut along a geodesic path and loses nothing (cutGeodesicSeam); a tube with
+          ///< two open ends (endsOfTube) is cut from end to end (placeTubeSeam)
+  Plane,  ///< one side of a plane is kept (cutAtPlane)
+  Relief, ///< the surface is cut along a tree of geodesics where they lower the distortion most
+          ///< (placeRelief, cutRelief) and loses nothing; of an open surface the tree starts at the
+          ///< boundary
+  Label   ///< a part of the surface is removed, and its border becomes that of the disk
 };
 
 struct SurfaceToDiskOptions
@@ -60,9 +66,16 @@ struct SurfaceToDiskOptions
   /// cut between two of its extremities (placeSeam), a tube from end to end, and any other open surface
   /// is not cut.
   std::vector<Eigen::Vector3d> SeamPoints;
+  /// The numbers of the points with which a further path of the seam begins, and whether the points are
+  /// those of polylines (GeodesicSeamOptions).
+  std::vector<int> SeamPathStarts;
+  bool SeamPointsAreDense = false;
+  ReliefOptions Relief;
+  /// One flag per face of the input: not 0 where the surface is removed if Cut is Label.
+  std::vector<char> Labelled;
   CuttingPlane Plane;
-  /// One flag per point of the input: not 0 where no hole or seam may be placed; empty: anywhere. Cut
-  /// graphs and the seams of tubes do not avoid it.
+  /// One flag per point of the input: not 0 where no hole, seam or relief may be placed; empty:
+  /// anywhere. Cut graphs and the seams of tubes do not avoid it.
   std::vector<char> RegionOfInterest;
   /// Without remeshing, angles below this one are opened by local changes (withoutSmallAngles), because
   /// slivers cannot be flattened well; degrees, 0 (off) to 15. Ignored if handles are kept.
@@ -75,6 +88,10 @@ struct SurfaceToDiskOptions
   /// Whether the pairs of faces that intersect are counted, in the component and in the disk.
   bool CountSelfIntersections = true;
 };
+
+/// Checks the options that do not depend on what the surface looks like.
+/// @throws InvalidInput if one is out of range, or flags do not fit the @p soup of triangles.
+void requireValid(const SurfaceToDiskOptions& options, const TriangleMesh& soup);
 
 /// What was changed, and measures of the disk. Lengths and areas are in input units.
 struct SurfaceToDiskReport
@@ -94,8 +111,12 @@ struct SurfaceToDiskReport
   /// The area of the hole in mean faces of the surface that it was cut into; 0 if no hole was cut.
   /// Beside holes of fewer than some dozens of faces areas cannot be kept.
   double HoleFaces = 0.0;
-  double SeamLength = 0.0;     ///< of the seam and the cut graph; 0 if there is neither
-  double RemovedArea = 0.0;    ///< of the hole and of the part beyond the plane
+  double SeamLength = 0.0;   ///< of the seam, the relief and the cut graph; 0 if there is none
+  int ReliefBranches = 0;    ///< number of branches of the relief
+  double ReliefLength = 0.0; ///< of all branches
+  /// The strain (ConformalStrain) before and after the relief was cut; 0 without a relief.
+  std::array<double, 2> ReliefStrain{ 0.0, 0.0 };
+  double RemovedArea = 0.0;    ///< of the hole, of the part beyond the plane and of the label
   int RemovedRegionPoints = 0; ///< points of the region of interest that the hole could not avoid
   int SeamRegionPoints = 0;    ///< points of the region of interest on a cut graph or the seam of a tube
   int BoundaryVertices = 0;

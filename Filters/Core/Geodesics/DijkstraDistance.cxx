@@ -89,6 +89,34 @@ Eigen::VectorXd distancesFromFlagged(const SurfaceMesh& mesh, const std::vector<
                          : DijkstraDistances(mesh).from(sources);
 }
 
+std::vector<int> shortestPath(const SurfaceMesh& mesh, const Eigen::VectorXd& distances, Vertex end)
+{
+  std::vector<int> path{ static_cast<int>(end.idx()) };
+  // Distances fall from vertex to vertex, so that no vertex comes twice.
+  for (Vertex v = end; distances[v] > 0.0;)
+  {
+    Vertex next = v;
+    double least = HUGE_VAL;
+    for (const Vertex other : mesh.vertices_around_target(mesh.halfedge(v)))
+    {
+      const double length =
+        distances[other] + std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(other)));
+      if (distances[other] < distances[v] && length < least)
+      {
+        least = length;
+        next = other;
+      }
+    }
+    if (next == v) // only where rounding makes the step from a source vanish
+    {
+      break;
+    }
+    path.push_back(static_cast<int>(next.idx()));
+    v = next;
+  }
+  return path;
+}
+
 int indexOfLargest(const Eigen::VectorXd& values)
 {
   Eigen::Index largest = 0;

@@ -34,6 +34,13 @@ private:
 /// flagged.
 Eigen::VectorXd distancesFromFlagged(const SurfaceMesh& mesh, const std::vector<char>& flags);
 
+/// The vertices of a shortest path along edges from @p end to a source of @p distances, both ends
+/// included. The distance of @p end must be finite. Of equal ways the first one around a vertex is
+/// taken.
+std::vector<int> shortestPath(const SurfaceMesh& mesh,
+  const Eigen::VectorXd& distances,
+  SurfaceMesh::Vertex_index end);
+
 /// The index of the largest value. Values are compared in single precision, so that of values that
 /// differ by rounding only the first one is chosen.
 int indexOfLargest(const Eigen::VectorXd& values);

@@ -322,6 +322,76 @@ TEST(GeodesicSeam, RejectsPointsThatMakeNoSeam)
     cutGeodesicSeam(closed, { { a, b }, 128 }, [](double, const char*) { return false; }), Cancelled);
 }
 
+// Three arcs that meet at the pole, in two paths of which the second begins on the first, at one of its
+// points or beside its middle.
+TEST(GeodesicSeam, SeveralPathsFormATree)
+{
+  const TriangleMesh closed = sphere(4);
+  const Eigen::Vector3d pole = onSphere(0.0, Pi / 2.0);
+  const Points first{ onSphere(0.0, 0.5), pole, onSphere(2.0, 0.3) };
+  for (const Eigen::Vector3d& start : { pole, Eigen::Vector3d(onSphere(0.0, 1.0)) })
+  {
+    GeodesicSeamOptions options;
+    options.Points = first;
+    options.Points.insert(options.Points.end(), { start, onSphere(-2.0, 0.2) });
+    options.PathStarts = { 3 };
+    const SeamOpenedSurface opened = cutGeodesicSeam(closed, options);
+    const TriangleMesh& mesh = opened.Cut.Surface.Mesh;
+    const std::vector<int> boundary = requireDisk(mesh);
+    const double expected = Pi - 0.8 + angleBetween(start, onSphere(-2.0, 0.2));
+    EXPECT_NEAR(opened.Length, expected, 0.03 * expected);
+    EXPECT_NEAR(totalArea(mesh), totalArea(closed), 1e-12 * totalArea(closed));
+    // Three sectors meet at the junction, and one lies around each end.
+    int copies = 0;
+    for (const int v : boundary)
+    {
+      copies += (mesh.Vertices.row(v).transpose() - start).norm() < 0.02 ? 1 : 0;
+    }
+    EXPECT_GE(copies, 3);
+  }
+}
+
+TEST(GeodesicSeam, DensePointsGiveTheSeamOfTheirLine)
+{
+  const TriangleMesh closed = sphere(4);
+  GeodesicSeamOptions options;
+  for (int i = 0; i <= 2000; ++i)
+  {
+    options.Points.push_back(onSphere(0.001 * i, 0.2));
+  }
+  options.AreDense = true;
+  const SeamOpenedSurface opened = cutGeodesicSeam(closed, options);
+  requireDisk(opened.Cut.Surface.Mesh);
+  EXPECT_NEAR(opened.Length, 2.0 * std::cos(0.2), 0.05);
+  EXPECT_LT(opened.Points.size(), 60u);
+  EXPECT_GT(smallestAngleAtSeam(opened.Cut), 2.0);
+}
+
+TEST(GeodesicSeam, RejectsPathsThatMakeNoTree)
+{
+  const TriangleMesh closed = sphere(4);
+  const Points cross{ onSphere(0, 0), onSphere(1, 0), onSphere(0.5, 0.5), onSphere(0.5, -0.5) };
+  const auto rejection = [&closed](const Points& points, const std::vector<int>& starts) {
+    return messageOf<TopologyError>([&] { cutGeodesicSeam(closed, { points, 128, starts }); });
+  };
+  EXPECT_TRUE(contains(rejection(cross, { 2 }), "crosses"));
+  EXPECT_TRUE(contains(
+    rejection({ cross[0], cross[1], onSphere(3.0, 0), onSphere(4.0, 0) }, { 2 }), "path 2 of the seam"));
+  EXPECT_TRUE(contains(
+    rejection(
+      { cross[0], cross[1], cross[1], onSphere(0.5, 1.0), onSphere(0.5, 1.0), cross[0] }, { 2, 4 }),
+    "closes a loop"));
+  for (const std::vector<int>& starts : { std::vector<int>{ 1 }, { 3 }, { -1 }, { 9 }, { 2, 2 } })
+  {
+    EXPECT_TRUE(contains(messageOf<InvalidInput>(
+                           [&] {
+                             cutGeodesicSeam(closed, { cross, 128, starts });
+                           }),
+      "a path needs two points"))
+      << starts.front();
+  }
+}
+
 // A face that the seam crosses is in small pieces at the seam and in larger ones away from it.
 TEST(GeodesicSeam, RefinesBigFacesNearTheSeamOnly)
 {

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Disk/ReliefPlacement.h"
+
+#include "Base/Errors.h"
+#include "Disk/ConformalStrain.h"
+#include "Geodesics/DijkstraDistance.h"
+#include "Mesh/EditableSurface.h"
+#include "Mesh/MeshTopology.h"
+#include "Remeshing/IsotropicRemeshing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace flattening
+{
+namespace
+{
+
+using Vertex = SurfaceMesh::Vertex_index;
+
+// The number of faces of the coarse copy. A convention: tips move by less than two edges of it if it has
+// twice as many, and folds that it does not resolve have no influence on where a cut helps.
+constexpr int CoarseFaces = 6000;
+constexpr int CoarseningRounds = 3; // a convention, as where surfaces are remeshed for their own sake
+// The number of peaks that are tried for each branch. A convention: the branch that is taken is nearly
+// always one of the first three.
+constexpr int Candidates = 8;
+// The distance that the branches keep from the region to be avoided, where there is room, in square
+// roots of the surface's area. As for a seam (SeamPlacement.cxx).
+constexpr double ReliefClearance = 0.02;
+
+constexpr const char* PlacementStage = "Placing the relief";
+
+struct Branch
+{
+  std::vector<int> Path; // from the tip to the outline
+  double Length = 0.0;
+  double Strain = 0.0; // of the surface with this branch
+};
+
+// The coarse copy, and the branches placed on it.
+class ReliefPlacer
+{
+public:
+  ReliefPlacer(const DerivedMesh& coarse, const std::vector<char>& avoided, const ReliefOptions& options)
+    : Coarse(coarse.Mesh)
+    , Options(options)
+    , Strain(coarse.Mesh)
+    , Surface(toSurfaceMesh(coarse.Mesh))
+    , Unit(std::sqrt(faceAreas(coarse.Mesh.Vertices, coarse.Mesh.Faces).sum()))
+  {
+    std::vector<char> flags;
+    if (!avoided.empty())
+    {
+      flags.assign(coarse.Mesh.vertexCount(), 0);
+      for (int v = 0; v < coarse.Mesh.vertexCount(); ++v)
+      {
+        for (VertexOrigins::InnerIterator origin(coarse.Vertices, v); origin; ++origin)
+        {
+          flags[v] |= avoided[origin.col()];
+        }
+      }
+    }
+    this->DistanceFromAvoided = distancesFromFlagged(this->Surface, flags);
+  }
+
+  PlacedRelief place(const ProgressCallback& progress)
+  {
+    this->Outline.assign(this->Coarse.vertexCount(), 0);
+    const auto loops = analyseTopology(this->Coarse.Faces, this->Coarse.vertexCount()).BoundaryLoops;
+    for (const std::vector<int>& loop : loops)
+    {
+      for (const int v : loop)
+      {
+        this->Outline[v] = 1;
+      }
+    }
+    report(progress, 0.0, PlacementStage);
+    PlacedRelief relief;
+    if (loops.empty())
+    {
+      this->openClosed(relief, progress);
+    }
+    else
+    {
+      this->block(ReliefClearance);
+      this->update(atFraction(progress, 0.0, PlacementStage));
+      relief.StrainBefore = this->PresentStrain;
+    }
+    this->addBranches(relief, progress);
+    relief.StrainAfter = this->PresentStrain;
+    report(progress, 1.0, PlacementStage);
+    return relief;
+  }
+
+private:
+  // Vertices at most so far from the region are closed to branches.
+  void block(double clearance)
+  {
+    this->Blocked.resize(this->Coarse.vertexCount());
+    for (int v = 0; v < this->Coarse.vertexCount(); ++v)
+    {
+      this->Blocked[v] = this->DistanceFromAvoided[v] <= clearance * this->Unit;
+    }
+  }
+
+  // The first branch of a closed surface, between two peaks that are free.
+  void openClosed(PlacedRelief& relief, const ProgressCallback& progress)
+  {
+    for (const double clearance : { ReliefClearance, 0.5 * ReliefClearance, 0.0 })
+    {
+      this->block(clearance);
+      int root = indexOfLargest(this->DistanceFromAvoided);
+      if (this->Blocked[root])
+      {
+        continue;
+      }
+      this->openAt(root, progress);
+      if (const int tip = this->highestReached(root); tip >= 0)
+      {
+        root = tip;
+        this->openAt(root, progress);
+      }
+      const int tip = this->highestReached(root);
+      if (tip < 0)
+      {
+        continue;
+      }
+      relief.StrainBefore = this->PresentStrain;
+      relief.Tips.emplace_back(this->Coarse.Vertices.row(root));
+      this->keep(this->branchTo(tip, this->distances(), progress), relief, progress);
+      return;
+    }
+    throw InvalidInput("the region of interest leaves no room for a relief: mark a smaller part of the "
+                       "surface");
+  }
+
+  void openAt(int root, const ProgressCallback& progress)
+  {
+    std::fill(this->Outline.begin(), this->Outline.end(), 0);
+    this->Outline[root] = 1;
+    this->update(atFraction(progress, 0.0, PlacementStage));
+  }
+
+  // The vertex of the greatest factor to which a free path leads; -1 if there is none.
+  int highestReached(int root) const
+  {
+    const Eigen::VectorXd distance = this->distances();
+    const Eigen::VectorXd height =
+      distance.array().isFinite().select(this->Factors.cwiseAbs().array(), -1.0);
+    const int highest = indexOfLargest(height);
+    return height[highest] >= 0.0 && highest != root ? highest : -1;
+  }
+
+  void update(const ProgressCallback& progress)
+  {
+    this->Factors = this->Strain.conformalFactors(this->Outline, progress);
+    this->PresentStrain = this->Strain.of(this->Factors);
+  }
+
+  // Distances from the outline along free edges.
+  Eigen::VectorXd distances() const
+  {
+    std::vector<Vertex> sources;
+    for (int v = 0; v < this->Coarse.vertexCount(); ++v)
+    {
+      if (this->Outline[v])
+      {
+        sources.emplace_back(v);
+      }
+    }
+    return DijkstraDistances(this->Surface, this->Blocked).from(sources);
+  }
+
+  void addBranches(PlacedRelief& relief, const ProgressCallback& progress)
+  {
+    const double longest = this->Options.Longest * this->Unit;
+    while (this->Length < longest)
+    {
+      const double done = 0.1 + 0.9 * this->Length / longest;
+      report(progress, std::min(done, 1.0), PlacementStage);
+      const Eigen::VectorXd distance = this->distances();
+      Branch best;
+      double bestGain = this->Options.Gain;
+      for (const int tip : this->peaks(distance))
+      {
+        if (!(this->Length + distance[tip] <= longest))
+        {
+          continue;
+        }
+        Branch branch =
+          this->branchTo(tip, distance, atFraction(progress, std::min(done, 1.0), PlacementStage));
+        const double gain = (this->PresentStrain - branch.Strain) * this->Unit / branch.Length;
+        if (gain >= bestGain)
+        {
+          bestGain = gain;
+          best = std::move(branch);
+        }
+      }
+      if (best.Path.empty())
+      {
+        return;
+      }
+      this->keep(best, relief, atFraction(progress, std::min(done, 1.0), PlacementStage));
+    }
+  }
+
+  // The greatest of the peaks of the factors to which a free path leads.
+  std::vector<int> peaks(const Eigen::VectorXd& distance) const
+  {
+    const Eigen::VectorXd height = this->Factors.cwiseAbs();
+    std::vector<int> peaks;
+    for (const Vertex v : this->Surface.vertices())
+    {
+      const auto isLower = [&](Vertex other)
+      { return height[other] < height[v] || (height[other] == height[v] && v < other); };
+      const auto around = this->Surface.vertices_around_target(this->Surface.halfedge(v));
+      if (!this->Outline[v] && std::isfinite(distance[v]) &&
+          std::all_of(around.begin(), around.end(), isLower))
+      {
+        peaks.push_back(static_cast<int>(v.idx()));
+      }
+    }
+    std::stable_sort(
+      peaks.begin(), peaks.end(), [&height](int a, int b) { return height[a] > height[b]; });
+    peaks.resize(std::min<std::size_t>(peaks.size(), Candidates));
+    return peaks;
+  }
+
+  // The shortest path of edges from the outline to the tip, and the strain with it.
+  Branch branchTo(int tip, const Eigen::VectorXd& distance, const ProgressCallback& progress) const
+  {
+    Branch branch;
+    branch.Length = distance[tip];
+    branch.Path = shortestPath(this->Surface, distance, Vertex(tip));
+    std::vector<char> outline = this->Outline;
+    for (const int v : branch.Path)
+    {
+      outline[v] = 1;
+    }
+    branch.Strain = this->Strain.of(this->Strain.conformalFactors(outline, progress));
+    return branch;
+  }
+
+  void keep(const Branch& branch, PlacedRelief& relief, const ProgressCallback& progress)
+  {
+    for (const int v : branch.Path)
+    {
+      this->Outline[v] = 1;
+    }
+    this->Length += branch.Length;
+    relief.Tips.emplace_back(this->Coarse.Vertices.row(branch.Path.front()));
+    this->update(progress);
+  }
+
+  const TriangleMesh& Coarse;
+  const ReliefOptions& Options;
+  const ConformalStrain Strain;
+  const SurfaceMesh Surface;
+  const double Unit;                   // the square root of the area
+  Eigen::VectorXd DistanceFromAvoided; // infinite if there is no region
+  std::vector<char> Blocked;           // per vertex: whether no branch may run there
+  std::vector<char> Outline;           // per vertex: whether it is on the boundary or a branch
+  Eigen::VectorXd Factors;             // of the surface cut open along the outline
+  double PresentStrain = 0.0;          // of these factors
+  double Length = 0.0;                 // of all branches
+};
+
+// A copy with equilateral triangles, or the mesh itself if it is as coarse.
+DerivedMesh coarseCopy(const TriangleMesh& mesh, const ProgressCallback& progress)
+{
+  if (mesh.faceCount() <= 2 * CoarseFaces)
+  {
+    return derivedFromItself(mesh);
+  }
+  const double area = faceAreas(mesh.Vertices, mesh.Faces).sum();
+  const double edge = std::sqrt(4.0 / std::sqrt(3.0) * area / CoarseFaces); // of an equilateral triangle
+  return remeshIsotropically(mesh, edge, CoarseningRounds, progress);
+}
+
+void requireValid(const TriangleMesh& mesh,
+  const std::vector<char>& avoided,
+  const ReliefOptions& options)
+{
+  if (!(options.Gain >= 0.0))
+  {
+    throw InvalidInput("the gain of a relief's branch is " + formatted(options.Gain) +
+                       ": set it to 0 or a positive number");
+  }
+  if (!(options.Longest > 0.0))
+  {
+    throw InvalidInput("the longest relief is " + formatted(options.Longest) +
+                       ": set it above 0, in square roots of the area");
+  }
+  if (!avoided.empty() && avoided.size() != static_cast<std::size_t>(mesh.vertexCount()))
+  {
+    throw InvalidInput("the region that the relief must avoid has " + std::to_string(avoided.size()) +
+                       " flags, but the surface has " + std::to_string(mesh.vertexCount()) +
+                       " vertices: pass one flag per vertex");
+  }
+  if (!avoided.empty() && std::find(avoided.begin(), avoided.end(), 0) == avoided.end())
+  {
+    throw InvalidInput("the region that the relief must avoid covers all of the surface: mark a part of "
+                       "it");
+  }
+}
+
+} // namespace
+
+PlacedRelief placeRelief(const TriangleMesh& mesh,
+  const std::vector<char>& avoided,
+  const ReliefOptions& options,
+  const ProgressCallback& progress)
+{
+  requireValid(mesh, avoided, options);
+  const DerivedMesh coarse = coarseCopy(mesh, subrange(progress, 0.0, 0.5));
+  return ReliefPlacer(coarse, avoided, options).place(subrange(progress, 0.5, 1.0));
+}
+
+} // namespace flattening

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The choice of a tree of seams, the relief, that lets a surface become flat with less distortion.
+#pragma once
+
+#include "Base/Progress.h"
+#include "Mesh/TriangleMesh.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace flattening
+{
+
+struct ReliefOptions
+{
+  /// By how much a branch must lower the strain (ConformalStrain) if it is as long as the square root of
+  /// the surface's area, and in proportion if it is shorter or longer (>= 0). A sixtieth of strain is
+  /// about one degree of mean angle error: with 0.05, three degrees are worth such a length.
+  double Gain = 0.05;
+  /// The greatest length of all branches together, in square roots of the surface's area (> 0). The
+  /// first branch of a closed surface is cut whatever its length.
+  double Longest = 8.0;
+};
+
+struct PlacedRelief
+{
+  /// Where the branches end, in their order (input units): each is joined to the boundary and the
+  /// branches before it by a shortest path. On a closed surface the first branch joins the first two.
+  std::vector<Eigen::Vector3d> Tips;
+  /// The strain of the surface as it is, without a branch, or opened at the first tip alone if it is
+  /// closed.
+  double StrainBefore = 0.0;
+  double StrainAfter = 0.0; ///< with all branches
+};
+
+/// Places branches one after the other on a coarse copy of a connected surface of genus 0, with one
+/// boundary or none. Candidates for the next tip are the places where the conformal factor of the map
+/// with a free outline peaks, as Gaussian curvature has to go there. Of the candidates the one is taken
+/// that lowers the strain most for its length (the greedy trade of length for distortion is that of Li
+/// et al. 2018, "OptCuts", the peaks those of Chai et al. 2019, "Surface cutting by voting"), until none
+/// is worth its length. The first tip of a closed surface is the peak of the factor of a surface opened
+/// at any other point.
+/// @param avoided  one flag per vertex, not 0 where no branch may be; empty: they may be anywhere
+/// @throws InvalidInput if the flags are of another number than the vertices, or leave no room for a
+/// first branch, or an option is out of range; ConvergenceError; Cancelled.
+PlacedRelief placeRelief(const TriangleMesh& mesh,
+  const std::vector<char>& avoided,
+  const ReliefOptions& options,
+  const ProgressCallback& progress = {});
+
+} // namespace flattening

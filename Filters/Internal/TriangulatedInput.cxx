@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Internal/TriangulatedInput.h"
+
+#include "Core/Base/Errors.h"
+#include "Internal/PolyDataConversion.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkIdList.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkTriangleFilter.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace flattening
+{
+namespace
+{
+
+// Checks the points of the cells before triangulation, which needs finite points and changes the ids of
+// the cells.
+void requireFinitePoints(vtkPolyData* input, vtkCellArray* cells)
+{
+  auto cell = vtk::TakeSmartPointer(cells->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    cell->GetCurrentCell(size, ids);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      if (ids[i] < 0 || ids[i] >= input->GetNumberOfPoints())
+      {
+        throw InvalidInput("a cell names point " + std::to_string(ids[i]) +
+                           ", which does not exist: the data set is damaged");
+      }
+      double x[3];
+      input->GetPoint(ids[i], x);
+      if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+      {
+        throw InvalidInput("point " + std::to_string(ids[i]) +
+                           " has a coordinate that is not finite: remove such points first, e.g. with "
+                           "Threshold or Extract Selection");
+      }
+    }
+  }
+}
+
+} // namespace
+
+vtkSmartPointer<vtkPolyData> triangulate(vtkPolyData* input)
+{
+  requireFinitePoints(input, input->GetPolys());
+  requireFinitePoints(input, input->GetStrips());
+
+  vtkNew<vtkPolyData> bare;
+  bare->CopyStructure(input);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName(OriginalCellIdsName);
+  ids->SetNumberOfTuples(input->GetNumberOfCells());
+  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+  {
+    ids->SetValue(cell, cell);
+  }
+  bare->GetCellData()->AddArray(ids);
+
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(bare);
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->Update();
+  return triangles->GetOutput();
+}
+
+std::vector<vtkIdType> cellsOf(vtkPolyData* triangles)
+{
+  auto* ids = vtkIdTypeArray::SafeDownCast(triangles->GetCellData()->GetArray(OriginalCellIdsName));
+  return { ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfTuples() };
+}
+
+std::vector<char> labelledTriangles(vtkPolyData* triangles, const ChosenArray& labels, int label)
+{
+  if (!labels.Array)
+  {
+    throw InvalidInput(
+      "no array of labels is chosen: choose a point or cell array that names the part to "
+      "be removed, or another way to cut");
+  }
+  const auto hasLabel = [&](vtkIdType i) { return labels.Array->GetTuple1(i) == label; };
+  const std::vector<vtkIdType> cells = cellsOf(triangles);
+  std::vector<char> labelled(cells.size(), 0);
+  vtkNew<vtkIdList> corners;
+  for (std::size_t f = 0; f < cells.size(); ++f)
+  {
+    triangles->GetCellPoints(static_cast<vtkIdType>(f), corners);
+    labelled[f] = labels.OnCells ? hasLabel(cells[f])
+                                 : std::count_if(corners->begin(), corners->end(), hasLabel) >= 2;
+  }
+  return labelled;
+}
+
+} // namespace flattening
