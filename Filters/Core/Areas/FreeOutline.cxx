@@ -34,6 +34,9 @@ constexpr double LeastShapeGain = 0.01;
 constexpr double GreatestAreaWeight = 300.0;
 // The shares of a deformation to try: with the smaller ones fewer faces flip.
 constexpr double Shares[] = { 1.0, 0.5, 0.25 };
+// How far faces may flip in the round that untangles faces on the boundary, in target areas (epsilon of
+// FaceAreaEnergy); that of the first stage of FaceRefinement.
+constexpr double FlippingEpsilon = 0.1;
 // The weight of areas while untangling. A choice: areas count as much as shapes.
 constexpr double UntanglingAreaWeight = 1.0;
 // A limit of the time; the last rounds mostly end earlier, when they no longer help (RefinementRounds).
@@ -156,31 +159,45 @@ private:
   }
 
   // Nothing if every share of the deformation leaves the outline crossed or faces flipped.
-  std::optional<Points2> deformed(const ProgressCallback& progress) const
+  std::optional<Points2> deformed(const ProgressCallback& progress)
   {
     const Points2 whole = smoothlyDeformed(
       this->Terms, this->Map.Positions, this->Targets, this->AreaWeight, subrange(progress, 0.0, 0.7));
-    UntanglingOptions options;
-    options.AreaWeight = UntanglingAreaWeight;
     for (const double share : Shares)
     {
-      Points2 next = (1.0 - share) * this->Map.Positions + share * whole;
-      if (!isSimpleOutline(next, this->Loop))
+      DomainMap next{ (1.0 - share) * this->Map.Positions + share * whole, {} };
+      if (isSimpleOutline(next.Positions, this->Loop) && this->untangle(next, subrange(progress, 0.7, 1.0)))
       {
-        continue;
-      }
-      const UntanglingReport report = untangleMap(this->Surface.Faces,
-        this->OnBoundary,
-        trianglesOfArea(this->Surface, this->Targets),
-        next,
-        options,
-        atFraction(progress, 0.7, "Free outline: untangling"));
-      if (report.FlippedFaces == 0)
-      {
-        return next;
+        return std::move(next.Positions);
       }
     }
     return std::nullopt;
+  }
+
+  // Faces that have no vertex inside can be untangled only if the boundary moves, which a round does in
+  // which faces are free to flip.
+  bool untangle(DomainMap& map, const ProgressCallback& progress)
+  {
+    UntanglingOptions options;
+    options.AreaWeight = UntanglingAreaWeight;
+    const auto inside = [&](double begin)
+    {
+      return untangleMap(this->Surface.Faces,
+               this->OnBoundary,
+               trianglesOfArea(this->Surface, this->Targets),
+               map.Positions,
+               options,
+               subrange(progress, begin, begin + 0.3))
+               .FlippedFaces == 0;
+    };
+    if (inside(0.0))
+    {
+      return true;
+    }
+    this->Rounds.setStage(this->Targets, FlippingEpsilon);
+    this->Rounds.run(map, 1, RefinementRounds::Until::AllRounds, subrange(progress, 0.3, 0.7));
+    this->Rounds.setStage(this->Targets, 0.0);
+    return inside(0.7);
   }
 
   // The mean over the area of the logarithm of the ratio of Dirichlet energy to area; 0 if all shapes
