@@ -5,6 +5,7 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDataObject.h>
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
@@ -20,6 +21,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -342,6 +344,61 @@ TEST(SurfaceToDiskErrors, ArraysWithTooFewTuplesAreNamed)
     expectError(filter, input, "the array Thickness has 7 tuples for ");
   }
   expectDiskWithoutError(filter, square(5));
+}
+
+TEST(SurfaceToDiskErrors, LinesLabelsAndReliefsThatMakeNoCut)
+{
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  filter->SetCutModeToSeam();
+  vtkNew<vtkPolyData> lines;
+  filter->SetSeamLinesData(lines);
+  expectError(filter, sphere(20), "no line to cut along");
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  for (const std::array<double, 3>& x :
+    { std::array<double, 3>{ 0.5, 0, 0 }, { 0, 0.5, 0 }, { 0.35, 0.35, 0.1 }, { 0.35, 0.35, -0.1 } })
+  {
+    points->InsertNextPoint(x.data());
+  }
+  for (const vtkIdType start : { 0, 2 })
+  {
+    const vtkIdType ids[2] = { start, start + 1 };
+    cells->InsertNextCell(2, ids);
+  }
+  lines->SetPoints(points);
+  lines->SetLines(cells);
+  expectError(filter, sphere(20), "crosses or touches itself");
+  points->SetPoint(1, 0, 2, 0);
+  points->Modified();
+  lines->Modified();
+  expectError(filter, sphere(20), "of the seam (0 2 0) lies 1.50");
+  filter->SetSeamLinesData(nullptr);
+
+  filter->SetCutModeToLabel();
+  expectError(filter, sphere(20), "no array of labels is chosen");
+  const auto input = sphere(20);
+  vtkNew<vtkIntArray> labels;
+  labels->SetName("Labels");
+  labels->SetNumberOfValues(input->GetNumberOfPoints());
+  labels->Fill(3);
+  input->GetPointData()->AddArray(labels);
+  filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Labels");
+  expectError(filter, input, "no face has the label");
+  filter->SetCutLabel(3);
+  expectError(filter, input, "the label covers the whole surface");
+
+  filter->SetCutModeToRelief();
+  filter->SetReliefGain(-1.0);
+  expectError(filter, input, "the gain of a relief's branch is -1");
+  filter->SetReliefGain(0.05);
+  filter->SetLongestRelief(0.0);
+  expectError(filter, input, "the longest relief is 0");
+  filter->SetLongestRelief(8.0);
+  filter->UseRegionOfInterestOn();
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Labels");
+  expectError(filter, input, "covers all of the surface");
+  filter->UseRegionOfInterestOff();
+  expectDiskWithoutError(filter, input);
 }
 
 TEST(SurfaceToDiskErrors, HolesOfAFewTrianglesAreWarnedOf)

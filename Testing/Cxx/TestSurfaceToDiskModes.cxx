@@ -5,6 +5,7 @@
 #include <vtkAppendPolyData.h>
 #include <vtkCellData.h>
 #include <vtkCylinderSource.h>
+#include <vtkDataObject.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkIntArray.h>
@@ -127,6 +128,93 @@ TEST(SurfaceToDiskModes, SeamLengthensTheBoundaryOfAnOpenSurface)
   EXPECT_NEAR(figure(output, "BoundaryLength"), 4.8, 1e-12);
   EXPECT_GE(figure(output, "BoundaryVertices"), 160 + 2 * 16);
   EXPECT_NEAR(areaOf(output), 1.0, 1e-12);
+}
+
+// A capsule along x: its caps hold all of the curvature, and a relief joins them.
+TEST(SurfaceToDiskModes, ReliefRunsWhereTheCurvatureIs)
+{
+  const auto input = sphere(60);
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    input->GetPoint(i, x);
+    input->GetPoints()->SetPoint(i, x[0] + (x[0] > 0.0 ? 1.0 : -1.0) * 2.0 * std::abs(x[0]), x[1], x[2]);
+  }
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  filter->SetCutModeToRelief();
+  const auto output = run(filter, input);
+  expectDisk(output);
+  EXPECT_GE(figure(output, "ReliefBranches"), 1);
+  EXPECT_GT(figure(output, "ReliefLength"), 2.4);
+  EXPECT_EQ(figure(output, "ReliefLength"), figure(output, "SeamLength"));
+  EXPECT_NEAR(figure(output, "BoundaryLength"), 2.0 * figure(output, "SeamLength"), 1e-12);
+  EXPECT_GE(figure(output, "BoundaryVertices"), 128);
+  EXPECT_NEAR(areaOf(output), areaOf(input), 1e-12 * areaOf(input));
+  EXPECT_EQ(figure(output, "RemovedArea"), 0.0);
+  EXPECT_EQ(seamPoints(output), boundaryPoints(output));
+  double strain[2];
+  output->GetFieldData()->GetArray("ReliefStrain")->GetTuple(0, strain);
+  EXPECT_LT(strain[1], 0.4 * strain[0]);
+  double ends[2] = { 0.0, 0.0 };
+  for (const vtkIdType i : seamPoints(output))
+  {
+    ends[0] = std::min(ends[0], output->GetPoint(i)[0]);
+    ends[1] = std::max(ends[1], output->GetPoint(i)[0]);
+  }
+  EXPECT_LT(ends[0], -1.3); // the tips are at -1.5 and 1.5
+  EXPECT_GT(ends[1], 1.3);
+}
+
+// A flat sheet needs no relief, and stays as it is.
+TEST(SurfaceToDiskModes, ReliefLeavesFlatSheetsAlone)
+{
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  filter->SetCutModeToRelief();
+  filter->SetReliefGain(1e-6);
+  const auto output = run(filter, square(20));
+  expectDisk(output);
+  EXPECT_EQ(figure(output, "ReliefBranches"), 0);
+  EXPECT_EQ(figure(output, "SeamLength"), 0.0);
+  EXPECT_EQ(output->GetNumberOfPoints(), 441);
+}
+
+// After the handles were removed, or cut first.
+TEST(SurfaceToDiskModes, ReliefOpensSurfacesThatHadHandles)
+{
+  for (const int mode : { vtkSurfaceToDiskFilter::REMOVE_HANDLES, vtkSurfaceToDiskFilter::CUT_HANDLES })
+  {
+    vtkNew<vtkSurfaceToDiskFilter> filter;
+    filter->SetCutModeToRelief();
+    filter->SetHandleMode(mode);
+    const auto output = run(filter, torus(60, 30));
+    expectDisk(output);
+    EXPECT_GT(output->GetFieldData()->GetArray("ReliefStrain")->GetComponent(0, 0), 0.0) << mode;
+    EXPECT_GE(figure(output, "SeamLength"), figure(output, "ReliefLength")) << mode;
+  }
+}
+
+TEST(SurfaceToDiskModes, LabelIsRemovedAndItsBorderIsTheBoundary)
+{
+  const auto input = sphere(60);
+  vtkNew<vtkIntArray> labels;
+  labels->SetName("Labels");
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    labels->InsertNextValue(input->GetPoint(i)[2] > 0.3 ? 7 : 1);
+  }
+  input->GetPointData()->AddArray(labels);
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  filter->SetCutModeToLabel();
+  filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Labels");
+  filter->SetCutLabel(7);
+  const auto output = run(filter, input);
+  expectDisk(output);
+  EXPECT_NEAR(figure(output, "RemovedArea"), 0.2 * areaOf(input), 0.02 * areaOf(input));
+  EXPECT_NEAR(figure(output, "RemovedArea") + areaOf(output), areaOf(input), 1e-12);
+  for (const vtkIdType i : boundaryPoints(output))
+  {
+    EXPECT_NEAR(output->GetPoint(i)[2], 0.3, 0.05);
+  }
 }
 
 // A cut through the centre of a sphere and one at z = 0.3, both aslant to its edges.
@@ -370,7 +458,7 @@ TEST(SurfaceToDiskModes, ReportsEveryFigure)
   vtkNew<vtkSurfaceToDiskFilter> filter;
   const auto output = run(filter, input);
   const std::map<std::string, int> tuples{ { "HandleLoopLengths", 3 } };
-  const std::map<std::string, int> components{ { "HoleCentre", 3 } };
+  const std::map<std::string, int> components{ { "HoleCentre", 3 }, { "ReliefStrain", 2 } };
   const auto at = [](const std::map<std::string, int>& map, const std::string& name)
   { return map.count(name) ? map.at(name) : 1; };
   const std::vector<std::string> names{
@@ -402,6 +490,9 @@ TEST(SurfaceToDiskModes, ReportsEveryFigure)
     "HoleCentre",
     "HoleRadius",
     "SeamLength",
+    "ReliefBranches",
+    "ReliefLength",
+    "ReliefStrain",
     "RemovedArea",
     "RemovedRegionPoints",
     "SeamRegionPoints",

@@ -49,5 +49,6 @@ assert tested == {
     "DistortionMetrics.RegionArray",
     "FlattenRegion.LabelArray",
     "OMTAreaPreserving.AreaWeightArray",
+    "SurfaceToDisk.LabelArray",
     "SurfaceToDisk.RegionOfInterest",
 }, tested

@@ -90,6 +90,8 @@ MAKERS = (
     lambda: applied("vtkSurfaceToDiskFilter", surface, UseHolePoint=True, HolePoint=(0.5, 0, 0)),
     lambda: applied("vtkSurfaceToDiskFilter", surface, CutMode=1, ComponentMode=1),
     lambda: applied("vtkSurfaceToDiskFilter", surface, CutMode=2, PlaneOrigin=(0.05, 0, 0), BoundaryMode=1),
+    lambda: applied("vtkSurfaceToDiskFilter", surface, CutMode=3),
+    lambda: applied("vtkSurfaceToDiskFilter", surface, CutMode=4, InputArrayToProcess=(1, 0, 0, POINTS, "Label")),
     lambda: applied("vtkConformalDiskFilter", disk, UseCenterPoint=True, CenterPoint=(0.5, 0, 0)),
     lambda: applied("vtkConformalDiskFilter", disk, UseBoundaryPoint=True, BoundaryPoint=(0, 0.5, 0)),
     lambda: applied(

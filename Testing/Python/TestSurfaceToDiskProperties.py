@@ -8,6 +8,7 @@ from paraview.simple import (
     AppendGeometry,
     Calculator,
     Plane,
+    PolyLineSource,
     Sphere,
     Superquadric,
     SurfaceToDisk,
@@ -21,6 +22,8 @@ def disk(surface, **properties):
     tested.update(properties)
     proxy = SurfaceToDisk(Input=surface, **properties)
     for name, value in properties.items():
+        if name == "SeamLines":
+            continue
         was_set = proxy.GetPropertyValue(name)
         assert (list(was_set) if isinstance(value, list) else was_set) == value, (name, was_set)
     proxy.UpdatePipeline()
@@ -67,6 +70,54 @@ proxy.UseSeamPoints = 0
 proxy.UpdatePipeline()
 close(figure(servermanager.Fetch(proxy), "SeamLength"), 10 * math.pi, 0.05)
 
+# Three quarters of great circles that meet: two paths of points, and three lines.
+quarters = [10, 0, 0, 0, 10, 0, 0, 0, 10, 0, 10, 0, -10, 0, 0]
+branched = disk(ball, Cut="Seam", UseSeamPoints=1, SeamPoints=quarters, SeamPathStarts=[3])
+close(figure(branched, "SeamLength"), 15 * math.pi, 0.01)
+close(figure(branched, "SurfaceArea"), figure(seam, "SurfaceArea"), 1e-12)
+
+
+def arc(a, b):
+    points = []
+    for i in range(91):
+        t = math.radians(i)
+        points += [10 * (math.cos(t) * x + math.sin(t) * y) for x, y in zip(a, b)]
+    return PolyLineSource(Points=points)
+
+
+lines = AppendGeometry(Input=[arc((0, 1, 0), end) for end in ((1, 0, 0), (0, 0, 1), (-1, 0, 0))])
+drawn = disk(ball, Cut="Seam", SeamLines=lines)
+close(figure(drawn, "SeamLength"), 15 * math.pi, 0.01)
+far = AppendGeometry(Input=[arc((0, 2, 0), (1, 0, 0))])
+assert disk(ball, Cut="Seam", SeamLines=far).GetNumberOfCells() == 0  # an error
+
+# A ball with a finger: the relief ends on its tip, and a lower gain makes more branches.
+finger = Calculator(
+    Input=Sphere(Radius=10, ThetaResolution=80, PhiResolution=80),
+    CoordinateResults=1,
+    Function="coords * (1 + exp(-((coordsY - 6) * (coordsY - 6) + (coordsZ - 8) * (coordsZ - 8) + coordsX * coordsX) / 8))",
+)
+relief = disk(finger, Cut="Relief", ReliefGain=0.05)
+strain = relief.GetFieldData().GetArray("ReliefStrain").GetTuple2(0)
+assert strain[1] < 0.6 * strain[0], strain
+assert figure(relief, "ReliefBranches") >= 1
+close(figure(relief, "ReliefLength"), figure(relief, "SeamLength"), 1e-12)
+close(figure(relief, "BoundaryLength"), 2 * figure(relief, "ReliefLength"), 1e-9)
+top = max((relief.GetPoint(i) for i in range(relief.GetNumberOfPoints())), key=lambda x: 6 * x[1] + 8 * x[2])
+on_seam = [relief.GetPoint(i) for i in range(relief.GetNumberOfPoints()) if relief.GetPointData().GetArray("Seam").GetTuple1(i)]
+assert min(math.dist(x, top) for x in on_seam) < 3.0
+more = disk(finger, Cut="Relief", ReliefGain=0.001)
+assert figure(more, "ReliefBranches") > figure(relief, "ReliefBranches")
+shorter = disk(finger, Cut="Relief", ReliefGain=0.001, LongestRelief=0.1)
+assert figure(shorter, "ReliefBranches") == 1
+
+labelled = Calculator(Input=ball, ResultArrayName="Side", Function="if(coordsZ > 4, 3, 1)")
+for wanted, share in ((3, 0.7), (1, 0.3)):
+    rest = disk(labelled, Cut="Label", LabelArray=["POINTS", "Side"], CutLabel=wanted)
+    close(figure(rest, "SurfaceArea"), share * ball_area, 0.05)
+    close(figure(rest, "SurfaceArea") + figure(rest, "RemovedArea"), area, 1e-6)
+assert disk(labelled, Cut="Label", LabelArray=["POINTS", "Side"], CutLabel=7).GetNumberOfCells() == 0
+
 cap = disk(ball, Cut="Plane", PlaneOrigin=[0, 0, 4], PlaneNormal=[0, 0, 2])
 close(figure(cap, "SurfaceArea"), 0.3 * ball_area, 0.01)  # Archimedes
 assert cap.GetBounds()[4] > 3.999
@@ -84,14 +135,14 @@ marked = Calculator(
     ResultArrayName="Region",
     Function=f"coordsX * {centre[0]} + coordsY * {centre[1]} + coordsZ * {centre[2]} > 0",
 )
-for cut in ("Hole", "Seam"):
+for cut in ("Hole", "Seam", "Relief"):
     for array in (["POINTS", "Region"], ["POINTS", "None"]):
         kept_off = disk(
             marked, Cut=cut, UseRegionOfInterest=int(array[1] == "Region"), RegionOfInterest=array
         )
         regions = kept_off.GetPointData().GetArray("Region")
         seams = kept_off.GetPointData().GetArray("Seam")
-        if cut == "Seam":
+        if cut != "Hole":
             crossed = any(
                 seams.GetTuple1(i) and regions.GetTuple1(i) for i in range(regions.GetNumberOfTuples())
             )
