@@ -58,7 +58,8 @@ std::vector<ReachedVertex> GeodesicSearch::within(double limit, int source, cons
   std::vector<ReachedVertex> reached;
   for (int v = 0; v < static_cast<int>(this->Faces.PlaceOf.size()); ++v)
   {
-    if (const double distance = this->Distances[this->Faces.PlaceOf[v]]; distance <= limit)
+    const double distance = this->Distances[this->Faces.PlaceOf[v]];
+    if (distance < Infinite && distance <= limit)
     {
       reached.push_back({ v, distance });
     }
