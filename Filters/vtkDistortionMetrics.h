@@ -55,17 +55,17 @@
  * - `P95X` (double, unit of X): value that 5 percent of the faces exceed.
  * - `P99X` (double, unit of X): value that 1 percent of the faces exceed.
  * - `MaxX` (double, unit of X): greatest value of a face.
- *
  * - `SDAreaRatio` (double, dimensionless): standard deviation of AreaRatio over the faces that have
  *   area on the surface, each counted once; 0 is ideal.
  * - `SDLogAreaRatio` (double, dimensionless): standard deviation of the natural logarithm of AreaRatio
  *   over the faces that are not degenerate; 0 is ideal.
  *
- * Field data of port 0 with MeasureLengths (one tuple each). An error of a length is relative to the
- * length on the surface, the lengths on the map being multiplied by the one scale that makes the mean
- * error least. L stands for `Local` (see LengthRadius; straight lines on the map), `WithinMap` (the
+ * L below stands for `Local` (lengths up to LengthRadius; straight lines on the map), `WithinMap` (the
  * same, on the surface as it was cut open; shortest paths within the map) and `Global` (all lengths;
- * straight lines on the map).
+ * straight lines on the map). An error is relative to the length on the surface, after all lengths on
+ * the map were multiplied by the scale that makes the mean error least.
+ *
+ * Field data of port 0 with MeasureLengths (one tuple each):
  * - `MeanLLengthError` (double, percent): mean error, every source point counted the same.
  * - `StandardErrorLLengthError` (double, percent): standard error of that mean.
  * - `P95LLengthError` (double, percent): error that 5 percent of the lengths exceed.
