@@ -3,6 +3,7 @@
 
 #include "Core/FlatMap/DistortionMeasures.h"
 #include "Core/FlatMap/DistortionSummary.h"
+#include "Core/FlatMap/LengthDistortion.h"
 #include "Core/Mesh/CoordinateFrame.h"
 #include "Internal/ArrayConversion.h"
 #include "Internal/ChosenArray.h"
@@ -32,6 +33,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkDistortionMetrics);
@@ -140,6 +142,8 @@ void forEachValue(const DistortionSummary& summary, const Visit& visit)
   visit("FlatArea", summary.FlatArea);
   visit("FacesWithin2Percent", summary.FacesWithin2Percent);
   visit("RootMeanSquareStretch", summary.RootMeanSquareStretch);
+  visit("SDAreaRatio", summary.SDAreaRatio);
+  visit("SDLogAreaRatio", summary.SDLogAreaRatio);
   for (int m = 0; m < flattening::MeasureCount; ++m)
   {
     const std::string name = flattening::MeasureNames[m];
@@ -159,6 +163,27 @@ void setReport(vtkFieldData* fieldData, const DistortionSummary& total)
   forEachValue(total,
     [fieldData](const std::string& name, double value)
     { flattening::setDatum(fieldData, name.c_str(), value); });
+}
+
+// Adds the array of the local errors and the field data of all lengths.
+void addLengths(vtkPolyData* output, const flattening::LengthDistortion& lengths)
+{
+  output->GetPointData()->AddArray(
+    flattening::newArray<vtkDoubleArray>("LengthError", lengths.VertexErrors));
+  const auto set = [output](const std::string& name, double value)
+  { flattening::setDatum(output->GetFieldData(), name.c_str(), value); };
+  const std::pair<const char*, const flattening::LengthErrors&> kinds[] = {
+    { "Local", lengths.Local }, { "WithinMap", lengths.WithinMap }, { "Global", lengths.Global }
+  };
+  for (const auto& [kind, errors] : kinds)
+  {
+    const std::string name = std::string(kind) + "LengthError";
+    set("Mean" + name, errors.Mean);
+    set("StandardError" + name, errors.StandardError);
+    set("P95" + name, errors.P95);
+  }
+  set("RingDistanceError", lengths.RingDistanceError);
+  set("LengthScale", lengths.Local.Scale);
 }
 
 // A row of the table.
@@ -265,13 +290,16 @@ void vtkDistortionMetrics::Execute(vtkInformationVector** inputVector,
                                            : flattening::ChosenArray();
   const Regions regions = facesOfRegions(chosen, surface);
 
-  flattening::report(progress, 0.2, "Measuring the faces");
+  const double facesBegin = this->MeasureLengths ? 0.02 : 0.2;
+  const double regionsBegin = this->MeasureLengths ? 0.06 : 0.6;
+  const double lengthsBegin = this->MeasureLengths ? 0.1 : 1.0;
+  flattening::report(progress, facesBegin, "Measuring the faces");
   const FaceDistortion distortion = flattening::measureDistortion(surface, flat, weights);
   output->ShallowCopy(input);
   addCellArrays(output, distortion);
   flattening::setTextureCoordinates(output, flat);
 
-  flattening::report(progress, 0.6, "Summing up the regions");
+  flattening::report(progress, regionsBegin, "Summing up the regions");
   std::vector<Row> rows;
   for (const auto& [label, faces] : regions)
   {
@@ -282,6 +310,15 @@ void vtkDistortionMetrics::Execute(vtkInformationVector** inputVector,
   rows.push_back({ -1, "Total", flattening::summariseDistortion(distortion) });
   fillTable(table, rows);
   setReport(output->GetFieldData(), rows.back().Summary);
+  if (this->MeasureLengths)
+  {
+    flattening::LengthOptions options;
+    options.Radius = this->LengthRadius;
+    options.Samples = this->LengthSamples;
+    addLengths(output,
+      flattening::measureLengths(
+        surface, flat, options, flattening::subrange(progress, lengthsBegin, 1.0)));
+  }
   flattening::report(progress, 1.0, "Done");
 }
 
@@ -290,6 +327,9 @@ void vtkDistortionMetrics::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "UseTargetArea: " << this->UseTargetArea << "\n";
   os << indent << "UseRegionArray: " << this->UseRegionArray << "\n";
+  os << indent << "MeasureLengths: " << this->MeasureLengths << "\n";
+  os << indent << "LengthRadius: " << this->LengthRadius << "\n";
+  os << indent << "LengthSamples: " << this->LengthSamples << "\n";
   os << indent << "RegionNamesArray: " << (this->RegionNamesArray ? this->RegionNamesArray : "(none)")
      << "\n";
 }

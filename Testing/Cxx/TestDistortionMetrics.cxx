@@ -156,6 +156,80 @@ TEST(DistortionMetrics, CellArraysOfAKnownStretch)
   EXPECT_NEAR(figure(output, "AreaWeightedMeanBeltramiMagnitude"), 0.75 * 0.5, 1e-14);
 }
 
+TEST(DistortionMetrics, DeviationsOfTheAreaRatio)
+{
+  vtkNew<vtkDistortionMetrics> metrics;
+  metrics->SetInputData(flattenedRectangle(4));
+  metrics->Update();
+  // Half of the faces have the ratio 2/3, the other half 2.
+  EXPECT_NEAR(figure(metrics->GetOutput(), "SDAreaRatio"), 2.0 / 3.0, 1e-13);
+  EXPECT_NEAR(figure(metrics->GetOutput(), "SDLogAreaRatio"), 0.5 * std::log(3.0), 1e-13);
+  EXPECT_NEAR(entry(metrics->GetSummary(), 0, "SDAreaRatio"), 2.0 / 3.0, 1e-13);
+}
+
+const char* const LengthFigures[] = { "MeanLocalLengthError",
+  "StandardErrorLocalLengthError",
+  "P95LocalLengthError",
+  "MeanWithinMapLengthError",
+  "StandardErrorWithinMapLengthError",
+  "P95WithinMapLengthError",
+  "MeanGlobalLengthError",
+  "StandardErrorGlobalLengthError",
+  "P95GlobalLengthError",
+  "RingDistanceError",
+  "LengthScale" };
+
+TEST(DistortionMetrics, LengthsAreMeasuredOnRequestOnly)
+{
+  vtkNew<vtkDistortionMetrics> metrics;
+  EXPECT_FALSE(metrics->GetMeasureLengths());
+  EXPECT_EQ(metrics->GetLengthRadius(), 30.0);
+  EXPECT_EQ(metrics->GetLengthSamples(), 300);
+  metrics->SetInputData(flattenedRectangle(10));
+  metrics->Update();
+  EXPECT_FALSE(metrics->GetOutput()->GetPointData()->HasArray("LengthError"));
+  for (const char* name : LengthFigures)
+  {
+    EXPECT_FALSE(metrics->GetOutput()->GetFieldData()->HasArray(name)) << name;
+  }
+
+  metrics->MeasureLengthsOn();
+  metrics->Update();
+  for (const char* name : LengthFigures)
+  {
+    EXPECT_GT(figure(metrics->GetOutput(), name), 0.0) << name;
+  }
+  vtkDataArray* errors = metrics->GetOutput()->GetPointData()->GetArray("LengthError");
+  ASSERT_NE(errors, nullptr);
+  EXPECT_EQ(errors->GetNumberOfTuples(), 121);
+  EXPECT_GT(errors->GetRange()[0], 0.0);
+  // With a radius beyond the surface's size all lengths are local.
+  EXPECT_NEAR(figure(metrics->GetOutput(), "MeanLocalLengthError"),
+    figure(metrics->GetOutput(), "MeanGlobalLengthError"),
+    5.0 * figure(metrics->GetOutput(), "StandardErrorGlobalLengthError"));
+  EXPECT_EQ(metrics->GetSummary()->GetColumnByName("MeanLocalLengthError"), nullptr);
+}
+
+// Near the stretched end all lengths along x are three times too short, on the other end all are right.
+TEST(DistortionMetrics, LengthErrorsLieWhereTheMapIsStretched)
+{
+  vtkNew<vtkDistortionMetrics> metrics;
+  metrics->SetInputData(flattenedRectangle(20));
+  metrics->MeasureLengthsOn();
+  metrics->SetLengthRadius(0.3);
+  metrics->Update();
+  vtkPolyData* output = metrics->GetOutput();
+  vtkDataArray* errors = output->GetPointData()->GetArray("LengthError");
+  const double scale = figure(output, "LengthScale");
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    if (output->GetPoint(i)[0] > 1.31)
+    {
+      EXPECT_NEAR(errors->GetTuple1(i), 100 * std::abs(scale - 1), 1e-9);
+    }
+  }
+}
+
 TEST(DistortionMetrics, PassesEverythingThrough)
 {
   const auto flattened = flattenedRectangle(3);
@@ -339,6 +413,39 @@ TEST(DistortionMetrics, EmptyInputGivesEmptyOutputSilently)
   EXPECT_FALSE(errors->GetError());
   EXPECT_EQ(metrics->GetOutput()->GetNumberOfCells(), 0);
   EXPECT_EQ(metrics->GetSummary()->GetNumberOfRows(), 0);
+}
+
+TEST(DistortionMetrics, BadLengths)
+{
+  vtkNew<vtkDistortionMetrics> metrics;
+  metrics->MeasureLengthsOn();
+  const auto expectLengthError = [&metrics](double radius, int samples, const char* words)
+  {
+    vtkNew<vtkTest::ErrorObserver> errors;
+    const unsigned long tag = metrics->AddObserver(vtkCommand::ErrorEvent, errors);
+    metrics->SetInputData(flattenedRectangle(4));
+    metrics->SetLengthRadius(radius);
+    metrics->SetLengthSamples(samples);
+    metrics->Update();
+    EXPECT_NE(errors->GetErrorMessage().find(words), std::string::npos) << errors->GetErrorMessage();
+    EXPECT_EQ(metrics->GetOutput()->GetNumberOfPoints(), 0);
+    EXPECT_EQ(metrics->GetSummary()->GetNumberOfRows(), 0);
+    metrics->RemoveObserver(tag);
+  };
+  expectLengthError(0, 300, "the LengthRadius is 0: set it to a positive length");
+  expectLengthError(std::nan(""), 300, "the LengthRadius is nan");
+  expectLengthError(-3, 300, "the LengthRadius is -3");
+  expectLengthError(1e-5, 300, "as near to each other as the LengthRadius of 1e-05");
+  expectLengthError(1, 0, "LengthSamples is 0");
+  expectLengthError(1, -5, "LengthSamples is -5");
+
+  metrics->SetLengthSamples(2);
+  metrics->Update();
+  EXPECT_EQ(metrics->GetOutput()->GetNumberOfPoints(), 25);
+  metrics->SetInputData(twoTriangles(1, 1));
+  metrics->SetLengthRadius(1e9);
+  metrics->Update();
+  EXPECT_EQ(metrics->GetOutput()->GetNumberOfPoints(), 6) << "two parts that no path joins";
 }
 
 TEST(DistortionMetrics, BadInput)

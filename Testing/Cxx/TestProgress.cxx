@@ -86,6 +86,8 @@ TEST(Progress, OfEveryFilter)
   vtkNew<vtkDistortionMetrics> metrics;
   metrics->SetInputConnection(areaPreserving->GetOutputPort());
   expectProgress(metrics, 4);
+  metrics->MeasureLengthsOn();
+  expectProgress(metrics, 6);
   vtkNew<vtkFlatMapTransfer> transfer;
   transfer->SetInputConnection(0, areaPreserving->GetOutputPort());
   transfer->SetInputConnection(1, disk->GetOutputPort());

@@ -137,7 +137,11 @@ std::vector<Property> areaPreserving()
 std::vector<Property> distortionMetrics()
 {
   using F = vtkDistortionMetrics;
-  return { flag("UseTargetArea", &F::SetUseTargetArea), flag("UseRegionArray", &F::SetUseRegionArray) };
+  return { flag("UseTargetArea", &F::SetUseTargetArea),
+    flag("UseRegionArray", &F::SetUseRegionArray),
+    flag("MeasureLengths", &F::SetMeasureLengths),
+    number("LengthRadius", Kind::Length, 1e-3, 2, &F::SetLengthRadius),
+    number("LengthSamples", Kind::Count, 2, 40, &F::SetLengthSamples) };
 }
 
 std::vector<Property> areaWeights()

@@ -27,6 +27,21 @@ wrong.UpdatePipeline()
 assert wrong.GetDataInformation().GetNumberOfCells() == 0
 Delete(wrong)
 
+# Without MeasureLengths there is no error of lengths. The stretch by 4 is that of a length along x against one along y.
+assert metrics.FieldData.GetArray("MeanLocalLengthError") is None
+metrics.MeasureLengths = 1
+metrics.LengthRadius = 0.8
+metrics.LengthSamples = 40
+metrics.UpdatePipeline()
+for kind in ("Local", "WithinMap", "Global"):
+    mean, error, p95 = (
+        metrics.FieldData[f"{name}{kind}LengthError"].GetRange()[0] for name in ("Mean", "StandardError", "P95")
+    )
+    assert 10 < mean < 60 and 0 < error < mean and mean < p95 < 300, (kind, mean, error, p95)
+assert metrics.FieldData["RingDistanceError"].GetRange()[0] > 10
+assert metrics.PointData["LengthError"].GetRange()[1] > 10
+metrics.MeasureLengths = 0
+
 metrics.UseTargetArea = 0
 metrics.UpdatePipeline()
 assert metrics.GetDataInformation().GetNumberOfCells() == 128

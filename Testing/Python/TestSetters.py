@@ -106,6 +106,7 @@ MAKERS = (
     ),
     lambda: applied("vtkOMTAreaPreservingFilter", conformal),
     lambda: applied("vtkDistortionMetrics", flat, **label),
+    lambda: applied("vtkDistortionMetrics", flat, MeasureLengths=True, **label),
     lambda: applied("vtkMeshSaliency", disk, FindRegions=True, ThresholdType=1),
     lambda: applied("vtkMeshSaliency", disk, FindRegions=True, ThresholdType=0),
     lambda: applied("vtkContextResolution", disk, **label),

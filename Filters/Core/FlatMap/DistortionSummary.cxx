@@ -71,6 +71,38 @@ MeasureStatistics statisticsOf(const FaceDistortion& distortion,
   return statistics;
 }
 
+double standardDeviation(const std::vector<double>& values)
+{
+  if (values.empty())
+  {
+    return 0.0;
+  }
+  const Eigen::Map<const Eigen::ArrayXd> all(values.data(), static_cast<Eigen::Index>(values.size()));
+  return std::sqrt((all - all.mean()).square().mean());
+}
+
+// Sets the standard deviations of the area ratio and of its logarithm.
+void addDeviations(const FaceDistortion& distortion,
+  const std::vector<int>& faces,
+  DistortionSummary& summary)
+{
+  std::vector<double> ratios;
+  std::vector<double> logarithms;
+  for (const int f : faces)
+  {
+    if (!distortion.SurfaceDegenerate[f])
+    {
+      ratios.push_back(distortion.AreaRatio[f]);
+    }
+    if (!distortion.degenerate(f))
+    {
+      logarithms.push_back(distortion.AreaDistortion[f]);
+    }
+  }
+  summary.SDAreaRatio = standardDeviation(ratios);
+  summary.SDLogAreaRatio = standardDeviation(logarithms);
+}
+
 } // namespace
 
 DistortionSummary summariseDistortion(const FaceDistortion& distortion, const std::vector<int>& faces)
@@ -111,6 +143,7 @@ DistortionSummary summariseDistortion(const FaceDistortion& distortion, const st
   {
     summary.RootMeanSquareStretch = std::sqrt(squaredStretch / stretchedArea);
   }
+  addDeviations(distortion, faces, summary);
   for (int m = 0; m < MeasureCount; ++m)
   {
     summary.Measures[m] = statisticsOf(distortion, static_cast<Measure>(m), faces);

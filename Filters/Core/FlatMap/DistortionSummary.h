@@ -57,6 +57,11 @@ struct DistortionSummary
   int FlippedFaces = 0;               ///< number of faces that are clockwise or have no area on the map
   int DegenerateFaces = 0;            ///< number of faces without area on the surface or on the map
   double RootMeanSquareStretch = 0.0; ///< area-weighted, Sander et al. 2001; 1 is perfect
+  /// Standard deviation of AreaRatio over the faces that have area on the surface, each counted once; 0
+  /// is perfect.
+  double SDAreaRatio = 0.0;
+  /// The same of its natural logarithm, over the faces that are not degenerate.
+  double SDLogAreaRatio = 0.0;
   std::array<MeasureStatistics, MeasureCount> Measures;
 
   const MeasureStatistics& operator[](Measure measure) const

@@ -10,7 +10,9 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <random>
 #include <set>
 #include <string>
 #include <utility>
@@ -261,6 +263,37 @@ inline TriangleMesh rectangleGrid(int columns, int rows, double width)
         mesh.Faces.row(face++) << v, v + 1, v + columns + 1;
         mesh.Faces.row(face++) << v, v + columns + 1, v + columns;
       }
+    }
+  }
+  return mesh;
+}
+
+/// A grid of (n + 1)^2 vertices on [0, 1]^2, by columns of x, whose inner vertices are moved at random,
+/// so little that no face is flipped; @p place lifts it into space.
+inline TriangleMesh liftedGrid(int n, const std::function<Eigen::Vector3d(double, double)>& place)
+{
+  std::mt19937 generator(7);
+  const auto moved = [&generator] { return 0.4 * (std::ldexp(generator(), -32) - 0.5); };
+  TriangleMesh mesh;
+  mesh.Vertices.resize((n + 1) * (n + 1), 3);
+  for (int i = 0; i <= n; ++i)
+  {
+    for (int j = 0; j <= n; ++j)
+    {
+      const bool inner = i % n != 0 && j % n != 0;
+      const double x = (i + (inner ? moved() : 0.0)) / n;
+      const double y = (j + (inner ? moved() : 0.0)) / n;
+      mesh.Vertices.row(i * (n + 1) + j) = place(x, y);
+    }
+  }
+  mesh.Faces.resize(2 * n * n, 3);
+  for (int i = 0, f = 0; i < n; ++i)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      const int a = i * (n + 1) + j;
+      mesh.Faces.row(f++) << a, a + n + 1, a + n + 2;
+      mesh.Faces.row(f++) << a, a + n + 2, a + 1;
     }
   }
   return mesh;

@@ -1,0 +1,425 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "FlatMap/LengthDistortion.h"
+
+#include "FlatMap/MapPaths.h"
+#include "Geodesics/GeodesicSearch.h"
+#include "Mesh/CoordinateFrame.h"
+#include "Mesh/Halfedges.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <random>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace flattening
+{
+namespace
+{
+
+constexpr const char* LocalStage = "Measuring local lengths";
+constexpr const char* GlobalStage = "Measuring global lengths";
+
+// The rings of mris_flatten, whose users quote the error of the distances within them.
+constexpr int Rings = 7;
+
+// A source of global lengths takes about forty times as long as one of local lengths, so this share of
+// the sources must do. Lengths over the whole surface vary less from source to source.
+constexpr int SamplesPerGlobalSample = 20;
+
+// The share of local lengths in the progress.
+constexpr double LocalShare = 0.3;
+
+constexpr double Percent = 100.0;
+
+void requireValid(const TriangleMesh& surface, const Points2& flat, const LengthOptions& options)
+{
+  if (!(options.Radius > 0.0) || !std::isfinite(options.Radius))
+  {
+    throw InvalidInput("the LengthRadius is " + formatted(options.Radius) +
+                       ": set it to a positive length in the units of the surface");
+  }
+  if (options.Samples < 2)
+  {
+    throw InvalidInput("LengthSamples is " + std::to_string(options.Samples) +
+                       ": a standard error needs 2 source points or more");
+  }
+  if (!surface.Vertices.allFinite() || !flat.allFinite())
+  {
+    throw InvalidInput("a coordinate of the flattened surface is not finite: run the flattening again");
+  }
+}
+
+// Vertices by area: of equal shares of the whole, in the order of the vertices, one vertex each, drawn
+// by area. The generator is the same on all machines.
+std::vector<int> drawnByArea(const Eigen::VectorXd& areas, int count)
+{
+  std::mt19937_64 generator(1);
+  std::vector<int> drawn;
+  const double share = areas.sum() / count;
+  double before = 0.0; // area of the vertices before v
+  int v = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const double fraction = std::ldexp(static_cast<double>(generator() >> 11), -53);
+    const double place = share * (i + fraction);
+    while (v + 1 < areas.size() && before + areas[v] <= place)
+    {
+      before += areas[v++];
+    }
+    drawn.push_back(v);
+  }
+  return drawn;
+}
+
+// The part of the surface that a search needs, for each thread.
+struct Searches
+{
+  GeodesicSearch Closed;
+  GeodesicSearch Open;
+  MapPathSearch Map;
+};
+
+// Lengths of one source on the surface and on the map.
+struct LocalLengths
+{
+  std::vector<int> Vertices; // the others of the pairs in Local
+  SourceLengths Local;
+  SourceLengths WithinMap;
+  SourceLengths Rings;
+};
+
+// The caller's view of parallel work on sources: progress, and the abort.
+class SourceProgress
+{
+public:
+  SourceProgress(const ProgressCallback& progress, const char* stage, std::size_t sources)
+    : Progress(progress)
+    , Stage(stage)
+    , Sources(sources)
+  {
+  }
+
+  // Called by all threads, now and then. @throws Cancelled
+  void check()
+  {
+    if (this->Cancelled)
+    {
+      throw flattening::Cancelled();
+    }
+    if (std::this_thread::get_id() == this->Caller)
+    {
+      try
+      {
+        report(this->Progress,
+          static_cast<double>(this->Done) / static_cast<double>(this->Sources),
+          this->Stage);
+      }
+      catch (...)
+      {
+        this->Cancelled = true;
+        throw;
+      }
+    }
+  }
+  void finishOne() { ++this->Done; }
+
+private:
+  const ProgressCallback& Progress;
+  const char* Stage;
+  std::size_t Sources;
+  std::thread::id Caller = std::this_thread::get_id();
+  std::atomic<std::size_t> Done{ 0 };
+  std::atomic<bool> Cancelled{ false };
+};
+
+class LengthMeasurement
+{
+public:
+  LengthMeasurement(const TriangleMesh& surface, const Points2& flat)
+    : Surface(surface)
+    , Flat(flat)
+    , Areas(vertexAreas(surface))
+    , Open(surface, Seams::Open)
+    , Closed(surface, Seams::Closed)
+    , Paper(surface.Faces, flat)
+    , SearchesOfThreads(
+        [this]
+        {
+          return Searches{
+            GeodesicSearch(this->Closed), GeodesicSearch(this->Open), MapPathSearch(this->Paper)
+          };
+        })
+  {
+  }
+
+  std::vector<int> sources(int count) const
+  {
+    return drawnByArea(this->Areas, std::min(count, this->Surface.vertexCount()));
+  }
+
+  std::vector<LocalLengths> localLengths(const std::vector<int>& sources,
+    double radius,
+    const ProgressCallback& progress)
+  {
+    std::vector<LocalLengths> lengths(sources.size());
+    this->forEachSource(sources,
+      SourceTask([&](std::size_t i, Searches& searches, const GeodesicSearch::Checkpoint& check)
+        { lengths[i] = this->localLengthsOf(sources[i], radius, searches, check); }),
+      LocalStage,
+      progress);
+    return lengths;
+  }
+
+  std::vector<SourceLengths> globalLengths(const std::vector<int>& sources,
+    const ProgressCallback& progress)
+  {
+    std::vector<SourceLengths> lengths(sources.size());
+    this->forEachSource(sources,
+      SourceTask(
+        [&](std::size_t i, Searches& searches, const GeodesicSearch::Checkpoint& check)
+        {
+          const std::vector<ReachedVertex> reached =
+            searches.Closed.within(std::numeric_limits<double>::infinity(), sources[i], check);
+          for (const ReachedVertex& other : reached)
+          {
+            this->addStraight(sources[i], other, lengths[i]);
+          }
+        }),
+      GlobalStage,
+      progress);
+    return lengths;
+  }
+
+private:
+  using SourceTask = std::function<void(std::size_t, Searches&, const GeodesicSearch::Checkpoint&)>;
+
+  void forEachSource(const std::vector<int>& sources,
+    const SourceTask& task,
+    const char* stage,
+    const ProgressCallback& progress)
+  {
+    SourceProgress state(progress, stage, sources.size());
+    tbb::parallel_for(
+      std::size_t(0),
+      sources.size(),
+      [&](std::size_t i)
+      {
+        task(i, this->SearchesOfThreads.local(), [&state] { state.check(); });
+        state.finishOne();
+      },
+      tbb::simple_partitioner());
+  }
+
+  LocalLengths localLengthsOf(int source,
+    double radius,
+    Searches& searches,
+    const GeodesicSearch::Checkpoint& check) const
+  {
+    LocalLengths lengths;
+    const std::vector<ReachedVertex> near = searches.Closed.within(radius, source, check);
+    for (const ReachedVertex& other : near)
+    {
+      if (this->addStraight(source, other, lengths.Local))
+      {
+        lengths.Vertices.push_back(other.Vertex);
+      }
+    }
+    this->addWithinMap(source,
+      this->Closed.HasClosedSeams ? searches.Open.within(radius, source, check) : near,
+      searches.Map,
+      check,
+      lengths.WithinMap);
+    this->addRings(source, searches.Open, check, lengths.Rings);
+    return lengths;
+  }
+
+  // Adds a pair and its straight line on the map. Returns false for a pair that has no length on the
+  // surface, or no area.
+  bool addStraight(int source, const ReachedVertex& other, SourceLengths& lengths) const
+  {
+    return this->add(other,
+      (this->Flat.row(other.Vertex) - this->Flat.row(source)).norm(),
+      this->Areas[other.Vertex],
+      lengths);
+  }
+
+  void addWithinMap(int source,
+    const std::vector<ReachedVertex>& near,
+    MapPathSearch& map,
+    const GeodesicSearch::Checkpoint& check,
+    SourceLengths& lengths) const
+  {
+    std::vector<int> targets(near.size());
+    std::transform(near.begin(),
+      near.end(),
+      targets.begin(),
+      [](const ReachedVertex& other) { return other.Vertex; });
+    const std::vector<double> onMap = map.to(targets, source, check);
+    for (std::size_t i = 0; i < near.size(); ++i)
+    {
+      this->add(near[i], onMap[i], this->Areas[near[i].Vertex], lengths);
+    }
+  }
+
+  void addRings(int source,
+    GeodesicSearch& search,
+    const GeodesicSearch::Checkpoint& check,
+    SourceLengths& lengths) const
+  {
+    const std::vector<int> others = this->ringsAround(source);
+    const std::vector<double> distances = search.to(others, source, check);
+    for (std::size_t i = 0; i < others.size(); ++i)
+    {
+      const double straight = (this->Flat.row(others[i]) - this->Flat.row(source)).norm();
+      this->add({ others[i], distances[i] }, straight, 1.0, lengths);
+    }
+  }
+
+  // The vertices that are no more than Rings edges away, by the number of edges.
+  std::vector<int> ringsAround(int source) const
+  {
+    std::vector<int> found{ source };
+    std::vector<int> sorted{ source };
+    std::size_t begin = 0;
+    for (int ring = 0; ring < Rings; ++ring)
+    {
+      const std::size_t end = found.size();
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        for (int c = this->Open.CornerStarts[found[i]]; c < this->Open.CornerStarts[found[i] + 1]; ++c)
+        {
+          const int h = this->Open.Corners[c];
+          for (const int next : { nextHalfedge(h), previousHalfedge(h) })
+          {
+            const int vertex = this->Open.Origin[next];
+            const auto place = std::lower_bound(sorted.begin(), sorted.end(), vertex);
+            if (place == sorted.end() || *place != vertex)
+            {
+              sorted.insert(place, vertex);
+              found.push_back(vertex);
+            }
+          }
+        }
+      }
+      begin = end;
+    }
+    return found;
+  }
+
+  bool add(const ReachedVertex& other, double onMap, double weight, SourceLengths& lengths) const
+  {
+    const double ratio = onMap / other.Distance;
+    if (!(other.Distance > 0.0) || !(weight > 0.0) || !std::isfinite(ratio))
+    {
+      return false;
+    }
+    lengths.Ratios.push_back(ratio);
+    lengths.Weights.push_back(weight);
+    return true;
+  }
+
+  const TriangleMesh& Surface;
+  const Points2& Flat;
+  Eigen::VectorXd Areas; // of the surface around the vertices
+  UnfoldableFaces Open;
+  UnfoldableFaces Closed;
+  MapPaper Paper;
+  tbb::enumerable_thread_specific<Searches> SearchesOfThreads;
+};
+
+Eigen::VectorXd vertexErrors(const std::vector<LocalLengths>& sources, double scale, int vertexCount)
+{
+  Eigen::VectorXd errors = Eigen::VectorXd::Zero(vertexCount);
+  Eigen::VectorXi counts = Eigen::VectorXi::Zero(vertexCount);
+  for (const LocalLengths& source : sources)
+  {
+    for (std::size_t i = 0; i < source.Vertices.size(); ++i)
+    {
+      errors[source.Vertices[i]] += Percent * std::abs(scale * source.Local.Ratios[i] - 1.0);
+      ++counts[source.Vertices[i]];
+    }
+  }
+  return (counts.array() > 0).select(errors.array() / counts.cast<double>().array(), -1.0);
+}
+
+// Moves one kind of lengths out of all sources.
+std::vector<SourceLengths> taken(std::vector<LocalLengths>& sources, SourceLengths LocalLengths::*kind)
+{
+  std::vector<SourceLengths> result;
+  result.reserve(sources.size());
+  for (LocalLengths& source : sources)
+  {
+    result.push_back(std::move(source.*kind));
+  }
+  return result;
+}
+
+// All pairs as one source: each counts the same.
+SourceLengths joined(const std::vector<SourceLengths>& sources)
+{
+  SourceLengths all;
+  for (const SourceLengths& source : sources)
+  {
+    all.Ratios.insert(all.Ratios.end(), source.Ratios.begin(), source.Ratios.end());
+    all.Weights.insert(all.Weights.end(), source.Weights.begin(), source.Weights.end());
+  }
+  return all;
+}
+
+} // namespace
+
+LengthDistortion measureLengths(const TriangleMesh& surface,
+  const Points2& flat,
+  const LengthOptions& options,
+  const ProgressCallback& progress)
+{
+  requireValid(surface, flat, options);
+  const CoordinateFrame frame(surface);
+  const PlaneFrame flatFrame(flat);
+  const TriangleMesh normalSurface = frame.normalised(surface);
+  const Points2 normalFlat = flatFrame.normalised(flat);
+  LengthMeasurement measurement(normalSurface, normalFlat);
+
+  std::vector<LocalLengths> lengths = measurement.localLengths(measurement.sources(options.Samples),
+    frame.normalisedLength(options.Radius),
+    subrange(progress, 0.0, LocalShare));
+  LengthDistortion result;
+  const SourceLengths rings = joined(taken(lengths, &LocalLengths::Rings));
+  result.RingDistanceError = lengthErrors({ rings }).Mean;
+  result.WithinMap = lengthErrors(taken(lengths, &LocalLengths::WithinMap));
+  std::vector<SourceLengths> local;
+  for (const LocalLengths& source : lengths)
+  {
+    local.push_back(source.Local);
+  }
+  result.Local = lengthErrors(local);
+  result.VertexErrors = vertexErrors(lengths, result.Local.Scale, surface.vertexCount());
+  if (result.VertexErrors.maxCoeff() < 0.0)
+  {
+    throw InvalidInput("no two points of the surface are as near to each other as the LengthRadius of " +
+                       formatted(options.Radius) + ": enlarge it to several lengths of an edge");
+  }
+  lengths.clear();
+
+  const int globalSamples = std::max(2, options.Samples / SamplesPerGlobalSample);
+  result.Global = lengthErrors(
+    measurement.globalLengths(measurement.sources(globalSamples), subrange(progress, LocalShare, 1.0)));
+
+  const double unit = frame.restoredLength(1.0) / std::sqrt(flatFrame.restoredArea(1.0));
+  for (LengthErrors* errors : { &result.Local, &result.WithinMap, &result.Global })
+  {
+    errors->Scale *= unit;
+  }
+  return result;
+}
+
+} // namespace flattening

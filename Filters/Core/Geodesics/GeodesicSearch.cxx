@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Geodesics/GeodesicSearch.h"
+
+#include "Mesh/Halfedges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flattening
+{
+namespace
+{
+
+constexpr double Infinite = std::numeric_limits<double>::infinity();
+
+// Windows that are narrower than this share of their edge are dropped: they are rounding errors. What
+// they would reach is reached, to the square of this share, past the ends of their neighbours.
+constexpr double NarrowestWindow = 1e-12;
+
+// Paths whose lengths differ by less than this share are as long as each other. Neighbouring windows
+// reach a vertex that lies in one line with the vertex between them by paths that differ by rounding
+// only, and both must go on.
+constexpr double RoundingOfDistance = 1e-12;
+
+// Without the care of std::hypot for extreme numbers, which takes most of the time.
+double norm(double x, double y)
+{
+  return std::sqrt(x * x + y * y);
+}
+
+} // namespace
+
+double GeodesicSearch::Window::distanceAt(double position) const
+{
+  return this->Before + norm(position - this->X, this->Y);
+}
+
+double GeodesicSearch::Window::nearest() const
+{
+  return this->distanceAt(std::clamp(this->X, this->Begin, this->End));
+}
+
+GeodesicSearch::GeodesicSearch(const UnfoldableFaces& faces)
+  : Faces(faces)
+  , Width(faces.MeanLength)
+  , Distances(faces.placeCount(), Infinite)
+  , Views(faces.halfedgeCount(), { Infinite, 0.0 })
+{
+}
+
+std::vector<ReachedVertex> GeodesicSearch::within(double limit, int source, const Checkpoint& checkpoint)
+{
+  this->start(source, limit);
+  while (this->advance(checkpoint))
+  {
+  }
+  std::vector<ReachedVertex> reached;
+  for (int v = 0; v < static_cast<int>(this->Faces.PlaceOf.size()); ++v)
+  {
+    const double distance = this->Distances[this->Faces.PlaceOf[v]];
+    if (distance < Infinite && distance <= limit)
+    {
+      reached.push_back({ v, distance });
+    }
+  }
+  return reached;
+}
+
+std::vector<double> GeodesicSearch::to(const std::vector<int>& targets,
+  int source,
+  const Checkpoint& checkpoint)
+{
+  this->start(source, Infinite);
+  const auto distanceOf = [this](int target) { return this->Distances[this->Faces.PlaceOf[target]]; };
+  const auto isFinal = [this, &distanceOf](int target)
+  { return distanceOf(target) <= this->Width * static_cast<double>(this->Current); };
+  while (!std::all_of(targets.begin(), targets.end(), isFinal) && this->advance(checkpoint))
+  {
+  }
+  std::vector<double> distances(targets.size());
+  std::transform(targets.begin(), targets.end(), distances.begin(), distanceOf);
+  return distances;
+}
+
+void GeodesicSearch::start(int source, double limit)
+{
+  for (const int place : this->ReachedPlaces)
+  {
+    this->Distances[place] = Infinite;
+  }
+  for (const int h : this->ViewedHalfedges)
+  {
+    this->Views[h].Distance = Infinite;
+  }
+  for (Bucket& bucket : this->Buckets)
+  {
+    bucket.Windows.clear();
+    bucket.Places.clear();
+  }
+  this->ReachedPlaces.clear();
+  this->ViewedHalfedges.clear();
+  this->Current = 0;
+  this->Limit = limit;
+  this->lower(this->Faces.PlaceOf[source], 0.0);
+}
+
+bool GeodesicSearch::advance(const Checkpoint& checkpoint)
+{
+  if (this->Current >= this->Buckets.size())
+  {
+    return false;
+  }
+  if (checkpoint)
+  {
+    checkpoint();
+  }
+  // The references do not outlive a call that may add buckets or windows.
+  const auto bucket = [this]() -> Bucket& { return this->Buckets[this->Current]; };
+  while (!bucket().Places.empty() || !bucket().Windows.empty())
+  {
+    while (!bucket().Places.empty())
+    {
+      const PlaceEvent event = bucket().Places.back();
+      bucket().Places.pop_back();
+      if (event.Distance == this->Distances[event.Place])
+      {
+        this->spreadFrom(event.Place);
+      }
+    }
+    if (!bucket().Windows.empty())
+    {
+      const Window window = bucket().Windows.back();
+      bucket().Windows.pop_back();
+      if (!this->isBeaten(window))
+      {
+        this->enterFace(window);
+      }
+    }
+  }
+  ++this->Current;
+  return true;
+}
+
+std::size_t GeodesicSearch::bucketOf(double distance) const
+{
+  const double index = this->Width > 0.0 ? distance / this->Width : 0.0;
+  return std::max(static_cast<std::size_t>(index), this->Current);
+}
+
+// Notes a path of the given length to a place.
+void GeodesicSearch::lower(int place, double distance)
+{
+  double& known = this->Distances[place];
+  if (!(distance < known) || distance > this->Limit)
+  {
+    return;
+  }
+  if (known == Infinite)
+  {
+    this->ReachedPlaces.push_back(place);
+  }
+  known = distance;
+  const std::size_t index = this->bucketOf(distance);
+  if (index >= this->Buckets.size())
+  {
+    this->Buckets.resize(index + 1);
+  }
+  this->Buckets[index].Places.push_back({ place, distance });
+}
+
+// Paths from a place: along its edges to the neighbours and, if paths bend here, over its faces.
+void GeodesicSearch::spreadFrom(int place)
+{
+  const double distance = this->Distances[place];
+  const bool bends = this->Faces.Bends[place] || distance == 0.0;
+  for (int c = this->Faces.CornerStarts[place]; c < this->Faces.CornerStarts[place + 1]; ++c)
+  {
+    const int h = this->Faces.Corners[c];
+    const int across = nextHalfedge(h);
+    this->lower(this->Faces.Origin[across], distance + this->Faces.Sides[h].Length);
+    this->lower(
+      this->Faces.Origin[previousHalfedge(h)], distance + this->Faces.Sides[previousHalfedge(h)].Length);
+    const int opposite = this->Faces.Opposite[across];
+    if (bends && opposite >= 0)
+    {
+      const PlanarSide& side = this->Faces.Sides[across];
+      this->push({ opposite, 0.0, side.Length, side.Length - side.ApexX, -side.ApexY, distance });
+    }
+  }
+}
+
+// The straight lines of a window cross the face and leave it through one or both of the other sides.
+void GeodesicSearch::enterFace(const Window& window)
+{
+  const int h = window.Halfedge;
+  const PlanarSide& side = this->Faces.Sides[h];
+  const double height = side.ApexY - window.Y;
+  // Where the straight line from the point to the apex crosses the half-edge.
+  const double crossing = window.X - (side.ApexX - window.X) * window.Y / height;
+  // The path to the apex bends at an end of the window if the apex is out of its sight.
+  const double nearest = std::clamp(crossing, window.Begin, window.End);
+  const double distance = window.distanceAt(nearest) + norm(side.ApexX - nearest, side.ApexY);
+  this->lower(this->Faces.Origin[previousHalfedge(h)], distance);
+  if (crossing <= window.Begin)
+  {
+    this->pushRight(window, window.Begin, window.End);
+  }
+  else if (crossing >= window.End)
+  {
+    this->pushLeft(window, window.Begin, window.End);
+  }
+  else
+  {
+    const ApexView best = this->Views[h];
+    const bool first = this->isFirstAtApex(window, crossing, distance);
+    // Of all windows of a half-edge that see the apex, only that with the shortest path to it goes on at
+    // both sides of it. The paths of any other that pass it on the far side of the shortest path would
+    // cross that ("one angle, one split", Chen and Han).
+    if (first || crossing < best.Crossing)
+    {
+      this->pushLeft(window, window.Begin, crossing);
+    }
+    if (first || crossing > best.Crossing)
+    {
+      this->pushRight(window, crossing, window.End);
+    }
+  }
+}
+
+bool GeodesicSearch::isFirstAtApex(const Window& window, double crossing, double distance)
+{
+  ApexView& view = this->Views[window.Halfedge];
+  if (distance > (1.0 + RoundingOfDistance) * view.Distance)
+  {
+    return false;
+  }
+  if (view.Distance == Infinite)
+  {
+    this->ViewedHalfedges.push_back(window.Halfedge);
+  }
+  view = { distance, crossing };
+  return true;
+}
+
+// The part [begin, end] of a window leaves the face through the side from the half-edge's begin to the
+// apex.
+void GeodesicSearch::pushLeft(const Window& window, double begin, double end)
+{
+  const int left = previousHalfedge(window.Halfedge);
+  const int opposite = this->Faces.Opposite[left];
+  const double length = this->Faces.Sides[left].Length;
+  if (opposite < 0 || !(length > 0.0))
+  {
+    return;
+  }
+  const PlanarSide& side = this->Faces.Sides[window.Halfedge];
+  const double x = side.ApexX / length;
+  const double y = side.ApexY / length;
+  // How far along the side the straight line leaves that crosses the half-edge at @p position.
+  const auto leavesAt = [&](double position)
+  {
+    const double scale = (position - window.X) * y + window.Y * x;
+    return scale < 0.0 ? std::clamp(position * window.Y / scale, 0.0, length) : length;
+  };
+  const Window next{ opposite,
+    leavesAt(begin),
+    leavesAt(end),
+    window.X * x + window.Y * y,
+    window.Y * x - window.X * y,
+    window.Before };
+  // A path from the far end of the half-edge that meets all lines of the window.
+  const int far = this->Faces.Origin[nextHalfedge(window.Halfedge)];
+  const double aside = norm(next.Begin * x - side.Length, next.Begin * y);
+  if (this->Distances[far] + aside > next.distanceAt(next.Begin))
+  {
+    this->push(next);
+  }
+}
+
+// The same through the side from the apex to the half-edge's end.
+void GeodesicSearch::pushRight(const Window& window, double begin, double end)
+{
+  const int right = nextHalfedge(window.Halfedge);
+  const int opposite = this->Faces.Opposite[right];
+  const double length = this->Faces.Sides[right].Length;
+  if (opposite < 0 || !(length > 0.0))
+  {
+    return;
+  }
+  const PlanarSide& side = this->Faces.Sides[window.Halfedge];
+  // The direction from the apex to the half-edge's end.
+  const double x = (side.Length - side.ApexX) / length;
+  const double y = -side.ApexY / length;
+  const auto leavesAt = [&](double position)
+  {
+    const double scale = (position - window.X) * -y - window.Y * x;
+    const double fromEnd = scale > 0.0 ? (position - side.Length) * window.Y / scale : length;
+    return length - std::clamp(fromEnd, 0.0, length);
+  };
+  const double toX = window.X - side.ApexX;
+  const double toY = window.Y - side.ApexY;
+  const Window next{
+    opposite, leavesAt(begin), leavesAt(end), toX * x + toY * y, toY * x - toX * y, window.Before
+  };
+  const int far = this->Faces.Origin[window.Halfedge];
+  const double aside = norm(side.ApexX + next.End * x, side.ApexY + next.End * y);
+  if (this->Distances[far] + aside > next.distanceAt(next.End))
+  {
+    this->push(next);
+  }
+}
+
+// Whether a path through an end of its edge is as short for all that the window reaches.
+bool GeodesicSearch::isBeaten(const Window& window) const
+{
+  const double length = this->Faces.Sides[window.Halfedge].Length;
+  const double begin = this->Distances[this->Faces.Origin[window.Halfedge]];
+  const double end = this->Distances[this->Faces.Origin[nextHalfedge(window.Halfedge)]];
+  return begin + window.End <= window.distanceAt(window.End) ||
+         end + length - window.Begin <= window.distanceAt(window.Begin);
+}
+
+void GeodesicSearch::push(const Window& window)
+{
+  const double length = this->Faces.Sides[window.Halfedge].Length;
+  if (!(window.End - window.Begin > NarrowestWindow * length) || !(window.Y < 0.0) ||
+      this->isBeaten(window))
+  {
+    return;
+  }
+  const double distance = window.nearest();
+  if (!(distance <= this->Limit))
+  {
+    return;
+  }
+  const std::size_t index = this->bucketOf(distance);
+  if (index >= this->Buckets.size())
+  {
+    this->Buckets.resize(index + 1);
+  }
+  this->Buckets[index].Windows.push_back(window);
+}
+
+} // namespace flattening
