@@ -40,7 +40,7 @@ constexpr double FlippingEpsilon = 0.1;
 // The weight of areas while untangling. A choice: areas count as much as shapes.
 constexpr double UntanglingAreaWeight = 1.0;
 // A limit of the time; the last rounds mostly end earlier, when they no longer help (RefinementRounds).
-constexpr int LastRounds = 6;
+constexpr int LastRounds = 8;
 // The share of the faces that may get worse than the tolerance: where more do, weights or horns ask for
 // more than a free outline can give, and the map stays in its domain.
 constexpr double GreatestLoss = 0.01;
@@ -66,7 +66,7 @@ public:
     , Dofs(surface.vertexCount())
     , Targets(faceTargets.cwiseMax(TargetFloor * faceTargets.mean()))
     , Terms(surface, loop, 1.0, shapeWeight)
-    , Rounds(surface, this->Terms, this->FacesOf, this->Dofs, RefinementStart::WarmStart)
+    , Rounds(surface, this->Terms, this->FacesOf, this->Dofs, RefinementStart::Transport)
     , OnBoundary(surface.vertexCount(), 0)
     , Map{ positions, {} }
   {
@@ -100,10 +100,12 @@ private:
            isSimpleOutline(positions, this->Loop);
   }
 
-  // Leaves the result as it is if the map with a free outline would lose too many areas.
+  // Leaves the result as it is if the map with a free outline would lose too many areas, or gain
+  // nothing.
   void release(const ProgressCallback& progress)
   {
-    const double before = this->shareOff();
+    const double offBefore = this->shareOff();
+    const double distortionBefore = this->distortion();
     this->Map.Positions *= std::sqrt(this->Area / this->covered());
     const int deformations = this->deform(subrange(progress, 0.0, 0.7));
     if (deformations == 0)
@@ -113,7 +115,7 @@ private:
     this->Rounds.run(
       this->Map, LastRounds, RefinementRounds::Until::Enough, subrange(progress, 0.7, 0.9));
     this->Rounds.settle(this->Map, LeastRoundGain, LastWholeRounds, subrange(progress, 0.9, 1.0));
-    if (this->shareOff() <= before + GreatestLoss)
+    if (this->shareOff() <= offBefore + GreatestLoss && this->distortion() < distortionBefore)
     {
       this->Result.Positions = this->centred();
       this->Result.Rounds = this->Rounds.count();
@@ -166,7 +168,8 @@ private:
     for (const double share : Shares)
     {
       DomainMap next{ (1.0 - share) * this->Map.Positions + share * whole, {} };
-      if (isSimpleOutline(next.Positions, this->Loop) && this->untangle(next, subrange(progress, 0.7, 1.0)))
+      if (isSimpleOutline(next.Positions, this->Loop) &&
+          this->untangle(next, subrange(progress, 0.7, 1.0)))
       {
         return std::move(next.Positions);
       }

@@ -15,7 +15,7 @@ namespace
 // LatticeSquares of the lattice along the longer side of its box. A compromise: with half as many the
 // angle error of half a brain is 0.05 degrees larger, with twice as many it is the same and takes five
 // times as long.
-constexpr int LatticeSquares = 32;
+constexpr int LatticeSquares = 40;
 // The box is larger than the map by this share of its longer side everywhere: the plane around the map
 // takes part. A choice: any share of more than a square of the lattice gives about the same map.
 constexpr double LatticeMargin = 0.1;
