@@ -11,9 +11,12 @@
 #include <vtkDoubleArray.h>
 #include <vtkIdList.h>
 #include <vtkIntArray.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
+#include <vtkPlaneSource.h>
 #include <vtkPointData.h>
 #include <vtkTriangle.h>
+#include <vtkTriangleFilter.h>
 
 #include <algorithm>
 #include <cmath>
@@ -520,6 +523,90 @@ TEST(OMTAreaPreservingFilter, Abort)
 }
 
 // A dented half cylinder, its corners where they are.
+// The map of a bent sheet, three times as long as wide, with a free outline.
+TEST(OMTAreaPreservingFilter, FreeOutline)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(60, 20);
+  plane->SetPoint1(90.0, 0.0, 0.0);
+  plane->SetPoint2(0.0, 30.0, 0.0);
+  vtkNew<vtkTriangleFilter> sheet;
+  sheet->SetInputConnection(plane->GetOutputPort());
+  vtkNew<vtkConformalDiskFilter> conformal;
+  conformal->SetInputConnection(sheet->GetOutputPort());
+  vtkNew<vtkOMTAreaPreservingFilter> filter;
+  filter->SetInputConnection(conformal->GetOutputPort());
+  filter->Update();
+  const vtkSmartPointer<vtkPolyData> inDisk = copyOf(filter->GetOutput());
+  EXPECT_EQ(figure(inDisk, "FreeOutline"), 0.0);
+  filter->FreeOutlineOn();
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  EXPECT_EQ(figure(output, "FreeOutline"), 1.0);
+  EXPECT_EQ(figure(output, "Bijective"), 1.0);
+  EXPECT_EQ(figure(output, "FlippedFaces"), 0.0);
+
+  // The sheet comes out as it was, around the origin.
+  double bounds[6];
+  output->GetBounds(bounds);
+  const double diagonal = std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2]);
+  EXPECT_LE(diagonal, 1.5 * std::hypot(90.0, 30.0));
+  double corners[4][3];
+  const vtkIdType ids[4] = { 0, 60, 20 * 61, 20 * 61 + 60 };
+  for (int k = 0; k < 4; ++k)
+  {
+    output->GetPoint(ids[k], corners[k]);
+  }
+  const auto apart = [&](int a, int b)
+  { return std::sqrt(vtkMath::Distance2BetweenPoints(corners[a], corners[b])); };
+  EXPECT_NEAR(apart(0, 1), 90.0, 1e-3);
+  EXPECT_NEAR(apart(0, 2), 30.0, 1e-3);
+  EXPECT_NEAR(apart(0, 3), std::hypot(90.0, 30.0), 1e-3);
+  EXPECT_NEAR(apart(1, 2), std::hypot(90.0, 30.0), 1e-3);
+
+  // FlatPoints are those in the disk, and the cells of the power diagram fill the map.
+  vtkDataArray* flatPoints = output->GetPointData()->GetArray("FlatPoints");
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_EQ(flatPoints->GetComponent(i, k), inDisk->GetPoint(i)[k]);
+    }
+  }
+  vtkPolyData* diagram = filter->GetPowerDiagram();
+  double drawn = 0.0;
+  for (vtkIdType c = 0; c < diagram->GetNumberOfCells(); ++c)
+  {
+    vtkPoints* outline = diagram->GetCell(c)->GetPoints();
+    for (vtkIdType i = 0; i < outline->GetNumberOfPoints(); ++i)
+    {
+      double a[3];
+      double b[3];
+      outline->GetPoint(i, a);
+      outline->GetPoint((i + 1) % outline->GetNumberOfPoints(), b);
+      drawn += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+    }
+  }
+  EXPECT_NEAR(drawn, 2700.0, 0.01 * 2700.0);
+
+  // A later run starts from the map in the disk.
+  vtkNew<vtkPolyData> again;
+  again->ShallowCopy(conformal->GetOutput());
+  again->GetPointData()->AddArray(output->GetPointData()->GetArray("PowerWeight"));
+  again->GetPointData()->AddArray(flatPoints);
+  filter->SetInputData(again);
+  filter->Update();
+  EXPECT_EQ(figure(filter->GetOutput(), "WarmStart"), 1.0);
+  EXPECT_EQ(figure(filter->GetOutput(), "FreeOutline"), 1.0);
+
+  filter->FaceRefinementOff();
+  const ErrorLog errors(filter.Get());
+  filter->Update();
+  ASSERT_EQ(errors.messages().size(), 1u);
+  EXPECT_NE(errors.messages().front().find("turn FaceRefinement on"), std::string::npos);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
 TEST(OMTAreaPreservingFilter, ARectangleStaysARectangle)
 {
   constexpr int columns = 41;

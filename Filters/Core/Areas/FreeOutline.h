@@ -27,8 +27,8 @@ struct FreeOutlineResult
 /// (smoothlyDeformed) lower the distortion of shapes and hold the areas of regions; rounds of the
 /// refinement make the areas of the faces exact, while boundary vertices are as free as the others. No
 /// step lets a face flip or the outline cross itself, and the map remains one-to-one. The map is
-/// returned as it is if it is not one-to-one, if no deformation can be applied to it, or if more than 1
-/// % of the faces would lose their areas.
+/// returned as it is if it is not one-to-one, if no deformation can be applied to it, if more than 1 % of
+/// the faces would lose their areas, or if shapes would not be less distorted.
 /// @p area (> 0) is what the map is to cover in the end. @p shapeWeight (> 0) is that of the face
 /// refinement (RefinementTerms).
 /// @throws Cancelled, ConvergenceError.

@@ -200,7 +200,7 @@ TEST(FreeOutline, TakesWeights)
     const DistortionSummary freed = summaryOf(mesh.Mesh, map.Positions, weights);
     const DistortionSummary onDomain = summaryOf(mesh.Mesh, map.OnDomain, weights);
     EXPECT_GE(freed.FacesWithin2Percent, onDomain.FacesWithin2Percent - 1.0) << factor;
-    EXPECT_LE(freed[Measure::AngleError].Mean, onDomain[Measure::AngleError].Mean + 1.0) << factor;
+    EXPECT_LE(freed[Measure::AngleError].Mean, onDomain[Measure::AngleError].Mean + 1.5) << factor;
   }
 }
 

@@ -147,6 +147,38 @@ void checkOutline(const Triangles& map,
   }
 }
 
+bool areApart(const Point& a, const Point& b, const Point& c, const Point& d, int axis)
+{
+  return std::max(a[axis], b[axis]) < std::min(c[axis], d[axis]) ||
+         std::max(c[axis], d[axis]) < std::min(a[axis], b[axis]);
+}
+
+// Whether two segments without a common end meet.
+bool meet(const Point& a, const Point& b, const Point& c, const Point& d)
+{
+  return !areApart(a, b, c, d, 0) && !areApart(a, b, c, d, 1) &&
+         orientation(a, b, c) * orientation(a, b, d) <= 0 &&
+         orientation(c, d, a) * orientation(c, d, b) <= 0;
+}
+
+// Whether no two edges of a free outline meet, each pair by itself.
+void checkFreeOutline(const Triangles& map, const std::vector<vtkIdType>& loop, Findings& findings)
+{
+  const std::size_t count = loop.size();
+  const auto at = [&](std::size_t i) -> const Point& { return map.Points[loop[i % count]]; };
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    for (std::size_t j = i + 2; j < count && j + 1 < i + count; ++j)
+    {
+      if (meet(at(i), at(i + 1), at(j), at(j + 1)))
+      {
+        findings.fail("outline", "Bijective, but the free outline crosses itself");
+        return;
+      }
+    }
+  }
+}
+
 void checkDomainArea(const Triangles& map,
   const std::vector<vtkIdType>& loop,
   Domain domain,
@@ -183,6 +215,7 @@ void checkMap(vtkPolyData* data, bool hasSurfaceArea, Findings& findings)
     "FlippedFaces is " + std::to_string(static_cast<long long>(reported)) + ", the exact count " +
       std::to_string(flipped));
   const bool isTransported = data->GetFieldData()->HasArray("Bijective") != 0;
+  const bool isFree = isTransported && figure(data, "FreeOutline") == 1.0;
   const Domain domain = domainOf(data);
   const auto loops = boundaryLoops(map);
   if (loops.size() != 1)
@@ -195,10 +228,17 @@ void checkMap(vtkPolyData* data, bool hasSurfaceArea, Findings& findings)
   {
     findings.require(
       flipped == 0, "bijective", "Bijective, but " + std::to_string(flipped) + " faces are flipped");
-    checkOutline(map, loop, domain, findings);
+    isFree ? checkFreeOutline(map, loop, findings) : checkOutline(map, loop, domain, findings);
   }
   const long double area = totalArea(surface);
-  if (hasSurfaceArea && area > 0.0L && domain != Domain::Polygon)
+  if (hasSurfaceArea && area > 0.0L && isFree)
+  {
+    const long double covered = totalArea(map);
+    findings.require(std::abs(covered - area) <= 1e-8L * area,
+      "domain-area",
+      "the map has " + std::to_string(static_cast<double>(covered / area)) + " of the area");
+  }
+  else if (hasSurfaceArea && area > 0.0L && domain != Domain::Polygon)
   {
     checkDomainArea(map, loop, domain, area, findings);
   }
