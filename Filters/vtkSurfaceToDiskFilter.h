@@ -388,13 +388,19 @@ public:
 
   ///@{
   /**
+   * Number of further paths of the seam, if UseSeamPoints is on. Range [0, inf); less is 0. Default: 0.
+   */
+  void SetNumberOfSeamPathStarts(int number);
+  int GetNumberOfSeamPathStarts();
+  ///@}
+
+  ///@{
+  /**
    * Numbers of the seam points with which a further path begins, counted from 0, in ascending order. No
    * seam runs from the point before to such a point. A path may begin or end on one before it, so that
    * the seams form a tree; paths that cross, close a loop or do not meet are an error, and so is a path
    * of one point. Range of each [2, number of points - 2]. Default: none, all points are on one path.
    */
-  void SetNumberOfSeamPathStarts(int number);
-  int GetNumberOfSeamPathStarts();
   void SetSeamPathStart(int index, int point);
   int GetSeamPathStart(int index);
   void AddSeamPathStart(int point);

@@ -49,7 +49,10 @@ SeamLines seamLines(vtkPolyData* data)
       {
         throw InvalidInput("a point of the seam's lines is not finite: remove such points first");
       }
-      seam.Points.push_back(point);
+      if (i == 0 || point != seam.Points.back()) // vtkStripper repeats the point where it joins lines
+      {
+        seam.Points.push_back(point);
+      }
     }
   }
   if (seam.Points.empty())

@@ -94,11 +94,7 @@ public:
       }
     }
     const double length = this->lengthThrough(picked);
-    for (const SurfacePoint& point : picked)
-    {
-      this->Points.Vertices.push_back(
-        insertPoint(this->Surface, point, length / static_cast<double>(this->EdgesWanted)));
-    }
+    this->insertPicked(picked, length / static_cast<double>(this->EdgesWanted));
     for (const SeamPath& path : this->Points.Paths)
     {
       this->requireDistinct(path);
@@ -112,6 +108,7 @@ private:
   {
     const ClosestPointTree projection(this->Original);
     std::vector<SurfacePoint> picked;
+    std::vector<char> areShared; // per point that is kept: whether it must be
     std::vector<SeamPath> paths;
     for (const SeamPath& path : this->Points.Paths)
     {
@@ -122,18 +119,55 @@ private:
           projection,
           this->Options.Points[i],
           "point " + std::to_string(i + 1) + " of the seam");
-        const bool isEnd = i == path.Begin || i + 1 == path.End;
-        if (isEnd || !this->Options.AreDense || this->isEndOfAPath(i) ||
-            (point.Position - picked.back().Position).norm() >
-              this->Surface.longestEdge(Face(point.Face)))
+        const bool isShared = !this->Options.AreDense || this->isEndOfAPath(i);
+        const auto isClose = [&]
+        {
+          return (point.Position - picked.back().Position).norm() <=
+                 this->Surface.longestEdge(Face(point.Face));
+        };
+        if (i + 1 == path.End)
+        {
+          while (picked.size() > begin + 1 && !areShared.back() && isClose())
+          {
+            picked.pop_back();
+            areShared.pop_back();
+          }
+        }
+        if (isShared || !isClose())
         {
           picked.push_back(point);
+          areShared.push_back(isShared);
         }
       }
       paths.push_back({ begin, picked.size() });
     }
     this->Points.Paths = std::move(paths);
     return picked;
+  }
+
+  // Makes the points vertices. Consecutive dense points that fall on the same vertex become one.
+  void insertPicked(const std::vector<SurfacePoint>& picked, double longestEdge)
+  {
+    std::vector<std::size_t> onBoundary;
+    std::vector<Vertex>& vertices = this->Points.Vertices;
+    for (SeamPath& path : this->Points.Paths)
+    {
+      const std::size_t begin = vertices.size();
+      for (std::size_t i = path.Begin; i < path.End; ++i)
+      {
+        const Vertex v = insertPoint(this->Surface, picked[i], longestEdge);
+        if (!this->Options.AreDense || vertices.size() == begin || vertices.back() != v)
+        {
+          vertices.push_back(v);
+        }
+        if (this->Points.isOnBoundary(i))
+        {
+          onBoundary.push_back(vertices.size() - 1);
+        }
+      }
+      path = { begin, vertices.size() };
+    }
+    this->Points.OnBoundary = std::move(onBoundary);
   }
 
   // Whether a path begins or ends exactly at the point.

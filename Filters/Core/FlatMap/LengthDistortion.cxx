@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FlatMap/LengthDistortion.h"
 
+#include "FlatMap/LengthSources.h"
 #include "FlatMap/MapPaths.h"
 #include "Geodesics/GeodesicSearch.h"
 #include "Mesh/CoordinateFrame.h"
@@ -10,13 +11,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <memory>
-#include <random>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -58,28 +56,6 @@ void requireValid(const TriangleMesh& surface, const Points2& flat, const Length
   }
 }
 
-// Vertices by area: of equal shares of the whole, in the order of the vertices, one vertex each, drawn
-// by area. The generator is the same on all machines.
-std::vector<int> drawnByArea(const Eigen::VectorXd& areas, int count)
-{
-  std::mt19937_64 generator(1);
-  std::vector<int> drawn;
-  const double share = areas.sum() / count;
-  double before = 0.0; // area of the vertices before v
-  int v = 0;
-  for (int i = 0; i < count; ++i)
-  {
-    const double fraction = std::ldexp(static_cast<double>(generator() >> 11), -53);
-    const double place = share * (i + fraction);
-    while (v + 1 < areas.size() && before + areas[v] <= place)
-    {
-      before += areas[v++];
-    }
-    drawn.push_back(v);
-  }
-  return drawn;
-}
-
 // The part of the surface that a search needs, for each thread.
 struct Searches
 {
@@ -95,50 +71,6 @@ struct LocalLengths
   SourceLengths Local;
   SourceLengths WithinMap;
   SourceLengths Rings;
-};
-
-// The caller's view of parallel work on sources: progress, and the abort.
-class SourceProgress
-{
-public:
-  SourceProgress(const ProgressCallback& progress, const char* stage, std::size_t sources)
-    : Progress(progress)
-    , Stage(stage)
-    , Sources(sources)
-  {
-  }
-
-  // Called by all threads, now and then. @throws Cancelled
-  void check()
-  {
-    if (this->Cancelled)
-    {
-      throw flattening::Cancelled();
-    }
-    if (std::this_thread::get_id() == this->Caller)
-    {
-      try
-      {
-        report(this->Progress,
-          static_cast<double>(this->Done) / static_cast<double>(this->Sources),
-          this->Stage);
-      }
-      catch (...)
-      {
-        this->Cancelled = true;
-        throw;
-      }
-    }
-  }
-  void finishOne() { ++this->Done; }
-
-private:
-  const ProgressCallback& Progress;
-  const char* Stage;
-  std::size_t Sources;
-  std::thread::id Caller = std::this_thread::get_id();
-  std::atomic<std::size_t> Done{ 0 };
-  std::atomic<bool> Cancelled{ false };
 };
 
 class LengthMeasurement
