@@ -5,6 +5,7 @@
 #include "Internal/ArrayConversion.h"
 #include "Internal/AttributeTransfer.h"
 #include "Internal/FilterExecution.h"
+#include "Internal/ImageMemory.h"
 #include "Internal/PolyDataConversion.h"
 #include "Internal/TextureCoordinates.h"
 
@@ -119,6 +120,16 @@ long long addInverse(const std::vector<MapPlace>& places, vtkPointData* pixels)
   return std::count(inMap.begin(), inMap.end(), 1);
 }
 
+// The place, the rows of the matrix of corners and their entries before it is assembled, the arrays of
+// the input, and the inverse of the map with the numbers that it is made of.
+std::size_t bytesPerPixel(vtkPolyData* map)
+{
+  constexpr std::size_t corners = 3 * (sizeof(Eigen::Triplet<double>) + sizeof(double) + sizeof(int));
+  constexpr std::size_t inverse = 2 * (sizeof(vtkIdType) + sizeof(char)) + sizeof(int);
+  return sizeof(MapPlace) + corners + inverse + flattening::bytesPerTuple(map->GetPointData()) +
+         flattening::bytesPerTuple(map->GetCellData());
+}
+
 double sideOf(vtkPolyData* map)
 {
   double bounds[6];
@@ -188,6 +199,10 @@ void vtkFlatMapImage::Execute(vtkInformationVector** inputVector, vtkInformation
     throw flattening::InvalidInput(text.str());
   }
   const int size = static_cast<int>(this->PixelsFor(square.Side));
+  flattening::requireImageMemory(size,
+    size,
+    bytesPerPixel(input),
+    this->PixelLength > 0.0 ? "raise PixelLength" : "set a smaller Size");
   const PixelGrid grid = gridOver(square, size);
   const std::vector<MapPlace> places = flattening::placesOfPixels(
     map, grid, this->Margin * grid.Length, flattening::subrange(progress, 0.1, 0.5));

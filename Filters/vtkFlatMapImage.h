@@ -33,7 +33,8 @@
  *
  * An empty input gives an empty image. The following are errors, each with an empty output: cells that
  * are not triangles; no array `SurfacePoints`; a map that is not flat, has no area or has a coordinate
- * that is not finite; a PixelLength that needs more than 16384 pixels per side.
+ * that is not finite; a PixelLength that needs more than 16384 pixels per side; an image for which there
+ * is too little memory (about 200 bytes per pixel and those of the arrays).
  *
  * @sa vtkOMTAreaPreservingFilter vtkFlatMapSlab
  */

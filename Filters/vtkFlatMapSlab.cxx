@@ -4,6 +4,7 @@
 #include "Core/Mesh/ClosestPointWalk.h"
 #include "Internal/ArrayConversion.h"
 #include "Internal/FilterExecution.h"
+#include "Internal/ImageMemory.h"
 #include "Internal/PolyDataConversion.h"
 #include "Internal/SlabLayers.h"
 #include "Internal/VolumeSampling.h"
@@ -23,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 
 vtkStandardNewMacro(vtkFlatMapSlab);
 
@@ -52,6 +54,9 @@ struct ProgressForwarding
   }
 };
 
+// Bytes of a pixel of Flat Map Image, whose arrays are two vectors here, and of the vectors' copies.
+constexpr std::size_t BytesPerPixel = 400;
+
 // The map as an image that has only the points of the surface under its pixels and the normals there.
 vtkSmartPointer<vtkImageData> pixelsOf(vtkPolyData* map,
   int size,
@@ -71,6 +76,10 @@ vtkSmartPointer<vtkImageData> pixelsOf(vtkPolyData* map,
   image->AddObserver(vtkCommand::ProgressEvent, &forwarding, &ProgressForwarding::reported);
   image->Update();
   flattening::report(progress, 1.0, PixelsStage); // throws if an abort left the image empty
+  if (image->GetOutput()->GetNumberOfPoints() == 0)
+  {
+    throw std::bad_alloc(); // the one error that the image has on a map that was read before
+  }
   return image->GetOutput();
 }
 
@@ -189,6 +198,10 @@ void vtkFlatMapSlab::Execute(vtkInformationVector** inputVector, vtkInformationV
   vtkImageData* stack = vtkImageData::GetData(outputVector, 1);
   if (this->StackSize > 1)
   {
+    flattening::requireImageMemory(this->StackSize,
+      this->StackSize,
+      BytesPerPixel + 2 * this->Depths.size() * flattening::bytesPerTuple(volume->GetPointData()),
+      "set a smaller StackSize");
     const vtkSmartPointer<vtkImageData> pixels =
       pixelsOf(output, this->StackSize, flattening::subrange(progress, 0.4, 0.5));
     // Interpolated normals are shorter than 1.

@@ -37,7 +37,8 @@
  *
  * An empty input on either port gives empty outputs. The following are errors, each with empty outputs:
  * cells that are not triangles; no array `SurfacePoints`; no depth; a depth that is not finite or given
- * twice; a volume that has no point arrays or contains no sample.
+ * twice; a volume that has no point arrays or contains no sample; a stack for which there is too little
+ * memory.
  *
  * @sa vtkFlatMapImage vtkOMTAreaPreservingFilter vtkProbeFilter
  */

@@ -2,6 +2,7 @@
 #include "vtkPlanarWarp.h"
 
 #include "Internal/FilterExecution.h"
+#include "Internal/ImageMemory.h"
 #include "Internal/PolyDataConversion.h"
 #include "Internal/WarpGraph.h"
 #include "Internal/WarpImage.h"
@@ -12,6 +13,7 @@
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkUndirectedGraph.h>
@@ -155,6 +157,12 @@ long long vtkPlanarWarp::WarpImage(vtkImageData* image,
                        std::to_string(size[1]) +
                        " pixels: set both numbers from 2 to 65535, or both to 0");
   }
+  // Points in the plane there and back, points in space, and the arrays as they are probed and copied.
+  constexpr std::size_t points = 2 * 2 * sizeof(double) + 3 * sizeof(double);
+  flattening::requireImageMemory(size[0],
+    size[1],
+    points + 2 * flattening::bytesPerTuple(image->GetPointData()),
+    "set a smaller ImageSize");
   return flattening::warpImage(image,
     flat,
     { rules.Warp,

@@ -38,7 +38,8 @@
  * An empty input on either port gives an empty output. The following are errors, each with an empty
  * output: no array `SurfacePoints`; an undeformed mesh that is not in a plane of constant z or folds
  * over itself; data of which no point lies on the mesh; a graph whose vertices have no positions; an
- * image with several slices, one row or no arrays; settings out of range.
+ * image with several slices, one row or no arrays; an output image for which there is too little memory;
+ * settings out of range.
  *
  * @sa vtkAreaWeights vtkOMTAreaPreservingFilter
  */

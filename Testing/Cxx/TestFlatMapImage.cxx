@@ -18,7 +18,11 @@
 #include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <cmath>
+#include <fstream>
 #include <set>
 
 namespace
@@ -264,5 +268,50 @@ TEST_F(FlatMapImage, ReportsWhatIsWrong)
   EXPECT_TRUE(errors.messages().empty());
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 512 * 512);
 }
+
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+// The address space of the process, limited to what it has and so many bytes more.
+class MemoryLimit
+{
+public:
+  explicit MemoryLimit(rlim_t more)
+  {
+    getrlimit(RLIMIT_AS, &this->Before);
+    long pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    const rlimit limit{ static_cast<rlim_t>(pages * sysconf(_SC_PAGESIZE)) + more,
+      this->Before.rlim_max };
+    setrlimit(RLIMIT_AS, &limit);
+  }
+  MemoryLimit(const MemoryLimit&) = delete;
+  MemoryLimit& operator=(const MemoryLimit&) = delete;
+  ~MemoryLimit() { setrlimit(RLIMIT_AS, &this->Before); }
+
+private:
+  rlimit Before{};
+};
+
+// 16384 x 16384 pixels take tens of gigabytes; VTK would end the program.
+TEST_F(FlatMapImage, AnImageThatDoesNotFitInMemoryIsAnError)
+{
+  vtkNew<vtkFlatMapImage> filter;
+  filter->SetInputData(Map);
+  filter->SetSize(VTK_INT_MAX);
+  ASSERT_EQ(filter->GetSize(), 16384);
+  {
+    const MemoryLimit limit(500000000);
+    ErrorLog errors(filter);
+    filter->Update();
+    ASSERT_EQ(errors.messages().size(), 1u);
+    EXPECT_NE(
+      errors.messages().front().find("an image of 16384 x 16384 pixels takes "), std::string::npos);
+    EXPECT_NE(errors.messages().front().find("set a smaller Size"), std::string::npos);
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  }
+  filter->SetSize(64);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 64 * 64);
+}
+#endif
 
 } // namespace

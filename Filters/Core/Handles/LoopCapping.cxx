@@ -4,6 +4,7 @@
 #include "Mesh/ClosestPointTree.h"
 #include "Mesh/EditableSurface.h"
 #include "Mesh/HoleTriangulation.h"
+#include "Mesh/SliverThresholds.h"
 
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 
@@ -83,6 +84,28 @@ void remesh(SurfaceMesh& mesh, const Polyline& loop)
     mesh,
     CGAL::parameters::number_of_iterations(Iterations).protect_constraints(true));
   mesh.collect_garbage();
+}
+
+// Whether a face is a cap by the measure of the repair. The centre of a loop on a straight line lies off
+// the line by rounding, so that the faces of the cone have an area but no shape: around a vertex among
+// them CGAL's relaxation finds no normal, and crashes.
+bool hasCap(const TriangleMesh& cone)
+{
+  const Eigen::VectorXd areas = faceAreas(cone.Vertices, cone.Faces);
+  for (int f = 0; f < cone.faceCount(); ++f)
+  {
+    const Eigen::Matrix3d corners = faceCorners(cone, f);
+    double longest2 = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      longest2 = std::max(longest2, (corners.row((k + 1) % 3) - corners.row(k)).squaredNorm());
+    }
+    if (!(2.0 * areas[f] > slivers::CapAltitude * longest2))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 // The weights of the loop's vertices at a point of a coarse triangulation of the loop. Its vertices may
@@ -191,7 +214,7 @@ LoopCap coneCap(const Polyline& loop)
   }
   const TriangleMesh coarse = meshOf(points, faces);
   SurfaceMesh mesh = toSurfaceMesh(coarse);
-  if (faceAreas(coarse.Vertices, coarse.Faces).minCoeff() > 0.0) // else CGAL's relaxation crashes
+  if (!hasCap(coarse))
   {
     remesh(mesh, loop);
   }

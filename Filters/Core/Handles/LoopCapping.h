@@ -29,7 +29,7 @@ struct LoopCap
 LoopCap spanningCap(const std::vector<Eigen::Vector3d>& loop);
 
 /// A cone over the loop, remeshed to the mean length of its sides (CGAL isotropic_remeshing) unless a
-/// face of the cone has no area.
+/// face of the cone is a sliver by rounding (slivers::CapAltitude), as over a loop on a straight line.
 LoopCap coneCap(const std::vector<Eigen::Vector3d>& loop);
 
 /// Splits the edges inside the cap whose ends are neighbours in the surface already: there would be two

@@ -17,7 +17,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <limits>
 #include <thread>
 
 namespace flattening
@@ -127,6 +129,13 @@ bool intersect(const PlacedTriangle& a, const PlacedTriangle& b)
 
 Pairs overlappingBoxes(const std::vector<PlacedTriangle>& some, const std::vector<PlacedTriangle>& all)
 {
+  return *fewOverlappingBoxes(some, all, std::numeric_limits<std::size_t>::max());
+}
+
+std::optional<Pairs> fewOverlappingBoxes(const std::vector<PlacedTriangle>& some,
+  const std::vector<PlacedTriangle>& all,
+  std::size_t most)
+{
   using Corner = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
   using Value = std::pair<boost::geometry::model::box<Corner>, int>;
   const auto boxOf = [](const PlacedTriangle& triangle)
@@ -144,18 +153,19 @@ Pairs overlappingBoxes(const std::vector<PlacedTriangle>& some, const std::vecto
   }
   const boost::geometry::index::rtree<Value, boost::geometry::index::linear<16>> tree(values);
   PairsOfThreads found;
+  std::atomic<std::size_t> count(0);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, all.size()),
     [&](const tbb::blocked_range<std::size_t>& range)
     {
       Pairs& pairs = found.local();
-      for (std::size_t j = range.begin(); j < range.end(); ++j)
+      for (std::size_t j = range.begin(); j < range.end() && count <= most; ++j)
       {
-        tree.query(boost::geometry::index::intersects(boxOf(all[j])),
+        count += tree.query(boost::geometry::index::intersects(boxOf(all[j])),
           boost::make_function_output_iterator(
             [&](const Value& value) { pairs.emplace_back(value.second, static_cast<int>(j)); }));
       }
     });
-  return sorted(found);
+  return count <= most ? std::optional<Pairs>(sorted(found)) : std::nullopt;
 }
 
 Pairs intersectingPairs(const std::vector<PlacedTriangle>& triangles, const ProgressCallback& progress)

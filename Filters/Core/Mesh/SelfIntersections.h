@@ -8,6 +8,8 @@
 #include <Eigen/Geometry>
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -39,6 +41,12 @@ std::vector<std::pair<int, int>> intersectingPairs(const std::vector<PlacedTrian
 /// Pairs of indices (i in @p some, j in @p all, sorted) of triangles whose boxes overlap or touch.
 std::vector<std::pair<int, int>> overlappingBoxes(const std::vector<PlacedTriangle>& some,
   const std::vector<PlacedTriangle>& all);
+
+/// The same, or nothing if there are more than @p most pairs, without the memory and the time for more.
+std::optional<std::vector<std::pair<int, int>>> fewOverlappingBoxes(
+  const std::vector<PlacedTriangle>& some,
+  const std::vector<PlacedTriangle>& all,
+  std::size_t most);
 
 /// Pairs of faces (smaller index first, sorted) that intersect, the same ones that CGAL's
 /// self_intersections finds. Precondition: no face is without area.

@@ -17,6 +17,12 @@ namespace
 using Vertex = MeshOnSurface::Vertex;
 using Face = MeshOnSurface::Face;
 
+// The greatest number of entries of all lists of faces near groups: a guard. Each change and each count
+// looks at all faces of a list, some hundred times for each list, so that a million entries take seconds
+// and the time for larger surfaces grows with their faces alone.
+constexpr std::size_t MostNear = 1000000;
+constexpr std::size_t MostNearPerFace = 2;
+
 std::vector<PlacedTriangle> placed(const MeshOnSurface& surface, const std::vector<Face>& faces)
 {
   std::vector<PlacedTriangle> result;
@@ -112,7 +118,7 @@ std::vector<Face> unitedFaces(const std::vector<std::vector<Face>>& lists)
   return all;
 }
 
-std::vector<std::vector<Face>> facesNear(const MeshOnSurface& surface,
+std::optional<std::vector<std::vector<Face>>> facesNear(const MeshOnSurface& surface,
   const std::vector<std::vector<Vertex>>& groups)
 {
   std::vector<PlacedTriangle> boxes; // each as a triangle that has the box's two extreme corners
@@ -128,8 +134,14 @@ std::vector<std::vector<Face>> facesNear(const MeshOnSurface& surface,
     boxes.push_back({ { -1, -1, -1 }, { box.min() - margin, high, high } });
   }
   const std::vector<Face> faces = allFaces(surface);
+  const auto pairs = fewOverlappingBoxes(
+    boxes, placed(surface, faces), std::max(MostNear, MostNearPerFace * faces.size()));
+  if (!pairs)
+  {
+    return std::nullopt;
+  }
   std::vector<std::vector<Face>> near(groups.size());
-  for (const auto& [group, face] : overlappingBoxes(boxes, placed(surface, faces)))
+  for (const auto& [group, face] : *pairs)
   {
     near[group].push_back(faces[face]);
   }

@@ -5,6 +5,8 @@
 #include "Mesh/SelfIntersections.h"
 #include "Remeshing/MeshOnSurface.h"
 
+#include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -41,8 +43,10 @@ std::vector<MeshOnSurface::Vertex> verticesAround(const MeshOnSurface& surface,
 std::vector<MeshOnSurface::Face> unitedFaces(const std::vector<std::vector<MeshOnSurface::Face>>& lists);
 
 /// For each group of vertices the faces whose boxes meet the box around the group, widened by a quarter
-/// of its size on each side. No group may be empty.
-std::vector<std::vector<MeshOnSurface::Face>> facesNear(const MeshOnSurface& surface,
+/// of its size on each side. No group may be empty. Nothing if the lists together had more than two
+/// entries for each face of the surface, and more than a million: most faces are then near many groups,
+/// as where long thin faces cross, and work on the lists would grow with the square of the faces.
+std::optional<std::vector<std::vector<MeshOnSurface::Face>>> facesNear(const MeshOnSurface& surface,
   const std::vector<std::vector<MeshOnSurface::Vertex>>& groups);
 
 } // namespace flattening

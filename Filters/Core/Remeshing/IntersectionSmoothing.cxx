@@ -121,16 +121,20 @@ FacePairs smoothRegions(MeshOnSurface& surface, const FacePairs& pairs, int size
       surroundings.back() = verticesAround(surface, pair, size + 1);
     }
   }
-  const std::vector<std::vector<Face>> near = facesNear(surface, surroundings);
+  const auto near = facesNear(surface, surroundings);
+  if (!near)
+  {
+    return pairs;
+  }
   for (std::size_t i = 0; i < pairs.size(); ++i)
   {
     if (intersect(surface, pairs[i]))
     {
       RegionSmoother(surface, innerVerticesAround(surface, pairs[i], size))
-        .smooth(near[i], RoundsPerEdge * size, leastSine);
+        .smooth((*near)[i], RoundsPerEdge * size, leastSine);
     }
   }
-  return intersectingFaces(surface, unitedFaces(near));
+  return intersectingFaces(surface, unitedFaces(*near));
 }
 
 } // namespace

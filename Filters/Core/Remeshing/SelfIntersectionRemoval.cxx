@@ -191,12 +191,16 @@ int removeSelfIntersections(MeshOnSurface& surface, const ProgressCallback& prog
     {
       around.push_back(verticesAround(surface, pair, 1)); // those that may move
     }
-    const std::vector<std::vector<Face>> near = facesNear(surface, around);
+    const auto near = facesNear(surface, around);
+    if (!near)
+    {
+      break;
+    }
     for (std::size_t i = 0; i < pairs.size(); ++i)
     {
-      changed |= PairSeparation(surface, near[i]).separate(pairs[i]);
+      changed |= PairSeparation(surface, (*near)[i]).separate(pairs[i]);
     }
-    pairs = intersectingFaces(surface, unitedFaces(near)); // faces that moved are still among these
+    pairs = intersectingFaces(surface, unitedFaces(*near)); // faces that moved are still among these
     if (!changed)
     {
       break;

@@ -67,6 +67,38 @@ Measured measure(const LoopCap& cap)
   return result;
 }
 
+// Points on a straight line there and back, along x or not.
+std::vector<Eigen::Vector3d> pressedLoop(const Eigen::Vector3d& along, double noise)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> off(-noise, noise);
+  std::vector<Eigen::Vector3d> loop;
+  for (int i = 0; i < 13; ++i)
+  {
+    const double t = std::cos(2.0 * Pi * i / 13.0);
+    loop.emplace_back(Eigen::Vector3d(-115.278, -121.331, 59.5) + t * along +
+                      Eigen::Vector3d(0.0, off(random), off(random)));
+  }
+  return loop;
+}
+
+// The centre of such a loop lies off the line by rounding alone. CGAL's relaxation crashed on the cone.
+TEST(LoopCapping, ALoopOnALineHasAPlainCone)
+{
+  for (const Eigen::Vector3d& along :
+    { Eigen::Vector3d(0.9, 0.0, 0.0), Eigen::Vector3d(0.0, 0.0, 0.9), Eigen::Vector3d(0.3, -0.7, 0.5) })
+  {
+    const LoopCap cap = coneCap(pressedLoop(along, 0.0));
+    EXPECT_EQ(cap.Faces.size(), 13u);
+    EXPECT_EQ(cap.Inside.size(), 1u);
+  }
+  for (const double noise : { 1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 1e-1 })
+  {
+    const LoopCap cap = coneCap(pressedLoop({ 0.9, 0.0, 0.0 }, noise));
+    EXPECT_EQ(cap.Faces.size(), 11 + 2 * cap.Inside.size()) << "a disk, with noise " << noise;
+  }
+}
+
 // Caps must not have faces as large as the loop.
 TEST(LoopCapping, HasVerticesAsCloseAsTheLoopsAre)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/MeshMeasures.h"
 #include "Mesh/SelfIntersections.h"
+#include "Remeshing/IntersectionQueries.h"
 #include "Remeshing/SelfIntersectionRemoval.h"
 #include "Remeshing/SliverRemoval.h"
 #include "Support/RandomNumbers.h"
@@ -104,6 +105,76 @@ TEST(SelfIntersectionRemoval, LeavesATubeThatIsPressedFlat)
   MeshOnSurface surface(tube);
   EXPECT_GT(removeSelfIntersections(surface), tube.faceCount() / 10);
   EXPECT_EQ(surface.derived().Mesh.Vertices, tube.Vertices);
+}
+
+/// Strips of two triangles side by side, each a thousand times as long as wide and along the diagonal of
+/// x and y, so that the boxes of all faces overlap. Every so many strips an end lies beyond the next.
+TriangleMesh diagonalStrips(int strips, int everySoMany)
+{
+  std::vector<std::array<double, 3>> vertices;
+  std::vector<std::array<int, 3>> faces;
+  for (int i = 0; i <= strips; ++i)
+  {
+    const double x = static_cast<double>(i) / strips;
+    const double end = x + (i % everySoMany == 1 ? 1.5 / strips : 0.0);
+    vertices.push_back({ x, 0.0, 0.0 });
+    vertices.push_back({ end + 1000.0, 1000.0, 0.0 });
+  }
+  for (int i = 0; i < strips; ++i)
+  {
+    faces.push_back({ 2 * i, 2 * i + 2, 2 * i + 3 });
+    faces.push_back({ 2 * i, 2 * i + 3, 2 * i + 1 });
+  }
+  return meshOf(vertices, faces);
+}
+
+// Where all faces are near all pairs, work on them would grow with the square of the faces.
+TEST(SelfIntersectionRemoval, LeavesPairsThatAreNearTooManyFaces)
+{
+  const TriangleMesh mesh = diagonalStrips(2000, 20);
+  MeshOnSurface surface(mesh);
+  const FacePairs pairs = intersectingFaces(surface);
+  ASSERT_LT(pairs.size(), 400u) << "few enough for changes";
+  ASSERT_GT(pairs.size(), 250u) << "each near 4000 faces, more than a million together";
+  std::vector<std::vector<MeshOnSurface::Vertex>> groups;
+  for (const FacePair& pair : pairs)
+  {
+    groups.push_back(verticesAround(surface, pair, 1));
+  }
+  EXPECT_FALSE(facesNear(surface, groups).has_value());
+  groups.resize(250); // a million entries
+  const auto near = facesNear(surface, groups);
+  ASSERT_TRUE(near.has_value());
+  EXPECT_EQ(near->front().size(), 4000u);
+  EXPECT_EQ(removeSelfIntersections(surface), static_cast<int>(pairs.size()));
+  EXPECT_EQ(surface.derived().Mesh.Vertices, mesh.Vertices);
+}
+
+// The limit on overlapping boxes is exact.
+TEST(SelfIntersectionRemoval, CountsOverlappingBoxesUpToALimit)
+{
+  const TriangleMesh mesh = diagonalStrips(20, 50);
+  std::vector<PlacedTriangle> triangles(mesh.faceCount());
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      triangles[f].Vertices[k] = mesh.Faces(f, k);
+      triangles[f].Points[k] = mesh.Vertices.row(mesh.Faces(f, k));
+    }
+  }
+  std::size_t overlapping = 0;
+  for (const PlacedTriangle& a : triangles)
+  {
+    for (const PlacedTriangle& b : triangles)
+    {
+      overlapping += a.box().intersects(b.box());
+    }
+  }
+  ASSERT_EQ(overlapping, 1600u);
+  EXPECT_EQ(overlappingBoxes(triangles, triangles).size(), overlapping);
+  EXPECT_TRUE(fewOverlappingBoxes(triangles, triangles, overlapping).has_value());
+  EXPECT_FALSE(fewOverlappingBoxes(triangles, triangles, overlapping - 1).has_value());
 }
 
 } // namespace

@@ -24,10 +24,13 @@ public:
   bool Asked = false;
   void Execute(vtkObject* caller, unsigned long, void*) override
   {
-    if (this->Report-- == 0)
+    // VTK itself reports 1 once the filter has put its result out: too late for an abort.
+    auto* filter = static_cast<vtkAlgorithm*>(caller);
+    const bool ended = filter->GetProgress() >= 1.0 && !hasNothing(filter->GetOutputDataObject(0));
+    if (this->Report-- == 0 && !ended)
     {
       this->Asked = true;
-      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+      filter->SetAbortExecute(1);
     }
   }
 };
