@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Flattens a brain, whole and half, into a disk and with a free outline, and prints a Markdown table. Needs Debian's
+package mricron-data:
+
+    PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins pvpython Utilities/measurements/free_outline.py
+
+With a file name, writes that page's table in place of the old one.
+"""
+
+import sys
+import time
+
+from paraview import simple
+from surfaceflattening_volume import isosurface
+
+SCAN = "/usr/share/mricron/templates/ch2bet.nii.gz"
+MIDDLE = [90, 0, 0]  # mm, between the halves
+HEADER = """| surface | vertices | outline | seconds | faces within 2 % | mean area error | mean angle error | flipped |
+| --- | --- | --- | --- | --- | --- | --- | --- |"""
+
+
+def figure(proxy, name):
+    return proxy.FieldData[name].GetRange()[0]
+
+
+def rows_of(name, disk):
+    conformal = simple.ConformalDisk(Input=disk)
+    conformal.UpdatePipeline()
+    vertices = conformal.GetDataInformation().GetNumberOfPoints()
+    for free in (0, 1):
+        flat = simple.OMTAreaPreserving(Input=conformal, FreeOutline=free)
+        began = time.process_time()
+        flat.UpdatePipeline()
+        seconds = time.process_time() - began
+        measured = simple.DistortionMetrics(Input=flat)
+        measured.UpdatePipeline()
+        is_sound = figure(flat, "Bijective") == 1 and figure(flat, "FreeOutline") == free
+        outline = ("free" if free else "disk") if is_sound else "(failed)"
+        yield (
+            f"| {name} | {vertices:,} | {outline} | {seconds:.1f} "
+            f"| {figure(measured, 'FacesWithin2Percent'):.1f} % | {figure(measured, 'MeanAreaError'):.2f} % "
+            f"| {figure(measured, 'MeanAngleError'):.1f}° | {figure(measured, 'FlippedFaces'):.0f} |"
+        )
+
+
+def table():
+    brain = isosurface(simple.OpenDataFile(SCAN), 40, smoothing_mm=2).surface
+    for remeshed in (0, 1):
+        kind = "remeshed" if remeshed else "raw"
+        half = simple.SurfaceToDisk(Input=brain, Cut="Plane", PlaneOrigin=MIDDLE, Remesh=remeshed)
+        yield from rows_of(f"half brain, {kind}, plane", half)
+        yield from rows_of(f"half brain, {kind}, plane and relief", simple.SurfaceToDisk(Input=half, Cut="Relief"))
+        seam = simple.SurfaceToDisk(Input=brain, Cut="Seam", Remesh=remeshed)
+        yield from rows_of(f"whole brain, {kind}, seam", seam)
+        relief = simple.SurfaceToDisk(Input=brain, Cut="Relief", Remesh=remeshed)
+        yield from rows_of(f"whole brain, {kind}, relief", relief)
+
+
+def main():
+    lines = [HEADER]
+    print(HEADER)
+    for row in table():
+        print(row, flush=True)
+        lines.append(row)
+    if len(sys.argv) > 1:
+        with open(sys.argv[1], encoding="utf-8") as page:
+            text = page.read()
+        begin = text.index("<!-- free_outline.py -->") + len("<!-- free_outline.py -->")
+        end = text.index("<!-- end -->", begin)
+        with open(sys.argv[1], "w", encoding="utf-8") as page:
+            page.write(text[:begin] + "\n\n" + "\n".join(lines) + "\n\n" + text[end:])
+
+
+if __name__ == "__main__":
+    main()
