@@ -135,7 +135,14 @@ public:
   {
     if (this->System.unknowns() > 0)
     {
-      this->iterate(progress);
+      try
+      {
+        this->iterate(progress);
+      }
+      catch (const ConvergenceError& error)
+      {
+        throw RicciFlowStopped(error.what(), this->Result.NewtonIterations);
+      }
     }
     this->Result.MaxCurvatureError = this->System.unknowns() > 0 ? this->System.error() : 0.0;
     if (this->System.unknowns() > 0 &&
@@ -146,7 +153,7 @@ public:
               << " Newton steps at a curvature error of " << this->Result.MaxCurvatureError << " with "
               << this->System.degenerateFaces()
               << " degenerate triangles: remesh the surface (Surface To Disk, Remesh)";
-      throw ConvergenceError(message.str());
+      throw RicciFlowStopped(message.str(), this->Result.NewtonIterations);
     }
     return this->Result;
   }

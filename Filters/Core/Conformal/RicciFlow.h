@@ -2,9 +2,11 @@
 /// Discrete Ricci (Yamabe) flow: finds conformal factors that give every vertex its target curvature.
 #pragma once
 
+#include "Base/Errors.h"
 #include "Base/Progress.h"
 #include "Intrinsic/IntrinsicTriangulation.h"
 
+#include <string>
 #include <vector>
 
 namespace flattening
@@ -15,6 +17,17 @@ struct RicciFlowOptions
   /// Greatest accepted difference between an angle sum and its target (radians). Range (0, 1e-3].
   double Tolerance = 1e-11;
   int MaximumIterations = 60; ///< greatest number of Newton steps, >= 0
+};
+
+/// The flow stopped before its tolerance was met.
+struct RicciFlowStopped : ConvergenceError
+{
+  RicciFlowStopped(const std::string& message, int newtonIterations)
+    : ConvergenceError(message)
+    , NewtonIterations(newtonIterations)
+  {
+  }
+  int NewtonIterations; ///< steps until then
 };
 
 struct RicciFlowResult
@@ -40,7 +53,7 @@ struct RicciFlowResult
 /// @param targetAngles   wanted angle sum per vertex (radians): 2 pi inside, pi on a straight boundary
 /// @param fixed          1 for vertices whose u keeps its value in @p start; at least one vertex
 /// @param start          initial u, one per vertex
-/// @throws ConvergenceError if the tolerance is not met or a boundary triangle degenerates; Cancelled.
+/// @throws RicciFlowStopped if the tolerance is not met or a boundary triangle degenerates; Cancelled.
 RicciFlowResult discreteRicciFlow(IntrinsicTriangulation& triangulation,
   const Eigen::VectorXd& targetAngles,
   const std::vector<char>& fixed,

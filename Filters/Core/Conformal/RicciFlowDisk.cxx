@@ -22,6 +22,10 @@ using Complex = std::complex<double>;
 // Number of vertices that are tried at infinity before the map is given up: a choice, as each attempt
 // costs a whole flow.
 constexpr int MostAttempts = 4;
+// Newton steps of failed attempts after which no other vertex is tried, so that all attempts together
+// take at most as many steps and those of one flow. A guard: near an unlucky star a flow fails within a
+// few steps, while one that fails late, on nearly degenerate triangles, would do so again.
+constexpr int LateSteps = 30;
 // Number of times that a surface too coarse for any of them is subdivided: a guard, for one subdivision
 // gives every boundary edge a vertex with interior neighbours.
 constexpr int MostSubdivisions = 4;
@@ -104,6 +108,7 @@ HalfPlaneMap mapToHalfPlane(const IntrinsicSurface& surface,
   const ProgressCallback& progress)
 {
   const int attempts = std::min(static_cast<int>(candidates.size()), MostAttempts);
+  int steps = 0; // of the attempts that failed
   for (int k = 0; k < attempts; ++k)
   {
     try
@@ -112,9 +117,11 @@ HalfPlaneMap mapToHalfPlane(const IntrinsicSurface& surface,
       const double end = static_cast<double>(k + 1) / attempts;
       return mapToHalfPlane(surface, candidates[k], options, map, subrange(progress, begin, end));
     }
-    catch (const ConvergenceError&)
+    catch (const ConvergenceError& error)
     {
-      if (k + 1 == attempts)
+      const auto* flow = dynamic_cast<const RicciFlowStopped*>(&error);
+      steps += flow ? flow->NewtonIterations : 0;
+      if (k + 1 == attempts || steps >= LateSteps)
       {
         throw;
       }

@@ -388,6 +388,35 @@ TEST(ConformalDisk, ProgressGrowsAndCancels)
   }
 }
 
+// A strip of needles, each three hundred times as long as wide: no vertex at infinity gives it a map,
+// and each attempt would take up to sixty Newton steps.
+TEST(ConformalDisk, TriesNoOtherVertexAfterAFlowThatFailsLate)
+{
+  constexpr int Quads = 100;
+  TriangleMesh strip{ Points3(2 * Quads + 2, 3), FaceMatrix(2 * Quads, 3) };
+  for (int i = 0; i <= Quads; ++i)
+  {
+    strip.Vertices.row(2 * i) << 0.003 * i, 0.0, 0.0;
+    strip.Vertices.row(2 * i + 1) << 0.003 * i, 1.0, 0.0;
+  }
+  for (int i = 0; i < Quads; ++i)
+  {
+    strip.Faces.row(2 * i) << 2 * i, 2 * i + 2, 2 * i + 3;
+    strip.Faces.row(2 * i + 1) << 2 * i, 2 * i + 3, 2 * i + 1;
+  }
+  double reached = 0.0; // the first of four attempts has the progress from 0.1 to 0.3
+  EXPECT_THROW(conformalDiskMap(strip,
+                 {},
+                 [&reached](double fraction, const char*)
+                 {
+                   reached = fraction;
+                   return true;
+                 }),
+    ConvergenceError);
+  EXPECT_GT(reached, 0.1);
+  EXPECT_LT(reached, 0.3);
+}
+
 TEST(ConformalDisk, SameBitsWhateverTheThreads)
 {
   const TriangleMesh mesh = bentSurface(10000);

@@ -131,7 +131,7 @@ TriangleMesh diagonalStrips(int strips, int everySoMany)
 // Where all faces are near all pairs, work on them would grow with the square of the faces.
 TEST(SelfIntersectionRemoval, LeavesPairsThatAreNearTooManyFaces)
 {
-  const TriangleMesh mesh = diagonalStrips(2000, 20);
+  const TriangleMesh mesh = diagonalStrips(2000, 50);
   MeshOnSurface surface(mesh);
   const FacePairs pairs = intersectingFaces(surface);
   ASSERT_LT(pairs.size(), 400u) << "few enough for changes";
