@@ -13,18 +13,18 @@ from pathlib import Path
 
 GENERAL = ("Base", "Mesh")  # every folder includes these: they get no arrows
 COLUMNS = {  # left and right end of each folder's box, so that arrows can run straight down
-    "Disk": (20, 390),
-    "Regions": (410, 580),
-    "FlatMap": (600, 980),
+    "Disk": (20, 360),
+    "Regions": (375, 515),
+    "FlatMap": (530, 980),
     "Remeshing": (70, 250),
-    "Geodesics": (310, 640),
-    "Conformal": (660, 800),
-    "Areas": (820, 980),
+    "Geodesics": (310, 560),
+    "Conformal": (580, 770),
+    "Areas": (790, 980),
     "Repair": (20, 200),
     "Handles": (220, 395),
-    "Intrinsic": (415, 690),
-    "Untangling": (710, 850),
-    "Transport": (870, 980),
+    "Intrinsic": (415, 640),
+    "Untangling": (660, 830),
+    "Transport": (850, 980),
     "Mesh": (20, 980),
     "Base": (20, 980),
 }
