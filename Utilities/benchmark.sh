@@ -10,7 +10,7 @@ cd "$(dirname "$0")/.."
 Utilities/build.sh -DSURFACEFLATTENING_BENCHMARKS=ON
 build=${BUILD_DIRECTORY:-build}
 results=()
-for benchmark in BenchmarkSurfaceToDisk BenchmarkFlattening BenchmarkConformal BenchmarkAreaMaps BenchmarkInteractive \
+for benchmark in BenchmarkSurfaceToDisk BenchmarkFlattening BenchmarkConformal BenchmarkAreaMaps BenchmarkLengths BenchmarkInteractive \
   BenchmarkFlatMap BenchmarkSaliency; do
   results+=("$build/Testing/$benchmark.json")
   "$build/Testing/bin/$benchmark" --benchmark_out="${results[-1]}" --benchmark_out_format=json "$@" >/dev/null
@@ -29,6 +29,10 @@ echo "Picture of the convergence: $build/Testing/convergence.png"
 xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvpython Utilities/pictures/angle_weight_picture.py \
   "$build/Testing/BenchmarkAreaMaps.json" "$build/Testing/angle_weight.png"
 echo "Picture of the angle weights: $build/Testing/angle_weight.png"
+
+xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvpython Utilities/pictures/length_picture.py \
+  "$build/Testing/BenchmarkLengths.json" "$build/Testing/length_errors.png"
+echo "Picture of the errors of lengths: $build/Testing/length_errors.png"
 
 xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvpython Utilities/pictures/time_picture.py \
   "$build/Testing/BenchmarkFlattening.json" "$build/Testing/BenchmarkAreaMaps.json" "$build/Testing/time_against_size.png"

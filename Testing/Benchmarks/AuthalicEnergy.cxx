@@ -97,39 +97,20 @@ public:
   double at(const Eigen::VectorXd& unknowns, Eigen::VectorXd* gradient = nullptr) const
   {
     const Points2 p = this->positionsOf(unknowns);
-    Points2 byPosition = Points2::Zero(gradient ? p.rows() : 0, 2);
-    double energy = 0.0;
-    for (Eigen::Index f = 0; f < this->Faces.rows(); ++f)
-    {
-      const Eigen::RowVector2d side[3] = { p.row(this->Faces(f, 2)) - p.row(this->Faces(f, 1)),
-        p.row(this->Faces(f, 0)) - p.row(this->Faces(f, 2)),
-        p.row(this->Faces(f, 1)) - p.row(this->Faces(f, 0)) };
-      const double area = 0.5 * (side[1].x() * side[2].y() - side[1].y() * side[2].x());
-      const double ratio = area / this->Areas[f];
-      double dirichlet = 0.0;
-      for (int k = 0; k < 3; ++k)
-      {
-        dirichlet += 0.25 * this->Cotangents(f, k) * side[k].squaredNorm();
-      }
-      energy += (1.0 - this->Share) * area * ratio + this->Share * dirichlet - area;
-      if (gradient)
-      {
-        const double byArea = (1.0 - this->Share) * 2.0 * ratio - 1.0;
-        for (int k = 0; k < 3; ++k)
-        {
-          const Eigen::RowVector2d turned(-side[k].y(), side[k].x());
-          byPosition.row(this->Faces(f, k)) += 0.5 * byArea * turned;
-          const Eigen::RowVector2d pull = 0.5 * this->Share * this->Cotangents(f, k) * side[k];
-          byPosition.row(this->Faces(f, (k + 2) % 3)) += pull;
-          byPosition.row(this->Faces(f, (k + 1) % 3)) -= pull;
-        }
-      }
-    }
+    const Eigen::VectorXd flat = signedFaceAreas(p, this->Faces);
+    const Eigen::VectorXd ratios = flat.cwiseQuotient(this->Areas);
+    const double whole = flat.sum();
+    const double scale = EIGEN_PI / whole;
+    const double stretch = flat.dot(ratios);
     if (gradient)
     {
-      this->passOn(p, byPosition, *gradient);
+      const Eigen::VectorXd byArea =
+        (1.0 - this->Share) * (2.0 * scale * ratios.array() - scale * stretch / whole - 1.0).matrix() -
+        Eigen::VectorXd::Constant(flat.size(), this->Share);
+      this->passOn(p, this->gradientByPosition(p, byArea), *gradient);
     }
-    return energy;
+    return (1.0 - this->Share) * (scale * stretch - whole) +
+           this->Share * (this->dirichletEnergy(p) - whole);
   }
 
   // The Laplacian of the energy of areas at @p p, a block for the inner vertices and one for the
@@ -174,6 +155,41 @@ public:
   }
 
 private:
+  double dirichletEnergy(const Points2& p) const
+  {
+    double energy = 0.0;
+    for (Eigen::Index f = 0; f < this->Faces.rows(); ++f)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        energy += 0.25 * this->Cotangents(f, k) * this->side(p, f, k).squaredNorm();
+      }
+    }
+    return energy;
+  }
+
+  Eigen::RowVector2d side(const Points2& p, Eigen::Index f, int k) const
+  {
+    return p.row(this->Faces(f, (k + 2) % 3)) - p.row(this->Faces(f, (k + 1) % 3));
+  }
+
+  Points2 gradientByPosition(const Points2& p, const Eigen::VectorXd& byArea) const
+  {
+    Points2 gradient = Points2::Zero(p.rows(), 2);
+    for (Eigen::Index f = 0; f < this->Faces.rows(); ++f)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const Eigen::RowVector2d side = this->side(p, f, k);
+        gradient.row(this->Faces(f, k)) += 0.5 * byArea[f] * Eigen::RowVector2d(-side.y(), side.x());
+        const Eigen::RowVector2d pull = 0.5 * this->Share * this->Cotangents(f, k) * side;
+        gradient.row(this->Faces(f, (k + 2) % 3)) += pull;
+        gradient.row(this->Faces(f, (k + 1) % 3)) -= pull;
+      }
+    }
+    return gradient;
+  }
+
   void passOn(const Points2& p, const Points2& byPosition, Eigen::VectorXd& gradient) const
   {
     gradient.resize(2 * this->InnerCount + static_cast<Eigen::Index>(this->Loop.size()));

@@ -17,13 +17,13 @@ struct AuthalicOptions
 };
 
 /// The map to the unit disk that makes an energy least by preconditioned nonlinear conjugate gradients,
-/// with the boundary free to move along the circle. The energy of areas is sum a^2 / t - sum a, a being
-/// the flat areas and t those of the surface, scaled to that of the disk (Liu and Yueh 2024, "Convergent
-/// Authalic Energy Minimization for Disk Area-Preserving Parameterizations", J. Sci. Comput. 100). The
-/// conformal energy is Dirichlet's less sum a (Liu and Yueh 2024, "Energy-Based Distortion-Balancing
-/// Parameterization for Open Surfaces", arXiv:2412.09909, add the two). It begins with five
-/// iterations of stretchEnergyDiskMap(), and the preconditioner is the Laplacian of that energy there.
-/// Faces may flip.
+/// with the boundary free to move along the circle. The energy of areas is T / A sum a^2 / t - A, a
+/// being the flat areas and A their sum, t those of the surface and T their sum (Liu and Yueh 2024,
+/// "Convergent Authalic Energy Minimization for Disk Area-Preserving Parameterizations", J. Sci. Comput.
+/// 100). The conformal energy is Dirichlet's less sum a (Liu and Yueh 2024, "Energy-Based
+/// Distortion-Balancing Parameterization for Open Surfaces", arXiv:2412.09909, add the two). It begins
+/// with five iterations of stretchEnergyDiskMap(), and the preconditioner is the Laplacian of that
+/// energy there. Faces may flip.
 /// @throws InvalidInput, TopologyError, ConvergenceError (see stretchEnergyDiskMap).
 Points2 authalicEnergyDiskMap(const TriangleMesh& mesh, const AuthalicOptions& options);
 

@@ -171,6 +171,21 @@ AREA_MAPS = {
     "flipped": figure("flipped", ".0f"),
 }
 
+LENGTHS = {
+    "surface": TIMES["surface"],
+    "map": AREA_MAPS["map"],
+    "seconds": figure("named_map_cpu_seconds", ".1f"),
+    "faces within 2 %": AREA_MAPS["faces within 2 %"],
+    "SD of area ratio": figure("sd_area_ratio", ".4f"),
+    "flipped": AREA_MAPS["flipped"],
+    "outline crossings": figure("outline_crossings", ".0f"),
+    "mean angle error": AREA_MAPS["mean angle error"],
+    "local lengths": lambda b: f"{b['local_length_error']:.1f} ± {b['local_length_standard_error']:.1f} %",
+    "within the map": figure("within_map_length_error", ".1f", " %"),
+    "global": lambda b: f"{b['global_length_error']:.1f} ± {b['global_length_standard_error']:.1f} %",
+    "rings": figure("ring_distance_error", ".1f", " %"),
+}
+
 INTERACTIVE = {
     "factor": lambda b: b["name"].split("/")[0],
     "from the map before (s)": figure("warm_cpu_seconds", ".2f"),
@@ -217,6 +232,7 @@ TABLES = {
     "handles": HANDLES,
     "methods": METHODS,
     "area_maps": AREA_MAPS,
+    "lengths": LENGTHS,
     "changed_weight": INTERACTIVE,
     "flat_map": FLAT_MAP,
     "saliency": SALIENCY,
@@ -232,6 +248,8 @@ def kinds_of(benchmarks):
         return ["methods"]
     if any("map_cpu_seconds" in b for b in benchmarks):
         return ["area_maps"]
+    if "named_map_cpu_seconds" in benchmarks[0]:
+        return ["lengths"]
     if "warm_seconds" in benchmarks[0]:
         return ["changed_weight"]
     if "greatest_error" in benchmarks[0]:

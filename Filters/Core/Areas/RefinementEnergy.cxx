@@ -79,7 +79,17 @@ void RefinementEnergy::setEpsilon(double epsilon)
 
 void RefinementEnergy::setEnclosed(const DomainMap& map)
 {
-  this->Scale = signedFaceAreas(map.Positions, this->Terms.Faces).sum() / this->Targets.sum();
+  const std::vector<int>& loop = this->Dofs.loop();
+  double twice = 0.0;
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    twice += cross(map.Positions.row(loop[k]), map.Positions.row(loop[(k + 1) % loop.size()]));
+  }
+  for (const auto& [from, to] : this->Terms.Outline) // of a free boundary, which has no loop on a domain
+  {
+    twice += cross(map.Positions.row(from), map.Positions.row(to));
+  }
+  this->Scale = 0.5 * twice / this->Targets.sum();
 }
 
 RefinementEnergy::FlatFace RefinementEnergy::flatFace(const Points2& positions, int face) const

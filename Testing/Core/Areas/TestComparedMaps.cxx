@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The maps that benchmarks compare with behave as their energies say, on a hemisphere, where each has a
+/// known least.
+#include "AnalyticSurfaces.h"
+#include "AuthalicEnergy.h"
+#include "BoundaryFirstOutline.h"
+#include "FlatMap/DistortionSummary.h"
+#include "Mesh/MeshTopology.h"
+#include "StretchEnergy.h"
+#include "SymmetricDirichlet.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace
+{
+
+using namespace flattening;
+using namespace flattening::analytic;
+using namespace flattening::benchmarks;
+
+class ComparedMaps : public testing::Test
+{
+protected:
+  DistortionSummary summaryOf(const Points2& flat) const
+  {
+    EXPECT_EQ(outlineCrossings(flat, requireDisk(this->Mesh.Mesh)), 0);
+    const DistortionSummary summary = summariseDistortion(measureDistortion(this->Mesh.Mesh, flat));
+    EXPECT_EQ(summary.FlippedFaces, 0);
+    return summary;
+  }
+
+  const RevolutionMesh Mesh = ringMesh(sphericalCap(0.5 * EIGEN_PI), 4000);
+};
+
+// Both energies are least where all areas are kept.
+TEST_F(ComparedMaps, StretchAndAuthalicEnergyKeepAreas)
+{
+  EXPECT_LT(this->summaryOf(stretchEnergyDiskMap(this->Mesh.Mesh, 100)).SDAreaRatio, 0.01);
+  const double start = this->summaryOf(stretchEnergyDiskMap(this->Mesh.Mesh, 5)).SDAreaRatio;
+  const double end = this->summaryOf(authalicEnergyDiskMap(this->Mesh.Mesh, { 300, 0.0 })).SDAreaRatio;
+  EXPECT_LT(end, 0.8 * start);
+  EXPECT_LT(end, 0.004);
+}
+
+// The least radial map of the sum of both energies, computed as a function of one variable with 200
+// steps, has area ratios of standard deviation 0.118.
+TEST_F(ComparedMaps, BalancedEnergiesMeetTheirRadialLeast)
+{
+  const DistortionSummary summary =
+    this->summaryOf(authalicEnergyDiskMap(this->Mesh.Mesh, { 100, 0.5 }));
+  EXPECT_NEAR(summary.SDAreaRatio, 0.118, 0.004);
+}
+
+// The conformal map whose boundary keeps its length is the stereographic projection. Its area ratio at
+// height c above the boundary is 2 / (1 + c)^2, of mean 1 and deviation root 1/6 over the sphere.
+TEST_F(ComparedMaps, NaturalBoundaryOfTheHemisphere)
+{
+  const Points2 flat = naturalBoundaryMap(this->Mesh.Mesh);
+  const DistortionSummary summary = this->summaryOf(flat);
+  EXPECT_LT(summary[Measure::AngleError].Mean, 0.6);
+  EXPECT_NEAR(summary.SDAreaRatio, std::sqrt(1.0 / 6.0), 0.02);
+  const std::vector<int> loop = requireDisk(this->Mesh.Mesh);
+  double length = 0.0;
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    length += (flat.row(loop[(k + 1) % loop.size()]) - flat.row(loop[k])).norm();
+  }
+  EXPECT_NEAR(length, 2.0 * EIGEN_PI, 0.01);
+}
+
+// The least radial map, computed as above, has the energy 4.1409 after both are scaled to the same area,
+// and area ratios of deviation 0.183.
+TEST_F(ComparedMaps, SymmetricDirichletMeetsItsRadialLeast)
+{
+  const DistortionSummary summary = this->summaryOf(symmetricDirichletMap(this->Mesh.Mesh, 100));
+  EXPECT_NEAR(summary[Measure::SymmetricDirichlet].AreaWeightedMean, 4.1409, 0.002);
+  EXPECT_NEAR(summary.SDAreaRatio, 0.183, 0.006);
+}
+
+TEST(OutlineCrossings, CountsPairsOfEdges)
+{
+  Points2 square(4, 2);
+  square << 0, 0, 1, 0, 1, 1, 0, 1;
+  EXPECT_EQ(outlineCrossings(square, { 0, 1, 2, 3 }), 0);
+  EXPECT_EQ(outlineCrossings(square, { 0, 2, 1, 3 }), 1);
+  Points2 touching(5, 2);
+  touching << 0, 0, 2, 0, 2, 1, 1, 0, 0, 1;
+  EXPECT_EQ(outlineCrossings(touching, { 0, 1, 2, 3, 4 }), 2) << "a vertex on an edge, of two edges";
+}
+
+} // namespace
