@@ -528,6 +528,7 @@ TEST(OMTAreaPreservingFilter, FreeOutline)
 {
   vtkNew<vtkPlaneSource> plane;
   plane->SetResolution(60, 20);
+  plane->SetOrigin(0.0, 0.0, 0.0);
   plane->SetPoint1(90.0, 0.0, 0.0);
   plane->SetPoint2(0.0, 30.0, 0.0);
   vtkNew<vtkTriangleFilter> sheet;
