@@ -15,7 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <iterator>
 #include <utility>
 
 namespace flattening
@@ -37,6 +37,10 @@ constexpr double Shares[] = { 1.0, 0.5, 0.25 };
 // How far faces may flip in the round that untangles faces on the boundary, in target areas (epsilon of
 // FaceAreaEnergy); that of the first stage of FaceRefinement.
 constexpr double FlippingEpsilon = 0.1;
+// A deformation that flips a larger share of the faces is too much, and so is one that leaves faces
+// flipped which only larger patches of vertices would untangle. Guards for the time.
+constexpr double MostFlipped = 0.05;
+constexpr int LargestUntangledPatch = 200;
 // The weight of areas while untangling. A choice: areas count as much as shapes.
 constexpr double UntanglingAreaWeight = 1.0;
 // A limit of the time; the last rounds mostly end earlier, when they no longer help (RefinementRounds).
@@ -44,6 +48,8 @@ constexpr int LastRounds = 8;
 // The share of the faces that may get worse than the tolerance: where more do, weights or horns ask for
 // more than a free outline can give, and the map stays in its domain.
 constexpr double GreatestLoss = 0.01;
+// The same share after a deformation and one round. A choice: the last rounds get back about so many.
+constexpr double GreatestPassingLoss = 0.2;
 // Then steps of the whole mesh follow, a round at a time, until one lowers the energy by less than this
 // share. One round sets regions right; more are worth their time where all shapes can be kept.
 constexpr int LastWholeRounds = 20;
@@ -132,24 +138,18 @@ private:
     return ((scale * ratios - 1.0).abs() > RefinementPatches::AreaTolerance).cast<double>().mean();
   }
 
-  // A round of the refinement follows each deformation, so that small errors do not add up.
   // Returns the number of deformations.
   int deform(const ProgressCallback& progress)
   {
+    const double mostOff = this->shareOff() + GreatestPassingLoss;
     double before = this->distortion();
     for (int k = 0; k < MostDeformations; ++k)
     {
       const double begin = static_cast<double>(k) / MostDeformations;
-      const double middle = (k + 0.5) / MostDeformations;
-      const double end = (k + 1.0) / MostDeformations;
-      std::optional<Points2> next = this->deformed(subrange(progress, begin, middle));
-      if (!next)
+      if (!this->deformOnce(mostOff, subrange(progress, begin, begin + 1.0 / MostDeformations)))
       {
         return k;
       }
-      this->Map.Positions = std::move(*next);
-      this->Rounds.run(
-        this->Map, 1, RefinementRounds::Until::AllRounds, subrange(progress, middle, end));
       const double after = this->distortion();
       if (before - after < LeastShapeGain * before)
       {
@@ -160,29 +160,48 @@ private:
     return MostDeformations;
   }
 
-  // Nothing if every share of the deformation leaves the outline crossed or faces flipped.
-  std::optional<Points2> deformed(const ProgressCallback& progress)
+  // A round of the refinement follows the deformation, so that small errors do not add up. Returns
+  // false, and leaves the map, if every share of the deformation leaves the outline crossed, faces
+  // flipped or more than the share @p mostOff of the areas wrong.
+  bool deformOnce(double mostOff, const ProgressCallback& progress)
   {
+    const Points2 before = this->Map.Positions;
     const Points2 whole = smoothlyDeformed(
-      this->Terms, this->Map.Positions, this->Targets, this->AreaWeight, subrange(progress, 0.0, 0.7));
+      this->Terms, before, this->Targets, this->AreaWeight, subrange(progress, 0.0, 0.5));
+    double begin = 0.5;
     for (const double share : Shares)
     {
-      DomainMap next{ (1.0 - share) * this->Map.Positions + share * whole, {} };
-      if (isSimpleOutline(next.Positions, this->Loop) &&
-          this->untangle(next, subrange(progress, 0.7, 1.0)))
+      const double middle = begin + 0.5 / (2.0 * std::size(Shares));
+      const double end = begin + 0.5 / std::size(Shares);
+      this->Map.Positions = (1.0 - share) * before + share * whole;
+      if (isSimpleOutline(this->Map.Positions, this->Loop) &&
+          this->untangle(this->Map, subrange(progress, begin, middle)))
       {
-        return std::move(next.Positions);
+        this->Rounds.run(
+          this->Map, 1, RefinementRounds::Until::AllRounds, subrange(progress, middle, end));
+        if (this->shareOff() <= mostOff)
+        {
+          return true;
+        }
       }
+      begin = end;
     }
-    return std::nullopt;
+    this->Map.Positions = before;
+    return false;
   }
 
   // Faces that have no vertex inside can be untangled only if the boundary moves, which a round does in
   // which faces are free to flip.
   bool untangle(DomainMap& map, const ProgressCallback& progress)
   {
+    const int flipped = countFlippedFaces(map.Positions, this->Surface.Faces);
+    if (flipped > MostFlipped * this->Surface.faceCount())
+    {
+      return false;
+    }
     UntanglingOptions options;
     options.AreaWeight = UntanglingAreaWeight;
+    options.LargestPatch = LargestUntangledPatch;
     const auto inside = [&](double begin)
     {
       return untangleMap(this->Surface.Faces,
