@@ -25,7 +25,7 @@ constexpr double ProximalWeight = 1e-4;
 // The share of the way to the first flip or collision that a step may go.
 constexpr double ShareOfLargestStep = 0.8;
 // An iteration that lowers the energy by a smaller share ends the descent.
-constexpr double LeastProgress = 1e-5;
+constexpr double LeastProgress = 1e-6;
 
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 

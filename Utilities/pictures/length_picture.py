@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the JSON output of BenchmarkLengths: mean area error against mean error of local lengths, a point for each map of
-a surface.
+"""Draws the JSON output of BenchmarkLengths: mean area error against mean error of local lengths within the map, a point
+for each map of a surface.
 
     pvpython Utilities/pictures/length_picture.py lengths.json length_errors.png [surface]
 """
@@ -29,7 +29,9 @@ SIZE = 14
 
 
 def main(source, picture, surface="half brain, remeshed"):
-    chart = LineChart("mean error of local lengths (%)", "mean area error (%)", log_y=True)
+    chart = LineChart(
+        "mean error of lengths within the map (%)", "mean area error (%)", log_y=True, legend="BottomRight"
+    )
     maps = [b for b in benchmarks_of(source) if b["name"].split("/")[0] == surface]
     for i, b in enumerate(maps):
         colour, marker = MARKERS[i % len(MARKERS)]

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FlatMap/LengthErrors.h"
 
-#include <algorithm>
+#include <tbb/parallel_sort.h>
+
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -19,7 +20,7 @@ using Weighted = std::pair<double, double>;
 // none.
 double quantile(std::vector<Weighted>& values, double share)
 {
-  std::sort(values.begin(), values.end());
+  tbb::parallel_sort(values.begin(), values.end());
   const double all = std::accumulate(values.begin(),
     values.end(),
     0.0,
