@@ -46,16 +46,21 @@ NamedMap authalic(const std::string& name, double conformalShare)
     } };
 }
 
-NamedMap ours()
+NamedMap ours(const std::string& name, bool isFree)
 {
-  return { "ours, disk", [](const TriangleMesh& mesh) {
-            return areaPreservingDiskMap(mesh, conformalDiskMap(mesh).Positions).Map.Positions;
-          } };
+  return { name,
+    [isFree](const TriangleMesh& mesh)
+    {
+      AreaPreservingOptions options;
+      options.FreeOutline = isFree;
+      return areaPreservingDiskMap(mesh, conformalDiskMap(mesh).Positions, {}, options).Map.Positions;
+    } };
 }
 
 std::vector<NamedMap> namedMaps()
 {
-  return { ours(),
+  return { ours("ours, disk", false),
+    ours("ours, free outline", true),
     { "stretch energy, 100 iterations",
       [](const TriangleMesh& mesh) { return benchmarks::stretchEnergyDiskMap(mesh, 100); } },
     authalic("authalic energy", 0.0),
