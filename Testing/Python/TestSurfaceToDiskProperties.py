@@ -111,6 +111,10 @@ assert figure(more, "ReliefBranches") > figure(relief, "ReliefBranches")
 shorter = disk(finger, Cut="Relief", ReliefGain=0.001, LongestRelief=0.1)
 assert figure(shorter, "ReliefBranches") == 1
 
+automatic = disk(ball, Cut="Automatic")
+assert figure(automatic, "ChosenCut") == 3 and figure(automatic, "ReliefBranches") >= 1
+assert figure(automatic, "BoundaryLength") <= 2 * math.sqrt(math.pi * area)
+
 labelled = Calculator(Input=ball, ResultArrayName="Side", Function="if(coordsZ > 4, 3, 1)")
 for wanted, share in ((3, 0.7), (1, 0.3)):
     rest = disk(labelled, Cut="Label", LabelArray=["POINTS", "Side"], CutLabel=wanted)
