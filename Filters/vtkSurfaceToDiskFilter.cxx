@@ -340,7 +340,8 @@ void vtkSurfaceToDiskFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FillLengthLimit: " << this->FillLengthLimit << "\n";
   os << indent << "FlattenFolds: " << (this->FlattenFolds ? "on" : "off") << "\n";
   os << indent << "HandleMode: " << nameOf(this->HandleMode, { "Remove", "Cut", "Error" }) << "\n";
-  os << indent << "CutMode: " << nameOf(this->CutMode, { "Hole", "Seam", "Plane", "Relief", "Label" })
+  os << indent
+     << "CutMode: " << nameOf(this->CutMode, { "Hole", "Seam", "Plane", "Relief", "Label", "Automatic" })
      << "\n";
   os << indent << "UseHolePoint: " << (this->UseHolePoint ? "on" : "off") << "\n";
   print(os, indent, "HolePoint", this->HolePoint);

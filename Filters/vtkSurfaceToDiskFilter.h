@@ -73,7 +73,10 @@
  * - `HoleRadius` (double, input units): geodesic radius of that hole; 0 if none was cut.
  * - `SeamLength` (double, input units): length of all seams, those of a relief and of handles included;
  *   0 if there is none.
- * - `ReliefBranches` (vtkIdType): number of branches of the relief; 0 if CutMode is another.
+ * - `ChosenCut` (vtkIdType): the way in which the surface was opened or cut, as a value of CutMode; -1
+ *   if its own boundary, or the cut of its handles alone, is that of the disk.
+ * - `ReasonOfCut` (string): why it was opened so.
+ * - `ReliefBranches` (vtkIdType): number of branches of the relief; 0 if there is none.
  * - `ReliefLength` (double, input units): length of these branches.
  * - `ReliefStrain` (double x 2, without unit): strain before and after the relief was cut: the standard
  *   deviation over the area of the conformal factor of the map with a free outline. A map with exact
@@ -276,7 +279,8 @@ public:
     SEAM = 1,
     PLANE = 2,
     RELIEF = 3,
-    LABEL = 4
+    LABEL = 4,
+    AUTOMATIC = 5
   };
 
   ///@{
@@ -299,16 +303,20 @@ public:
    *   first.
    * - LABEL (4): the part with a label (CutLabel) is removed, and its border becomes the boundary of the
    *   disk.
+   * - AUTOMATIC (5): a closed surface gets the opening that leaves the best map of the disk: a relief
+   *   whose boundary is no longer than the circumference of a disk of the surface's area. An open
+   *   surface keeps its boundary. ChosenCut and ReasonOfCut report the choice.
    *
    * Default: HOLE.
    */
-  vtkSetClampMacro(CutMode, int, HOLE, LABEL);
+  vtkSetClampMacro(CutMode, int, HOLE, AUTOMATIC);
   vtkGetMacro(CutMode, int);
   void SetCutModeToHole() { this->SetCutMode(HOLE); }
   void SetCutModeToSeam() { this->SetCutMode(SEAM); }
   void SetCutModeToPlane() { this->SetCutMode(PLANE); }
   void SetCutModeToRelief() { this->SetCutMode(RELIEF); }
   void SetCutModeToLabel() { this->SetCutMode(LABEL); }
+  void SetCutModeToAutomatic() { this->SetCutMode(AUTOMATIC); }
   ///@}
 
   ///@{
@@ -421,10 +429,10 @@ public:
 
   ///@{
   /**
-   * By how much a branch must lower the strain (see ReliefStrain) if CutMode is RELIEF and it is as long
-   * as the square root of the surface's area; a branch of another length must do so in proportion. A
-   * third of the default is worth one degree of angle error. Less makes more branches. Range [0, inf),
-   * otherwise an error. Default: 0.05.
+   * By how much a branch must lower the strain (see ReliefStrain) if CutMode is RELIEF or AUTOMATIC and
+   * it is as long as the square root of the surface's area; a branch of another length must do so in
+   * proportion. A third of the default is worth one degree of angle error. Less makes more branches.
+   * Range [0, inf), otherwise an error. Default: 0.05.
    */
   vtkSetMacro(ReliefGain, double);
   vtkGetMacro(ReliefGain, double);
@@ -432,9 +440,9 @@ public:
 
   ///@{
   /**
-   * Greatest length of all branches together if CutMode is RELIEF, in square roots of the surface's
-   * area. The first branch of a closed surface is cut whatever its length. Range (0, inf), otherwise an
-   * error. Default: 8.
+   * Greatest length of all branches together if CutMode is RELIEF or AUTOMATIC, in square roots of the
+   * surface's area. The first branch of a closed surface is cut whatever its length. Range (0, inf),
+   * otherwise an error. Default: 8.
    */
   vtkSetMacro(LongestRelief, double);
   vtkGetMacro(LongestRelief, double);

@@ -129,6 +129,8 @@ void setReport(vtkPolyData* output, const SurfaceToDiskReport& report, vtkIdType
   data->AddArray(newTuples<vtkDoubleArray>("HoleCentre", report.HoleCentre.transpose()));
   measure("HoleRadius", report.HoleRadius);
   measure("SeamLength", report.SeamLength);
+  count("ChosenCut", report.ChosenCut ? static_cast<vtkIdType>(*report.ChosenCut) : -1);
+  setDatum(data, "ReasonOfCut", report.ReasonOfCut);
   count("ReliefBranches", report.ReliefBranches);
   measure("ReliefLength", report.ReliefLength);
   data->AddArray(newTuples<vtkDoubleArray>(

@@ -193,6 +193,37 @@ TEST(SurfaceToDiskModes, ReliefOpensSurfacesThatHadHandles)
   }
 }
 
+// The boundary of a closed surface becomes no longer than the circumference of the disk, and an open
+// surface keeps its own.
+TEST(SurfaceToDiskModes, AutomaticOpensClosedSurfacesOnly)
+{
+  const auto input = sphere(60);
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  filter->SetCutModeToAutomatic();
+  filter->SetReliefGain(1e-3);
+  const auto output = run(filter, input);
+  expectDisk(output);
+  EXPECT_EQ(figure(output, "ChosenCut"), vtkSurfaceToDiskFilter::RELIEF);
+  EXPECT_GE(figure(output, "ReliefBranches"), 2);
+  EXPECT_LE(figure(output, "BoundaryLength"), 2.0 * std::sqrt(Pi * areaOf(input)));
+  EXPECT_EQ(figure(output, "RemovedArea"), 0.0);
+  const auto reason = output->GetFieldData()->GetAbstractArray("ReasonOfCut");
+  ASSERT_TRUE(reason);
+  EXPECT_NE(reason->GetVariantValue(0).ToString().find("a relief"), std::string::npos);
+
+  const auto open = run(filter, square(12));
+  expectDisk(open);
+  EXPECT_EQ(figure(open, "ChosenCut"), -1);
+  EXPECT_EQ(figure(open, "SeamLength"), 0.0);
+  EXPECT_EQ(open->GetNumberOfPoints(), 169);
+
+  filter->SetHandleModeToCut();
+  const auto ring = run(filter, torus(40, 20));
+  expectDisk(ring);
+  EXPECT_EQ(figure(ring, "ChosenCut"), -1);
+  EXPECT_EQ(figure(ring, "ReliefBranches"), 0);
+}
+
 TEST(SurfaceToDiskModes, LabelIsRemovedAndItsBorderIsTheBoundary)
 {
   const auto input = sphere(60);
@@ -490,6 +521,7 @@ TEST(SurfaceToDiskModes, ReportsEveryFigure)
     "HoleCentre",
     "HoleRadius",
     "SeamLength",
+    "ChosenCut",
     "ReliefBranches",
     "ReliefLength",
     "ReliefStrain",
@@ -515,7 +547,8 @@ TEST(SurfaceToDiskModes, ReportsEveryFigure)
     }
   }
   EXPECT_EQ(figure(output, "Patient"), 42); // field data of the input are kept
-  EXPECT_EQ(output->GetFieldData()->GetNumberOfArrays(), static_cast<int>(names.size()) + 1);
+  EXPECT_TRUE(output->GetFieldData()->GetAbstractArray("ReasonOfCut")); // a string
+  EXPECT_EQ(output->GetFieldData()->GetNumberOfArrays(), static_cast<int>(names.size()) + 2);
 
   for (const char* file : { "Filters/vtkSurfaceToDiskFilter.h", "docs/reference.md" })
   {

@@ -66,7 +66,7 @@ std::vector<Property> surfaceToDisk()
     number("FillLengthLimit", Kind::Length, 1e-2, 1e3, &F::SetFillLengthLimit),
     flag("FlattenFolds", &F::SetFlattenFolds),
     number("HandleMode", Kind::Choice, 0, 2, &F::SetHandleMode),
-    number("CutMode", Kind::Choice, 0, 4, &F::SetCutMode),
+    number("CutMode", Kind::Choice, 0, 5, &F::SetCutMode),
     flag("UseHolePoint", &F::SetUseHolePoint),
     vector("HolePoint", Kind::Position, &F::SetHolePoint),
     number("HoleAreaFraction", Kind::Magnitude, 1e-6, 0.5, &F::SetHoleAreaFraction),

@@ -95,7 +95,8 @@ assert disk(ball, Cut="Seam", SeamLines=far).GetNumberOfCells() == 0  # an error
 finger = Calculator(
     Input=Sphere(Radius=10, ThetaResolution=80, PhiResolution=80),
     CoordinateResults=1,
-    Function="coords * (1 + exp(-((coordsY - 6) * (coordsY - 6) + (coordsZ - 8) * (coordsZ - 8) + coordsX * coordsX) / 8))",
+    Function="coords * (1 + exp(-((coordsY - 6) * (coordsY - 6) + (coordsZ - 8) * (coordsZ - 8) "
+    "+ coordsX * coordsX) / 8))",
 )
 relief = disk(finger, Cut="Relief", ReliefGain=0.05)
 strain = relief.GetFieldData().GetArray("ReliefStrain").GetTuple2(0)
@@ -104,12 +105,17 @@ assert figure(relief, "ReliefBranches") >= 1
 close(figure(relief, "ReliefLength"), figure(relief, "SeamLength"), 1e-12)
 close(figure(relief, "BoundaryLength"), 2 * figure(relief, "ReliefLength"), 1e-9)
 top = max((relief.GetPoint(i) for i in range(relief.GetNumberOfPoints())), key=lambda x: 6 * x[1] + 8 * x[2])
-on_seam = [relief.GetPoint(i) for i in range(relief.GetNumberOfPoints()) if relief.GetPointData().GetArray("Seam").GetTuple1(i)]
+seams = relief.GetPointData().GetArray("Seam")
+on_seam = [relief.GetPoint(i) for i in range(relief.GetNumberOfPoints()) if seams.GetTuple1(i)]
 assert min(math.dist(x, top) for x in on_seam) < 3.0
 more = disk(finger, Cut="Relief", ReliefGain=0.001)
 assert figure(more, "ReliefBranches") > figure(relief, "ReliefBranches")
 shorter = disk(finger, Cut="Relief", ReliefGain=0.001, LongestRelief=0.1)
 assert figure(shorter, "ReliefBranches") == 1
+
+automatic = disk(ball, Cut="Automatic")
+assert figure(automatic, "ChosenCut") == 3 and figure(automatic, "ReliefBranches") >= 1
+assert figure(automatic, "BoundaryLength") <= 2 * math.sqrt(math.pi * area)
 
 labelled = Calculator(Input=ball, ResultArrayName="Side", Function="if(coordsZ > 4, 3, 1)")
 for wanted, share in ((3, 0.7), (1, 0.3)):

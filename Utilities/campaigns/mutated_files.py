@@ -44,7 +44,7 @@ def random_settings(chance):
     return {
         "isovalue": ISOVALUE,
         "smoothing": chance.choice((0.0, 1.0)),
-        "cut": chance.choice(CUTS),
+        "cut": chance.choice(list(CUTS)),
         "plane_normal": [1.0, 0.0, 0.0],
         "plane_origin": None,
         "hole_area": 1e-3,

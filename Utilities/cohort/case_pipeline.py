@@ -23,7 +23,7 @@ except ImportError as error:
         "such as build/lib/python3/dist-packages"
     ) from None
 
-CUTS = ("hole", "seam", "plane")
+CUTS = {"hole": 0, "seam": 1, "plane": 2, "relief": 3, "automatic": 5}  # values of CutMode
 HANDLES = ("remove", "cut", "error")
 READING = "the reader"
 CONTOUR = "the contour of the volume"
@@ -132,7 +132,7 @@ def flatten_data(data, volume, settings, announce, warnings):
         data = isosurface(data, settings["isovalue"], settings["smoothing"])
     disk = vtkSurfaceToDiskFilter()
     disk.SetInputData(data)
-    disk.SetCutMode(CUTS.index(settings["cut"]))
+    disk.SetCutMode(CUTS[settings["cut"]])
     disk.SetHandleMode(HANDLES.index(settings["handles"]))
     disk.SetHoleAreaFraction(settings["hole_area"])
     disk.SetPlaneNormal(settings["plane_normal"])

@@ -16,6 +16,7 @@
 #include "Repair/HoleFilling.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,13 @@ namespace
 // The fewest vertices of a boundary that came with the input. Derived: a regular octagon covers nine
 // tenths of its disk. With fewer, the flat map leaves more of the disk empty.
 constexpr int LeastBoundaryVertices = 8;
+
+// The longest relief of a surface that is to fill a disk, in square roots of the area: the boundary, of
+// two sides of the relief, is then as long as the circumference of a disk of that area. Derived: the
+// disk presses a longer boundary together. Measured on a brain of 130,504 points: 2, 5 and 9 branches,
+// 0.9, 1.5 and 2.0 long, leave 21.3, 20.1 and 22.1 degrees of mean angle error in the disk, a seam 23.0
+// and a hole 22.5.
+const double LongestInDisk = std::sqrt(std::acos(-1.0));
 
 double boundaryLength(const TriangleMesh& mesh)
 {
@@ -77,15 +85,15 @@ public:
     {
       this->Hole.Centre = ends.Puncture;
     }
+    this->Cut = this->chosenCut();
   }
 
   // A cut graph opens a closed surface too; a hole or a seam is cut as well if its place was given, and
   // a relief in any case.
   void open(const ProgressCallback& progress)
   {
-    const bool cutsGraph = this->Report.Genus > 0 && this->Options.Handles == HandleMode::Keep;
-    const bool cutsRelief = this->Options.Cut == CutMode::Relief;
-    if (!cutsGraph)
+    const bool cutsRelief = this->Cut == CutMode::Relief;
+    if (!this->cutsGraph())
     {
       cutsRelief ? this->cutRelief(progress) : this->cutHoleOrSeam(progress);
     }
@@ -108,7 +116,31 @@ public:
 private:
   const TriangleMesh& mesh() const { return this->Disk.Surface.Mesh; }
   bool isClosed() const { return this->Ends == OpenEnds::Kind::None; }
+  bool cutsGraph() const { return this->Report.Genus > 0 && this->Options.Handles == HandleMode::Keep; }
   bool isTube() const { return this->Ends == OpenEnds::Kind::Two; }
+
+  // The way to cut, which Automatic leaves to the surface.
+  CutMode chosenCut()
+  {
+    SurfaceToDiskReport& report = this->Report;
+    const CutMode cut = this->Options.Cut;
+    const bool opens = this->isClosed() && !this->cutsGraph();
+    if (cut == CutMode::Automatic)
+    {
+      report.ReasonOfCut = opens
+                             ? "Automatic: a relief leaves smaller errors of angle in a closed surface "
+                               "than a hole or a seam, if it is no longer than the disk allows"
+                           : this->isClosed() ? "Automatic: the cuts of the handles open the surface"
+                                              : "Automatic: the surface has a boundary, which is kept";
+      return opens ? CutMode::Relief : CutMode::Hole;
+    }
+    report.ReasonOfCut = "Cut asks for it";
+    if (cut == CutMode::Plane || cut == CutMode::Label)
+    {
+      report.ChosenCut = cut;
+    }
+    return cut;
+  }
 
   bool hasPlaceOfCut() const
   {
@@ -147,6 +179,7 @@ private:
 
   void cutSeam(const ProgressCallback& progress)
   {
+    this->Report.ChosenCut = CutMode::Seam;
     GeodesicSeamOptions seam;
     seam.Points = this->Options.SeamPoints;
     seam.PathStarts = this->Options.SeamPathStarts;
@@ -176,13 +209,19 @@ private:
   // Opens the surface along a relief. An open one on which no branch is worth its length stays as it is.
   void cutRelief(const ProgressCallback& progress)
   {
+    ReliefOptions options = this->Options.Relief;
+    if (this->Options.Cut == CutMode::Automatic)
+    {
+      options.Longest = std::min(options.Longest, LongestInDisk);
+    }
     const PlacedRelief placed =
-      placeRelief(this->mesh(), this->avoided(), this->Options.Relief, subrange(progress, 0.0, 0.5));
+      placeRelief(this->mesh(), this->avoided(), options, subrange(progress, 0.0, 0.5));
     this->Report.ReliefStrain = { placed.StrainBefore, placed.StrainAfter };
     if (!placed.Tips.empty())
     {
       ReliefOpenedSurface relief =
         flattening::cutRelief(this->mesh(), placed.Tips, this->avoided(), subrange(progress, 0.5, 1.0));
+      this->Report.ChosenCut = CutMode::Relief;
       this->Report.ReliefBranches = relief.Branches;
       this->Report.ReliefLength = relief.Opened.Length;
       this->followSeam(std::move(relief.Opened.Cut));
@@ -226,6 +265,7 @@ private:
 
   void cutHole(const ProgressCallback& progress)
   {
+    this->Report.ChosenCut = CutMode::Hole;
     this->Hole.Avoided = this->avoided();
     OpenedSurface opened = cutGeodesicHole(this->mesh(), this->Hole, progress);
     this->Report.HoleCentre = opened.Centre;
@@ -252,6 +292,7 @@ private:
   const SurfaceToDiskOptions& Options;
   GeodesicHoleOptions Hole;
   OpenEnds::Kind Ends;
+  CutMode Cut = CutMode::Hole;
 };
 
 } // namespace

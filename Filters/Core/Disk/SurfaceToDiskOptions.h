@@ -16,6 +16,8 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace flattening
@@ -41,7 +43,10 @@ enum class CutMode
   Relief, ///< the surface is cut along a tree of geodesics where they lower the distortion most
           ///< (placeRelief, cutRelief) and loses nothing; of an open surface the tree starts at the
           ///< boundary
-  Label   ///< a part of the surface is removed, and its border becomes that of the disk
+  Label,  ///< a part of the surface is removed, and its border becomes that of the disk
+  Automatic ///< a closed surface gets the opening that makes the best map of the disk, a relief whose
+            ///< boundary is no longer than the circumference of a disk of the surface's area; an open
+            ///< one keeps its boundary
 };
 
 struct SurfaceToDiskOptions
@@ -116,6 +121,9 @@ struct SurfaceToDiskReport
   double ReliefLength = 0.0; ///< of all branches
   /// The strain (ConformalStrain) before and after the relief was cut; 0 without a relief.
   std::array<double, 2> ReliefStrain{ 0.0, 0.0 };
+  /// How the surface was opened; none if its boundary or a cut graph alone is that of the disk.
+  std::optional<CutMode> ChosenCut;
+  std::string ReasonOfCut;     ///< why, as a sentence
   double RemovedArea = 0.0;    ///< of the hole, of the part beyond the plane and of the label
   int RemovedRegionPoints = 0; ///< points of the region of interest that the hole could not avoid
   int SeamRegionPoints = 0;    ///< points of the region of interest on a cut graph or the seam of a tube

@@ -229,6 +229,35 @@ TEST(ReliefCut, KeepsOffARegion)
   EXPECT_GT(distanceFromTips(placed, 1.8 * directionsOfBumps()[1]), 0.5);
 }
 
+// The geodesic between the tips would cross the region in its middle.
+TEST(ReliefCut, LeadsAroundARegion)
+{
+  const TriangleMesh mesh = sphere(5);
+  const Eigen::Vector3d middle(std::cos(1.0), std::sin(1.0), 0.0);
+  std::vector<char> region(mesh.vertexCount(), 0);
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    region[v] = mesh.Vertices.row(v).dot(middle.transpose()) > std::cos(0.5);
+  }
+  const ReliefOpenedSurface relief =
+    cutRelief(mesh, { { 1.0, 0.0, 0.0 }, { std::cos(2.0), std::sin(2.0), 0.0 } }, region);
+  const CutSurface& cut = relief.Opened.Cut;
+  requireDisk(cut.Surface.Mesh);
+  EXPECT_EQ(relief.Branches, 1);
+  double nearest = HUGE_VAL;
+  for (int v = 0; v < cut.Surface.Mesh.vertexCount(); ++v)
+  {
+    if (cut.OnSeam[v])
+    {
+      nearest = std::min(nearest, std::acos(cut.Surface.Mesh.Vertices.row(v).normalized().dot(middle)));
+    }
+  }
+  EXPECT_GT(nearest, 0.5);
+  EXPECT_LT(nearest, 0.65);
+  EXPECT_GT(relief.Opened.Length, 2.0);
+  EXPECT_LT(relief.Opened.Length, 2.6);
+}
+
 TEST(ReliefCut, DoesNotDependOnThreads)
 {
   const TriangleMesh mesh = sphereWithBumps(5);
