@@ -127,9 +127,8 @@ private:
     const bool opens = this->isClosed() && !this->cutsGraph();
     if (cut == CutMode::Automatic)
     {
-      report.ReasonOfCut = opens
-                             ? "Automatic: a relief leaves smaller errors of angle in a closed surface "
-                               "than a hole or a seam, if it is no longer than the disk allows"
+      report.ReasonOfCut = opens ? "Automatic: in the disk, a closed surface mostly has the smallest "
+                                   "errors of angle after a relief that is no longer than suits a disk"
                            : this->isClosed() ? "Automatic: the cuts of the handles open the surface"
                                               : "Automatic: the surface has a boundary, which is kept";
       return opens ? CutMode::Relief : CutMode::Hole;
