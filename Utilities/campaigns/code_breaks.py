@@ -95,7 +95,7 @@ BREAKS = [
     at("Transport/ConvexDomain.cxx", "-height / climb", "height / climb"),
     at("Transport/PowerDiagram.cxx", "a.squaredNorm() - this->weightDifference(i, j)", "a.squaredNorm() + this->weightDifference(i, j)"),
     at("Transport/PowerDiagram.cxx", "distance - this->weightDifference(i, j) / distance", "distance + this->weightDifference(i, j) / distance"),
-    at("Transport/PowerDiagram.cxx", "power(i) < power(site)", "power(i) > power(site)"),
+    at("Transport/PowerDiagram.cxx", "power(i) < power(site)", "power(site) < power(i)"),
     at("Transport/PowerDiagram.cxx", "this->Domain->addBoundary(side.To, following.From, region);", ""),
     at("Transport/Transport.cxx", "rest[side.Second] += flow;", ""),
     at("Transport/TransportInterpolation.cxx", "map.Slope = spread.inverse() * moments;", ""),
