@@ -7,8 +7,9 @@ The places are in code_breaks.py. They are all compiled in at once, into a copy 
 as choices that an environment variable makes at run time ("mutant schemata", Untch, Offutt, Harrold 1993, "Mutation
 analysis using mutant schemata"), so that nothing is built for each place. A break is killed if a test fails, crashes or
 takes ten times as long as without it. The tests of the same folder of Core come first, then the others, the quickest
-first; with --folders Transport Untangling only the places and the tests of these folders are taken. Outcomes are kept in breaks.csv in the folder; a further run takes up those that are left, and starts afresh if
-Core, its tests or the places have changed. Exit status: 0 if nothing survived.
+first; with --folders Transport Untangling only the places and the tests of these folders are taken. Outcomes are kept in
+breaks.csv in the folder; a further run takes up those that are left, and starts afresh if Core, its tests or the places
+have changed. Exit status: 0 if nothing survived.
 """
 
 import argparse

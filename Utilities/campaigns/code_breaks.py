@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The places at which break_code.py breaks Core: signs, comparisons, constants and omitted steps, in the mathematics and
-in the repairs. A break is a file, the text around the place, the expression or statement there, and what replaces it; a
-statement that is replaced by nothing is omitted. The text occurs once in the file, the expression once in the text.
+"""The places at which break_code.py breaks Core: signs, comparisons, constants and omitted steps, in the mathematics
+and in the repairs. A break is a file, the text around the place, the expression or statement there, and what replaces
+it; a statement that is replaced by nothing is omitted. The text occurs once in the file, the expression once in it.
 Conventions and guards against rounding are left out: that their values can be others is what makes them conventions.
 """
 
@@ -45,15 +45,33 @@ BREAKS = [
     at("Intrinsic/TriangleAngles.cxx", "l * l + r * r - side[k] * side[k]", "l * l + r * r + side[k] * side[k]"),
     at("Intrinsic/TriangleAngles.cxx", "x * x + y * y - 1.0", "x * x + y * y + 1.0"),
     at("Intrinsic/SymmetricTrapezoid.cxx", "-origin * std::expm1(-ratio)", "origin * std::expm1(-ratio)"),
-    at("Intrinsic/SymmetricTrapezoid.cxx", "cell.LogAtOrigin + cell.LogAtTip", "cell.LogAtOrigin", "cell.LogEdge, cell.LogAtOrigin + cell.LogAtTip })"),
-    at("Intrinsic/IntrinsicTriangulation.cxx", "lengths[next(h)] + lengths[previous(h)] - lengths[h]", "lengths[next(h)] + lengths[previous(h)]"),
+    at(
+        "Intrinsic/SymmetricTrapezoid.cxx",
+        "cell.LogAtOrigin + cell.LogAtTip",
+        "cell.LogAtOrigin",
+        "cell.LogEdge, cell.LogAtOrigin + cell.LogAtTip })",
+    ),
+    at(
+        "Intrinsic/IntrinsicTriangulation.cxx",
+        "lengths[next(h)] + lengths[previous(h)] - lengths[h]",
+        "lengths[next(h)] + lengths[previous(h)]",
+    ),
     at("Intrinsic/IntrinsicDelaunay.cxx", "(p - q) * (p + q)", "(q - p) * (p + q)"),
     at("Intrinsic/IntrinsicDelaunay.cxx", "this->mayFlip(h) && this->Lengths.mustFlip(h)", "false"),
     # --- Geodesics
     at("Geodesics/GeodesicDistance.cxx", "area / 3.0", "area"),
     at("Geodesics/GeodesicDistance.cxx", "divergence[this->Surface.tip(3 * f + k)] -= flux;", ""),
-    at("Geodesics/GeodesicDistance.cxx", "values[this->Surface.tip(h)] - values[this->Surface.origin(h)]", "values[this->Surface.origin(h)] - values[this->Surface.tip(h)]"),
-    at("Geodesics/GeodesicDistance.cxx", "(level - a) * (level - a)", "(level - a)", "areas[f] * (level - a) * (level - a)"),
+    at(
+        "Geodesics/GeodesicDistance.cxx",
+        "values[this->Surface.tip(h)] - values[this->Surface.origin(h)]",
+        "values[this->Surface.origin(h)] - values[this->Surface.tip(h)]",
+    ),
+    at(
+        "Geodesics/GeodesicDistance.cxx",
+        "(level - a) * (level - a)",
+        "(level - a)",
+        "areas[f] * (level - a) * (level - a)",
+    ),
     at("Geodesics/GeodesicPath.cxx", "1.0 - point.Fraction", "point.Fraction"),
     at("Geodesics/FaceNeighbourhoods.cxx", "radius * radius", "0.25 * radius * radius"),
     # --- Conformal
@@ -64,9 +82,17 @@ BREAKS = [
     at("Conformal/CotangentWeights.cxx", "cotangents[h] + cotangents[twin]", "cotangents[h] - cotangents[twin]"),
     at("Conformal/MeanValueDisk.cxx", "std::tan(0.5 * angles.Angle[k])", "std::tan(0.25 * angles.Angle[k])"),
     at("Conformal/MeanValueDisk.cxx", "-static_cast<double>(t.logLength(in))", "static_cast<double>(t.logLength(in))"),
-    at("Conformal/BoundaryFirstDisk.cxx", "u[k] -= 2.0 * std::log(std::abs(1.0 - std::conj(inDisk) * std::polar(1.0, angles[k])));", ""),
+    at(
+        "Conformal/BoundaryFirstDisk.cxx",
+        "u[k] -= 2.0 * std::log(std::abs(1.0 - std::conj(inDisk) * std::polar(1.0, angles[k])));",
+        "",
+    ),
     at("Conformal/BoundaryFirstDisk.cxx", "exteriorAngles[k]", "-exteriorAngles[k]", "+= exteriorAngles[k]"),
-    at("Conformal/BoundaryFirstDisk.cxx", "(inHalfPlane - up) / (inHalfPlane + up)", "(inHalfPlane + up) / (inHalfPlane - up)"),
+    at(
+        "Conformal/BoundaryFirstDisk.cxx",
+        "(inHalfPlane - up) / (inHalfPlane + up)",
+        "(inHalfPlane + up) / (inHalfPlane - up)",
+    ),
     at("Conformal/RicciFlow.cxx", "this->System.addTo(this->Result.LogFactors, step, length);", ""),
     at("Conformal/RicciFlow.cxx", "targetAngles[v] < 1.5 * EIGEN_PI", "false"),
     at("Conformal/RicciFlowDisk.cxx", "-2.0 * spoke.LogLength", "2.0 * spoke.LogLength"),
@@ -76,9 +102,18 @@ BREAKS = [
     at("Conformal/ConformalRectangle.cxx", "0.5 * EIGEN_PI", "0.25 * EIGEN_PI"),
     at("Conformal/ConformalRectangle.cxx", "rectangle.Width / rectangle.Height", "rectangle.Height / rectangle.Width"),
     at("Conformal/DiskNormalisation.cxx", "-std::arg(direction)", "std::arg(direction)"),
-    at("Conformal/DiskNormalisation.cxx", "(z - centre) / (z - std::conj(centre))", "(z - centre) / (z + std::conj(centre))"),
+    at(
+        "Conformal/DiskNormalisation.cxx",
+        "(z - centre) / (z - std::conj(centre))",
+        "(z - centre) / (z + std::conj(centre))",
+    ),
     # --- Untangling
-    at("Untangling/FoldoverEnergy.cxx", "d * d + 1.0", "d * d - 1.0", "return (j.squaredNorm() + this->AreaWeight * (d * d + 1.0))"),
+    at(
+        "Untangling/FoldoverEnergy.cxx",
+        "d * d + 1.0",
+        "d * d - 1.0",
+        "return (j.squaredNorm() + this->AreaWeight * (d * d + 1.0))",
+    ),
     at("Untangling/FoldoverEnergy.cxx", "2.0 * w * d - n * chiByD / chi", "2.0 * w * d + n * chiByD / chi"),
     at("Untangling/FoldoverEnergy.cxx", "-2.0 * chiByD / (chi * chi)", "2.0 * chiByD / (chi * chi)"),
     at("Untangling/VertexUntangling.cxx", "rate > 0.0", "rate < 0.0"),
@@ -89,13 +124,26 @@ BREAKS = [
     at("Transport/ArcPolygonMoments.cxx", "0.5 * cross(a, b)", "cross(a, b)"),
     at("Transport/ArcPolygonMoments.cxx", "area / 3.0", "area / 2.0", "this->Moment += area / 3.0 * (a + b);"),
     at("Transport/ArcPolygonMoments.cxx", "angle - std::sin(angle)", "angle + std::sin(angle)"),
-    at("Transport/ArcPolygonMoments.cxx", "2.0 * sine * sine * sine", "2.0 * sine * sine", "2.0 * sine * sine * sine / (3.0 * area)"),
+    at(
+        "Transport/ArcPolygonMoments.cxx",
+        "2.0 * sine * sine * sine",
+        "2.0 * sine * sine",
+        "2.0 * sine * sine * sine / (3.0 * area)",
+    ),
     at("Transport/ConvexDomain.cxx", "(1.0 - distance) * (1.0 + distance)", "(1.0 + distance) * (1.0 + distance)"),
     at("Transport/ConvexDomain.cxx", "distance < 0.0 ? distance + this->perimeter() : distance", "std::abs(distance)"),
     at("Transport/ConvexDomain.cxx", "-height / climb", "height / climb"),
-    at("Transport/PowerDiagram.cxx", "a.squaredNorm() - this->weightDifference(i, j)", "a.squaredNorm() + this->weightDifference(i, j)"),
-    at("Transport/PowerDiagram.cxx", "distance - this->weightDifference(i, j) / distance", "distance + this->weightDifference(i, j) / distance"),
-    at("Transport/PowerDiagram.cxx", "power(i) < power(site)", "power(i) > power(site)"),
+    at(
+        "Transport/PowerDiagram.cxx",
+        "a.squaredNorm() - this->weightDifference(i, j)",
+        "a.squaredNorm() + this->weightDifference(i, j)",
+    ),
+    at(
+        "Transport/PowerDiagram.cxx",
+        "distance - this->weightDifference(i, j) / distance",
+        "distance + this->weightDifference(i, j) / distance",
+    ),
+    at("Transport/PowerDiagram.cxx", "power(i) < power(site)", "power(site) < power(i)"),
     at("Transport/PowerDiagram.cxx", "this->Domain->addBoundary(side.To, following.From, region);", ""),
     at("Transport/Transport.cxx", "rest[side.Second] += flow;", ""),
     at("Transport/TransportInterpolation.cxx", "map.Slope = spread.inverse() * moments;", ""),
@@ -103,19 +151,35 @@ BREAKS = [
     # --- Areas
     at("Areas/FaceAreaEnergy.cxx", "2.0 * (r - 1.0)", "(r - 1.0)"),
     at("Areas/FaceAreaEnergy.cxx", "s / chiOfQ.Root", "-s / chiOfQ.Root"),
-    at("Areas/RefinementEnergy.cxx", "0.25 * this->Terms.Cotangents(face, k)", "0.5 * this->Terms.Cotangents(face, k)"),
+    at(
+        "Areas/RefinementEnergy.cxx",
+        "0.25 * this->Terms.Cotangents(face, k)",
+        "0.5 * this->Terms.Cotangents(face, k)",
+    ),
     at("Areas/RefinementEnergy.cxx", "1.0 - 1.0 / rho", "1.0 + 1.0 / rho"),
     at("Areas/RefinementEnergy.cxx", "0.5 * twice", "twice"),
-    at("Areas/TargetAreas.cxx", "weights[mesh.Faces(f, 0)] + weights[mesh.Faces(f, 1)] + weights[mesh.Faces(f, 2)]", "3.0 * weights[mesh.Faces(f, 0)]"),
+    at(
+        "Areas/TargetAreas.cxx",
+        "weights[mesh.Faces(f, 0)] + weights[mesh.Faces(f, 1)] + weights[mesh.Faces(f, 2)]",
+        "3.0 * weights[mesh.Faces(f, 0)]",
+    ),
     at("Areas/TargetAreas.cxx", "EIGEN_PI / areas.sum()", "2.0 * EIGEN_PI / areas.sum()"),
-    at("Areas/WarmStart.cxx", "(1.0 - share) * to[k - 1] + share * to[k]", "share * to[k - 1] + (1.0 - share) * to[k]"),
+    at(
+        "Areas/WarmStart.cxx",
+        "(1.0 - share) * to[k - 1] + share * to[k]",
+        "share * to[k - 1] + (1.0 - share) * to[k]",
+    ),
     # --- Repair
     at("Repair/SpikeRemoval.cxx", "sum.norm() / area", "area / sum.norm()"),
     at("Repair/SpikeRemoval.cxx", "flat[i] && intersectionsAfter[i] > intersectionsBefore[i]", "false"),
     at("Repair/SpikeRemoval.cxx", "areaBefore + result.AreaChange < LeastAreaLeft * areaBefore", "false"),
     at("Repair/CoincidentPoints.cxx", "same ? representative[order[i - 1]] : order[i]", "order[i]"),
     at("Repair/CoincidentPoints.cxx", "tolerance", "0.1 * tolerance", "(point, tolerance)"),
-    at("Repair/ConsistentOrientation.cxx", "closed ? volume < 0.0 : reversedArea > 0.0", "closed ? volume > 0.0 : reversedArea > 0.0"),
+    at(
+        "Repair/ConsistentOrientation.cxx",
+        "closed ? volume < 0.0 : reversedArea > 0.0",
+        "closed ? volume > 0.0 : reversedArea > 0.0",
+    ),
     at("Repair/ConsistentOrientation.cxx", "faces - reversedFaces", "reversedFaces"),
     at("Repair/TJunctions.cxx", "height > LeastHeightRatio * distance", "true"),
     at("Repair/TJunctions.cxx", "std::replace(rest.begin(), rest.end(), before, middle);", ""),
@@ -124,9 +188,22 @@ BREAKS = [
     at("Repair/HoleFilling.cxx", "length > limit", "length < limit"),
     at("Repair/HoleFilling.cxx", "counts[hole] < fewest[hole]", "counts[hole] > fewest[hole]"),
     # --- Remeshing
-    at("Remeshing/SelfIntersectionRemoval.cxx", "this->intersections(change.After, change, before) < before", "this->intersections(change.After, change, before) > before"),
-    at("Remeshing/LongestEdgeBisection.cxx", "surface.squaredLength(side) <= limit", "surface.squaredLength(side) <= 4.0 * limit"),
-    at("Remeshing/RegionPreservingDecimation.cxx", "keep[f.idx()]", "false", "fixed[surface.edge(h)] || keep[f.idx()]"),
+    at(
+        "Remeshing/SelfIntersectionRemoval.cxx",
+        "this->intersections(change.After, change, before) < before",
+        "this->intersections(change.After, change, before) > before",
+    ),
+    at(
+        "Remeshing/LongestEdgeBisection.cxx",
+        "surface.squaredLength(side) <= limit",
+        "surface.squaredLength(side) <= 4.0 * limit",
+    ),
+    at(
+        "Remeshing/RegionPreservingDecimation.cxx",
+        "keep[f.idx()]",
+        "false",
+        "fixed[surface.edge(h)] || keep[f.idx()]",
+    ),
     at("Remeshing/IsotropicRemeshing.cxx", "tangential.norm() < SmallestStep * this->Length", "true"),
     at("Remeshing/SliverRemoval.cxx", "smallestSine(change.After) > Gain * smallestSine(change.Before)", "false"),
     # --- Handles
@@ -142,7 +219,11 @@ BREAKS = [
     at("Disk/IsolineCut.cxx", "(level - from) / (to - from)", "(level - to) / (from - to)"),
     at("Disk/CutGraph.cxx", "joined.link(from, to);", ""),
     at("Disk/TubeSeam.cxx", "lengths[second] >= LeastEnd * lengths[first]", "true"),
-    at("Disk/DiskOpening.cxx", "0.5 * (boundaryLength(this->mesh()) - before)", "boundaryLength(this->mesh()) - before"),
+    at(
+        "Disk/DiskOpening.cxx",
+        "0.5 * (boundaryLength(this->mesh()) - before)",
+        "boundaryLength(this->mesh()) - before",
+    ),
     # --- FlatMap
     at("FlatMap/DistortionMeasures.cxx", "alpha + beta", "alpha - beta"),
     at("FlatMap/DistortionMeasures.cxx", "-std::log(result.AreaRatio[f])", "std::log(result.AreaRatio[f])"),

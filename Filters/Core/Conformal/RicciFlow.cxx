@@ -16,6 +16,11 @@ namespace flattening
 namespace
 {
 
+// Evaluations that flip edges this many times for each half-edge do so because rounding decides on the
+// angles of triangles that are nearly degenerate; the others flip twice for each at most. A flow ends
+// after some evaluations of that kind. A guard: flows that end well, on strips of needles, had two.
+constexpr long long MostFlipsPerHalfedge = 5;
+constexpr int MostExcessiveFlips = 20;
 // Relative residual of a step's linear system. A choice: with more, steps lose their direction; with
 // less, each takes more iterations of conjugate gradients without fewer steps.
 constexpr double LinearTolerance = 1e-2;
@@ -192,7 +197,15 @@ private:
 
   void evaluate()
   {
-    this->Result.Flips += this->Triangulation.flipToDelaunay(this->Result.LogFactors);
+    const int flips = this->Triangulation.flipToDelaunay(this->Result.LogFactors);
+    this->Result.Flips += flips;
+    this->ExcessiveFlips += flips > MostFlipsPerHalfedge * this->Triangulation.halfedgeCount();
+    if (this->ExcessiveFlips > MostExcessiveFlips)
+    {
+      throw ConvergenceError(
+        "the Ricci flow flips edges without an end, as the surface has triangles that are nearly "
+        "degenerate: remesh the surface (Surface To Disk, Remesh)");
+    }
     this->System.evaluate(this->Result.LogFactors);
   }
 
@@ -303,6 +316,7 @@ private:
       this->Result.LogFactors[part.Vertices[v]] = local.Result.LogFactors[v];
     }
     this->Result.Flips += local.Result.Flips;
+    this->ExcessiveFlips += local.ExcessiveFlips;
     this->Triangulation.replace(part);
     this->evaluate();
   }
@@ -313,6 +327,7 @@ private:
   std::vector<char> Settled;
   CurvatureSystem System;
   LaggedCholeskySolver Solver;
+  int ExcessiveFlips = 0; // evaluations that flip too many edges
   RicciFlowResult Result;
 };
 

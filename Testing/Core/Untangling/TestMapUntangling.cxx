@@ -6,6 +6,7 @@
 #include "Support/RandomNumbers.h"
 #include "Untangling/MapUntangling.h"
 #include "Untangling/PatchUntangling.h"
+#include "Untangling/TargetTriangles.h"
 
 #include <Eigen/LU>
 
@@ -330,6 +331,32 @@ TEST(PatchUntangling, SpringsInAConvexRimFlipNothing)
     planar(mesh).bottomRows(mesh.vertexCount() - patch.FreeVertices);
   relaxPatch(patch);
   EXPECT_EQ(countFlippedFaces(patch.Positions, patch.Faces), 0);
+}
+
+// A face with three different sides, whichever corner is its first: the target has them all in one
+// ratio, in the same order, and the area that was asked for.
+TEST(TargetTriangles, AreSimilarToTheFacesAndHaveTheAreas)
+{
+  TriangleMesh mesh{ Points3(3, 3), FaceMatrix(3, 3) };
+  mesh.Vertices << 0.0, 0.0, 5.0, 4.0, 0.0, 5.0, 1.0, 0.0, 7.0;
+  mesh.Faces << 0, 1, 2, 1, 2, 0, 2, 0, 1;
+  const TargetTriangles targets = trianglesOfArea(mesh, Eigen::Vector3d(1.0, 9.0, 16.0));
+  for (int f = 0; f < 3; ++f)
+  {
+    const TargetTriangle target = targets(f);
+    const Eigen::Vector2d corners[3] = { { 0.0, 0.0 }, target.Second, target.Third };
+    const double scale = f == 0 ? 0.5 : f == 1 ? 1.5 : 2.0; // the face's area is 4
+    for (int k = 0; k < 3; ++k)
+    {
+      const double side =
+        (mesh.Vertices.row(mesh.Faces(f, (k + 1) % 3)) - mesh.Vertices.row(mesh.Faces(f, k))).norm();
+      EXPECT_NEAR((corners[(k + 1) % 3] - corners[k]).norm(), scale * side, 1e-14 * side)
+        << f << ", " << k;
+    }
+    EXPECT_NEAR(0.5 * (target.Second.x() * target.Third.y() - target.Second.y() * target.Third.x()),
+      4.0 * scale * scale,
+      1e-13);
+  }
 }
 
 } // namespace
