@@ -23,7 +23,7 @@ def flat(surface, **properties):
 def figures(proxy):
     data = servermanager.Fetch(proxy).GetFieldData()
     arrays = [data.GetArray(i) for i in range(data.GetNumberOfArrays())]
-    return {array.GetName(): array.GetTuple(0)[0] for array in arrays if array.GetNumberOfTuples() == 1}
+    return {array.GetName(): array.GetTuple(0)[0] for array in arrays if array and array.GetNumberOfTuples() == 1}
 
 
 # A part of a ball.

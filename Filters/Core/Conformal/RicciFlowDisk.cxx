@@ -22,10 +22,10 @@ using Complex = std::complex<double>;
 // Number of vertices that are tried at infinity before the map is given up: a choice, as each attempt
 // costs a whole flow.
 constexpr int MostAttempts = 4;
-// Newton steps of failed attempts after which no other vertex is tried, so that all attempts together
-// take at most as many steps and those of one flow. A guard: near an unlucky star a flow fails within a
-// few steps, while one that fails late, on nearly degenerate triangles, would do so again.
-constexpr int LateSteps = 30;
+// Newton steps of failed attempts after which no other vertex is tried: two flows that fail late, as on
+// nearly degenerate triangles, are enough. A guard for the time; with one, surfaces with many slivers are
+// given up that the second vertex maps.
+constexpr int LateSteps = 90;
 // Number of times that a surface too coarse for any of them is subdivided: a guard, for one subdivision
 // gives every boundary edge a vertex with interior neighbours.
 constexpr int MostSubdivisions = 4;
