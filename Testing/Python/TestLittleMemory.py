@@ -18,8 +18,8 @@ LONGEST = 60  # processor seconds of a child, a hundred times what it takes
 
 def pipeline():
     source = vtkSphereSource()
-    source.SetThetaResolution(80)
-    source.SetPhiResolution(80)
+    source.SetThetaResolution(120)
+    source.SetPhiResolution(120)
     filters = [source]
     for name in STAGES:
         filters.append(getattr(surfaceflattening, name)())
