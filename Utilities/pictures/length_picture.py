@@ -24,7 +24,7 @@ from line_chart import (
     benchmarks_of,
 )
 
-MARKERS = [(ORANGE, CIRCLE), (BLUE, CROSS), (GREEN, PLUS), (PINK, SQUARE), (BROWN, DIAMOND), (GREY, CIRCLE)]
+MARKERS = [(ORANGE, CIRCLE), (BLUE, CROSS), (GREEN, PLUS), (PINK, SQUARE), (BROWN, DIAMOND), (GREY, CIRCLE), (PINK, CROSS)]
 SIZE = 14
 
 
