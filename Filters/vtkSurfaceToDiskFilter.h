@@ -429,10 +429,10 @@ public:
 
   ///@{
   /**
-   * By how much a branch must lower the strain (see ReliefStrain) if CutMode is RELIEF or AUTOMATIC and
-   * it is as long as the square root of the surface's area; a branch of another length must do so in
-   * proportion. A third of the default is worth one degree of angle error. Less makes more branches.
-   * Range [0, inf), otherwise an error. Default: 0.05.
+   * The least decrease of the strain (see ReliefStrain) that keeps a branch if CutMode is RELIEF or
+   * AUTOMATIC and the branch is as long as the square root of the surface's area; a branch of another
+   * length must do so in proportion. A third of the default is worth one degree of angle error. Less
+   * makes more branches. Range [0, inf), otherwise an error. Default: 0.05.
    */
   vtkSetMacro(ReliefGain, double);
   vtkGetMacro(ReliefGain, double);

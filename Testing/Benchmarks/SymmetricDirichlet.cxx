@@ -149,8 +149,8 @@ private:
     return (this->Hats[f] * corners).transpose();
   }
 
-  // Where sum of area |W (J - R)|^2 is least: R is the rotation next to J, and W makes the gradient that
-  // of the energy.
+  // The positions at which the sum of area |W (J - R)|^2 is least: R is the rotation next to J, and W
+  // makes the gradient that of the energy.
   Points2 proxyMinimum(const Points2& p)
   {
     const Eigen::Index n = p.rows();

@@ -48,7 +48,8 @@ constexpr int LastRounds = 8;
 // The share of the faces that may get worse than the tolerance: where more do, weights or horns ask for
 // more than a free outline can give, and the map stays in its domain.
 constexpr double GreatestLoss = 0.01;
-// The same share after a deformation and one round. A choice: the last rounds get back about so many.
+// The same share after a deformation and the round that follows it. A choice: later rounds mostly make
+// so many faces right again, and with 0.05 small meshes keep their domain.
 constexpr double GreatestPassingLoss = 0.2;
 // Then steps of the whole mesh follow, a round at a time, until one lowers the energy by less than this
 // share. One round sets regions right; more are worth their time where all shapes can be kept.

@@ -14,9 +14,10 @@ namespace flattening
 
 struct ReliefOptions
 {
-  /// By how much a branch must lower the strain (ConformalStrain) if it is as long as the square root of
-  /// the surface's area, and in proportion if it is shorter or longer (>= 0). A sixtieth of strain is
-  /// about one degree of mean angle error: with 0.05, three degrees are worth such a length.
+  /// The least decrease of the strain (ConformalStrain) that keeps a branch if the branch is as long as
+  /// the square root of the surface's area, and in proportion if it is shorter or longer (>= 0). A
+  /// sixtieth of strain is about one degree of mean angle error: with 0.05, three degrees are worth such
+  /// a length.
   double Gain = 0.05;
   /// The greatest length of all branches together, in square roots of the surface's area (> 0). The
   /// first branch of a closed surface is cut whatever its length.
@@ -25,7 +26,7 @@ struct ReliefOptions
 
 struct PlacedRelief
 {
-  /// Where the branches end, in their order (input units): each is joined to the boundary and the
+  /// The ends of the branches, in their order (input units): each is joined to the boundary and the
   /// branches before it by a shortest path. On a closed surface the first branch joins the first two.
   std::vector<Eigen::Vector3d> Tips;
   /// The strain of the surface as it is, without a branch, or opened at the first tip alone if it is

@@ -18,8 +18,8 @@ namespace flattening
 
 struct SeamOpenedSurface
 {
-  /// Of the same genus. It is a disk if that is 0 and the surface was closed, or a tube cut from end to
-  /// end, or has one boundary to which all seams lead.
+  /// The cut surface has the same genus. It is a disk if the genus is 0 and the surface was closed, or a
+  /// tube cut from end to end, or has one boundary to which all seams lead.
   CutSurface Cut;
   /// The points asked for, moved onto the surface.
   std::vector<Eigen::Vector3d> Points;

@@ -7,7 +7,7 @@
 namespace flattening
 {
 
-/// What one source point tells: the pairs of it and other points.
+/// The lengths between one source point and other points.
 struct SourceLengths
 {
   std::vector<double> Ratios;  ///< length on the map over length on the surface, >= 0 and finite

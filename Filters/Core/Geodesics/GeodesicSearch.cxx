@@ -196,7 +196,7 @@ void GeodesicSearch::enterFace(const Window& window)
   const int h = window.Halfedge;
   const PlanarSide& side = this->Faces.Sides[h];
   const double height = side.ApexY - window.Y;
-  // Where the straight line from the point to the apex crosses the half-edge.
+  // The straight line from the point to the apex crosses the half-edge at this coordinate.
   const double crossing = window.X - (side.ApexX - window.X) * window.Y / height;
   // The path to the apex bends at an end of the window if the apex is out of its sight.
   const double nearest = std::clamp(crossing, window.Begin, window.End);
@@ -214,9 +214,9 @@ void GeodesicSearch::enterFace(const Window& window)
   {
     const ApexView best = this->Views[h];
     const bool first = this->isFirstAtApex(window, crossing, distance);
-    // Of all windows of a half-edge that see the apex, only that with the shortest path to it goes on at
-    // both sides of it. The paths of any other that pass it on the far side of the shortest path would
-    // cross that ("one angle, one split", Chen and Han).
+    // Several windows of a half-edge may see the apex. The window with the shortest path to the apex
+    // goes on at both sides of it, the others at one side: on the far side of the shortest path, their
+    // paths would cross that path ("one angle, one split", Chen and Han).
     if (first || crossing < best.Crossing)
     {
       this->pushLeft(window, window.Begin, crossing);

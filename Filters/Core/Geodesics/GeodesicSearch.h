@@ -64,7 +64,8 @@ private:
     int Place;
     double Distance;
   };
-  // What is processed together: windows and places whose distances differ by less than a bucket's width.
+  // A bucket holds windows and places that are processed together: their distances differ by less than
+  // its width.
   struct Bucket
   {
     std::vector<Window> Windows;

@@ -9,7 +9,8 @@
 namespace flattening
 {
 
-/// What happens at edges of the boundary that lie on each other, as those on both banks of a seam do.
+/// Whether paths cross edges of the boundary that lie on each other, as those on both banks of a seam
+/// do.
 enum class Seams
 {
   Open,  ///< no path crosses them
