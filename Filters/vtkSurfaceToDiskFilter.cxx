@@ -128,7 +128,7 @@ void vtkSurfaceToDiskFilter::Execute(vtkInformationVector** inputVector,
   const flattening::TriangleMesh surface = flattening::toTriangleMesh(triangles);
   const std::vector<vtkIdType> cells = flattening::cellsOf(triangles);
   flattening::SurfaceToDiskOptions options = this->GetOptions(input);
-  if (this->CutMode == SEAM)
+  if (this->CutMode == SEAM || this->CutMode == AUTOMATIC)
   {
     this->SetSeam(options, vtkPolyData::GetData(inputVector[1]));
   }

@@ -14,16 +14,17 @@
  * - It flattens spikes, pits and fins of one voxel (FlattenFolds).
  * - It keeps one side of a plane, or removes a labelled part, if CutMode is PLANE or LABEL.
  * - It keeps one boundary (BoundaryMode) and fills all others with patches of the density around them.
- *   A boundary shorter than that of the hole below is filled, too, and the surface opened there.
+ *   A boundary shorter than that of the hole below is filled, too, and the surface opened anew; a hole
+ *   is cut in the same place.
  * - It removes handles and tunnels, or cuts them open without changing the surface (HandleMode).
  * - On request it replaces the triangles by nearly equilateral ones (Remesh).
- * - It opens a closed surface by a small geodesic hole, along a seam or along a tree of seams (CutMode).
+ * - It opens a closed surface along a tree of seams, along a seam or by a small geodesic hole (CutMode).
  *   The new boundary gets at least MinimumBoundaryVertices vertices: the mesh is refined there, as a
  *   boundary of six edges cannot become that of a disk. A tube with two open ends is cut from end to end
  *   (CutMode SEAM), and an open surface along a tree of seams from its boundary inwards (CutMode
  *   RELIEF).
  *
- * The second input is optional: polydata whose lines are the seams, if CutMode is SEAM.
+ * The second input is optional: polydata whose lines are the seams, if CutMode is SEAM or AUTOMATIC.
  *
  * The output is a single component of genus 0 with one boundary loop, points in double precision and no
  * unused point. It keeps all point and cell arrays but the global ids. At new points, arrays of
@@ -303,11 +304,13 @@ public:
    *   first.
    * - LABEL (4): the part with a label (CutLabel) is removed, and its border becomes the boundary of the
    *   disk.
-   * - AUTOMATIC (5): a closed surface gets the opening that leaves the best map of the disk: a relief
-   *   whose boundary is no longer than the circumference of a disk of the surface's area. An open
-   *   surface keeps its boundary. ChosenCut and ReasonOfCut report the choice.
+   * - AUTOMATIC (5): a seam if UseSeamPoints or SeamLines give its place, a hole if UseHolePoint does.
+   *   Otherwise a closed surface gets the opening that mostly leaves the best map of the disk: a relief
+   *   whose boundary is no longer than the circumference of a disk of the surface's area, or a hole
+   *   where the region of interest leaves no room for one. An open surface keeps its boundary.
+   *   ChosenCut and ReasonOfCut report the choice.
    *
-   * Default: HOLE.
+   * Default: AUTOMATIC. The paper cuts a hole.
    */
   vtkSetClampMacro(CutMode, int, HOLE, AUTOMATIC);
   vtkGetMacro(CutMode, int);
@@ -321,9 +324,10 @@ public:
 
   ///@{
   /**
-   * Whether HolePoint chooses where a closed surface is opened. If off, the hole is placed where the
-   * mean distance along the surface to all other points is smallest: neither on a tip nor deep in a
-   * fold, which keeps the distortion of the flattening low. Default: off.
+   * Whether HolePoint chooses where a closed surface is opened, if CutMode is HOLE or AUTOMATIC. If off
+   * and CutMode is HOLE, the hole is placed where the mean distance along the surface to all other
+   * points is smallest: neither on a tip nor deep in a fold, which keeps the distortion of the
+   * flattening low. Default: off.
    */
   vtkSetMacro(UseHolePoint, bool);
   vtkGetMacro(UseHolePoint, bool);
@@ -364,9 +368,9 @@ public:
 
   ///@{
   /**
-   * Whether SeamPoints choose the seam, if CutMode is SEAM. If off, the seam of a closed surface joins
-   * two extremities that are far from each other, which flattens best, the seam of a tube joins its
-   * ends, and any other open surface is not cut. Default: off.
+   * Whether SeamPoints choose the seam, if CutMode is SEAM or AUTOMATIC. If off and CutMode is SEAM, the
+   * seam of a closed surface joins two extremities that are far from each other, the seam of a tube
+   * joins its ends, and any other open surface is not cut. Default: off.
    */
   vtkSetMacro(UseSeamPoints, bool);
   vtkGetMacro(UseSeamPoints, bool);
@@ -417,11 +421,11 @@ public:
 
   ///@{
   /**
-   * Lines along which the surface is cut if CutMode is SEAM, in place of SeamPoints (second input;
-   * optional). The cut runs along geodesics between the points of the lines; points closer to each other
-   * than the edges of the surface are skipped, except for the ends of lines. Lines may meet at points of
-   * theirs, as paths of SeamPathStarts do. A point farther from the surface than 5 % of the diagonal of
-   * its bounding box is an error.
+   * Lines along which the surface is cut if CutMode is SEAM or AUTOMATIC, in place of SeamPoints (second
+   * input; optional). The cut runs along geodesics between the points of the lines; points closer to
+   * each other than the edges of the surface are skipped, except for the ends of lines. Lines may meet
+   * at points of theirs, as paths of SeamPathStarts do. A point farther from the surface than 5 % of the
+   * diagonal of its bounding box is an error.
    */
   void SetSeamLinesConnection(vtkAlgorithmOutput* lines);
   void SetSeamLinesData(vtkPolyData* lines);
@@ -489,8 +493,9 @@ public:
   ///@{
   /**
    * Angle below which a face is removed without Remesh, by moving its vertices, collapsing and flipping
-   * edges, as slivers cannot be flattened well (degrees). 0 leaves all faces as they are. Ignored if
-   * HandleMode is CUT_HANDLES. Range [0, 15]. Default: 1.
+   * edges, as slivers cannot be flattened well (degrees). The cut, which comes after it, can divide a
+   * face into some with smaller angles. 0 leaves all faces as they are. Ignored if HandleMode is
+   * CUT_HANDLES. Range [0, 15]. Default: 1.
    */
   vtkSetClampMacro(SmallestAngle, double, 0.0, 15.0);
   vtkGetMacro(SmallestAngle, double);
@@ -551,7 +556,7 @@ protected:
   double FillLengthLimit = 0.0;
   bool FlattenFolds = true;
   int HandleMode = REMOVE_HANDLES;
-  int CutMode = HOLE;
+  int CutMode = AUTOMATIC;
   bool UseHolePoint = false;
   double HolePoint[3] = { 0.0, 0.0, 0.0 };
   double HoleAreaFraction = 1e-3;

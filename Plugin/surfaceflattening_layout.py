@@ -43,10 +43,10 @@ class Comparison:
     layout: object
 
 
-def flatten_and_compare(source=None, cut="Hole"):
+def flatten_and_compare(source=None, cut="Automatic"):
     """Takes @source, a surface (by default the active source), through Surface To Disk, Conformal Disk, OMT
     Area Preserving and Distortion Metrics and shows the maps and their distortion in a new layout.
-    @cut: "Hole", "Seam" or "Plane", if the surface is closed; its position is a setting of Surface To Disk.
+    @cut: Cut of Surface To Disk, such as "Plane"; the place of the cut is a setting of that filter.
 
     @raise ValueError if there is no source or it is no surface.
     @raise RuntimeError if a filter fails; its message is in ParaView's output window.

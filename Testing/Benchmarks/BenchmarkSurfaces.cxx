@@ -78,6 +78,7 @@ BenchmarkSurface asDisk(vtkSurfaceToDiskFilter* toDisk, vtkPolyData* surface, do
 BenchmarkSurface asDisk(vtkPolyData* surface, double edgeLength, double holeFraction = 0.0)
 {
   vtkNew<vtkSurfaceToDiskFilter> toDisk;
+  toDisk->SetCutModeToHole();
   if (holeFraction > 0.0)
   {
     toDisk->SetHoleAreaFraction(holeFraction);

@@ -128,6 +128,7 @@ TEST(Pipeline, ClosedIsosurface)
 {
   Pipeline pipeline(foldedBall(33, false));
   pipeline.ToDisk->RemeshOn();
+  pipeline.ToDisk->SetCutModeToHole();
   pipeline.ToDisk->SetHoleAreaFraction(1e-2);
   pipeline.update();
   expectSoundMaps(pipeline);

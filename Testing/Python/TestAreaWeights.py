@@ -17,7 +17,7 @@ from paraview.simple import (
 
 ball = Sphere(Radius=40, ThetaResolution=60, PhiResolution=60)
 labelled = Calculator(
-    Input=SurfaceToDisk(Input=ball, HoleAreaFraction=0.01),
+    Input=SurfaceToDisk(Input=ball, Cut="Hole", HoleAreaFraction=0.01),
     ResultArrayName="Region",
     Function="1 + 22*(coordsX > 20)",
 )

@@ -42,7 +42,7 @@ sphere.SetEndPhi(100)
 sphere.Update()
 SETTINGS = {
     "isovalue": None, "smoothing": 1.0, "cut": "hole", "plane_normal": [1, 0, 0], "plane_origin": None,
-    "hole_area": 1e-3, "handles": "remove", "remesh": False, "edge_length": 0.0,
+    "hole_area": 1e-3, "handles": "remove", "remesh": False, "edge_length": 0.0, "free_outline": False,
 }
 NO_LIMITS = {"seconds": None, "megabytes": None}
 

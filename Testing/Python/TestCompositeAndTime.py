@@ -141,7 +141,7 @@ def load_plugin():
 load_plugin()
 surface = cap(120)
 disk = simple.SurfaceToDisk(
-    registrationName="disk", Input=surface, Remesh=1, RelativeEdgeLength=1.3, HoleAreaFraction=0.02
+    registrationName="disk", Input=surface, Remesh=1, RelativeEdgeLength=1.3
 )
 conformal = simple.ConformalDisk(registrationName="conformal", Input=disk, UseCenterPoint=1, CenterPoint=[1, 2, 3])
 weights = simple.AreaWeights(

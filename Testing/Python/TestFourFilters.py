@@ -46,7 +46,7 @@ metrics.UpdatePipeline()
 for proxy in (conformal, area_preserving, metrics):
     assert proxy.GetDataInformation().GetNumberOfCells() == 0
 
-disk = SurfaceToDisk(Input=stretched, HoleAreaFraction=0.01)
+disk = SurfaceToDisk(Input=stretched, Cut="Hole", HoleAreaFraction=0.01)
 area_preserving.Input = disk  # no SurfacePoints
 metrics.UpdatePipeline()
 assert metrics.GetDataInformation().GetNumberOfCells() == 0
@@ -127,7 +127,7 @@ assert focus.GetDataInformation().GetNumberOfCells() == cells
 
 # --- Domain: a polygon is filled, its corners too --------------------------------------------------------------
 square = Plane(Origin=[1, 2, 0], Point1=[2, 2, 0], Point2=[1, 3, 0])
-wide = ConformalDisk(Input=SurfaceToDisk(Input=stretched, HoleAreaFraction=0.05))
+wide = ConformalDisk(Input=SurfaceToDisk(Input=stretched, Cut="Hole", HoleAreaFraction=0.05))
 into_square = OMTAreaPreserving(Input=wide, Domain=square, FixCorners=1, NormalizeTo="Unit Domain")
 data = fetch(into_square)
 assert data.GetNumberOfCells() == fetch(wide).GetNumberOfCells() > 0

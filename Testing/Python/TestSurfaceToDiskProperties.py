@@ -40,14 +40,15 @@ def close(value, expected, relative):
 
 ball = Sphere(Radius=10, ThetaResolution=40, PhiResolution=40)
 ball_area = 4 * math.pi * 10**2
-plain = disk(ball)
+plain = disk(ball, Cut="Hole")
 area = figure(plain, "SurfaceArea") + figure(plain, "RemovedArea")
 
 # --- Cut ---------------------------------------------------------------------------------------------------
 close(figure(plain, "RemovedArea"), 0.001 * area, 1e-6)
 close(figure(disk(ball, Cut="Hole", HoleAreaFraction=0.02), "RemovedArea"), 0.02 * area, 1e-6)
 
-picked = disk(ball, UseHolePoint=1, HolePoint=[0, 0, 10])
+picked = disk(ball, UseHolePoint=1, HolePoint=[0, 0, 10])  # Automatic cuts where it is told to
+assert figure(picked, "ChosenCut") == 0
 assert picked.GetFieldData().GetArray("HoleCentre").GetTuple3(0)[2] > 9.9
 assert abs(plain.GetFieldData().GetArray("HoleCentre").GetTuple3(0)[2]) < 9.9
 assert figure(disk(ball, MinimumBoundaryVertices=300), "BoundaryVertices") >= 300
@@ -56,6 +57,9 @@ seam = disk(ball, Cut="Seam", UseSeamPoints=1, SeamPoints=[10, 0, 0, 0, 10, 0, 0
 close(figure(seam, "SeamLength"), 10 * math.pi, 0.01)
 close(figure(seam, "SurfaceArea"), area, 1e-6)
 assert seam.GetPointData().GetArray("Seam").GetRange() == (0, 1)
+told = disk(ball, UseSeamPoints=1, SeamPoints=[10, 0, 0, 0, 10, 0, 0, 0, 10])
+assert figure(told, "ChosenCut") == 1
+assert figure(told, "SeamLength") == figure(seam, "SeamLength")
 half = disk(ball, Cut="Seam", UseSeamPoints=1, SeamPoints=[10, 0, 0, 0, 10, 0])
 close(figure(half, "SeamLength"), 5 * math.pi, 0.01)
 close(figure(half, "SurfaceArea"), figure(seam, "SurfaceArea"), 1e-12)  # nothing is lost
@@ -113,7 +117,8 @@ assert figure(more, "ReliefBranches") > figure(relief, "ReliefBranches")
 shorter = disk(finger, Cut="Relief", ReliefGain=0.001, LongestRelief=0.1)
 assert figure(shorter, "ReliefBranches") == 1
 
-automatic = disk(ball, Cut="Automatic")
+automatic = disk(ball)  # the default
+assert SurfaceToDisk(Input=ball).CutMode == "Automatic"
 assert figure(automatic, "ChosenCut") == 3 and figure(automatic, "ReliefBranches") >= 1
 assert figure(automatic, "BoundaryLength") <= 2 * math.sqrt(math.pi * area)
 

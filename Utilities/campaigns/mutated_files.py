@@ -51,6 +51,7 @@ def random_settings(chance):
         "handles": chance.choice(HANDLES),
         "remesh": chance.random() < 0.2,
         "edge_length": 0.0,
+        "free_outline": False,
     }
 
 

@@ -23,7 +23,7 @@ except ImportError as error:
         "such as build/lib/python3/dist-packages"
     ) from None
 
-CUTS = {"hole": 0, "seam": 1, "plane": 2, "relief": 3, "automatic": 5}  # values of CutMode
+CUTS = {"automatic": 5, "hole": 0, "seam": 1, "plane": 2, "relief": 3}  # values of CutMode
 HANDLES = ("remove", "cut", "error")
 READING = "the reader"
 CONTOUR = "the contour of the volume"
@@ -115,7 +115,8 @@ def isosurface(image, isovalue, smoothing):
 def flatten(path, settings, announce=lambda stage: None):
     """Takes one file to its CaseResult. Raises CaseError.
 
-    @settings: isovalue, smoothing, cut, plane_normal, plane_origin, hole_area, handles, remesh, edge_length.
+    @settings: isovalue, smoothing, cut, plane_normal, plane_origin, hole_area, handles, remesh, edge_length,
+    free_outline.
     @announce: is told of each stage that begins, by its name.
     """
     announce(READING)
@@ -145,6 +146,7 @@ def flatten_data(data, volume, settings, announce, warnings):
     run(conformal, warnings, announce)
     area_preserving = vtkOMTAreaPreservingFilter()
     area_preserving.SetInputData(conformal.GetOutput())
+    area_preserving.SetFreeOutline(settings["free_outline"])
     run(area_preserving, warnings, announce)
     metrics = vtkDistortionMetrics()
     metrics.SetInputData(area_preserving.GetOutput())

@@ -35,15 +35,17 @@ def parsed_arguments():
     parser.add_argument("--output", required=True, help="folder that all ranks see")
     parser.add_argument("--isovalue", type=float, help="of the surface in a volume")
     parser.add_argument("--smoothing", type=float, default=1.0, help="of a volume, mm; 0: none (default 1)")
-    parser.add_argument("--cut", choices=CUTS, default="hole", help="how a closed surface is opened")
+    parser.add_argument("--cut", choices=CUTS, default="automatic",
+                        help="how a closed surface is opened (default: automatic)")
     parser.add_argument("--plane-normal", type=float, nargs=3, default=[1.0, 0.0, 0.0], metavar=("X", "Y", "Z"),
                         help="with --cut plane: towards the part that is kept (default 1 0 0)")
     parser.add_argument("--plane-origin", type=float, nargs=3, metavar=("X", "Y", "Z"),
                         help="with --cut plane (default: the centre of each surface's bounding box)")
-    parser.add_argument("--hole-area", type=float, default=1e-3, help="share of the area (default 0.001)")
+    parser.add_argument("--hole-area", type=float, default=1e-3, help="with --cut hole: share of the area (default 0.001)")
     parser.add_argument("--handles", choices=HANDLES, default="remove")
     parser.add_argument("--remesh", action="store_true", help="even triangles: fewer, better shaped, faster")
     parser.add_argument("--edge-length", type=float, default=0.0, help="with --remesh; 0: automatic")
+    parser.add_argument("--free-outline", action="store_true", help="a map that is not forced into a disk")
     parser.add_argument("--case-memory", type=float, metavar="MB", help="of memory that a case may use")
     parser.add_argument("--case-time", type=float, metavar="S", help="seconds after which a case is given up")
     arguments = parser.parse_args()
@@ -60,7 +62,7 @@ def parsed_arguments():
 
 def settings_of(arguments):
     names = ("isovalue", "smoothing", "cut", "plane_normal", "plane_origin", "hole_area", "handles", "remesh",
-             "edge_length")
+             "edge_length", "free_outline")
     return {name: getattr(arguments, name) for name in names}
 
 

@@ -144,7 +144,7 @@ def map_picture(flat, colours):
 def flat_maps(earth):
     east, _, towards = axes()
     disk = simple.SurfaceToDisk(
-        Input=earth, UseHolePoint=1, HolePoint=list(-RADIUS * towards), HoleAreaFraction=HOLE
+        Input=earth, Cut="Hole", UseHolePoint=1, HolePoint=list(-RADIUS * towards), HoleAreaFraction=HOLE
     )
     # The eastern part of the picture goes to the right end of the map.
     conformal = simple.ConformalDisk(

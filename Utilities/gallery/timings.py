@@ -48,7 +48,7 @@ def sphere():
         ball = earth.sphere(pieces)
     finally:
         earth.POINTS = count
-    return simple.SurfaceToDisk(Input=ball, HoleAreaFraction=earth.HOLE, MinimumBoundaryVertices=0)
+    return simple.SurfaceToDisk(Input=ball, Cut="Hole", HoleAreaFraction=earth.HOLE, MinimumBoundaryVertices=0)
 
 
 def square():

@@ -123,7 +123,7 @@ def make(path):
         meshes.poly_data(points, faces, point_arrays={"Part": part, "Light": light(points, faces)}),
         "vase.vtp",
     )
-    disk = simple.SurfaceToDisk(Input=surface)
+    disk = simple.SurfaceToDisk(Input=surface, Cut="Hole")
     conformal = simple.ConformalDisk(
         Input=disk, NormalizeTo="Surface Area", UseBoundaryPoint=1, BoundaryPoint=[0, profile(LENGTH), 0]
     )

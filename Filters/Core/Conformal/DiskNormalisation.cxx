@@ -21,9 +21,9 @@ using Complex = std::complex<double>;
 constexpr std::size_t PointsPerTask = 4096;
 // Distance of the centre of mass from 0, in radii, that Newton's method aims at: a few roundings.
 constexpr double CentringTolerance = 1e-14;
-// Distance that is accepted where no step reduces it, as rounding of the sums may forbid. A guard: maps
-// that are off by more are refused.
-constexpr double AcceptedOffset = 1e-9;
+// Distance that is accepted where no step reduces it, as rounding of the positions may forbid. A guard:
+// maps that are off by more are refused.
+constexpr double AcceptedOffset = 1e-6;
 // Guards against endless loops: convergence takes a few iterations, and 2^-50 of a step moves nothing.
 constexpr int MostNewtonSteps = 200;
 constexpr int MostHalvings = 50;
@@ -145,15 +145,15 @@ Complex centreOfMass(const ComplexVector& halfPlane, const Eigen::VectorXd& mass
     }
     if (!improved)
     {
-      if (error < AcceptedOffset)
-      {
-        return centre;
-      }
       break;
     }
   }
-  throw ConvergenceError(
-    "the conformal disk could not be centred: give an interior point for the centre");
+  if (std::abs(m.First) > AcceptedOffset * total)
+  {
+    throw ConvergenceError(
+      "the conformal disk could not be centred: give an interior point for the centre");
+  }
+  return centre;
 }
 
 std::optional<double> intrinsicRotation(const ComplexVector& disk,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Disk/DiskOpening.h"
 
+#include "Base/Errors.h"
 #include "Disk/CutGraph.h"
 #include "Disk/EdgeCut.h"
 #include "Disk/GeodesicHole.h"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -119,33 +121,49 @@ private:
   bool cutsGraph() const { return this->Report.Genus > 0 && this->Options.Handles == HandleMode::Keep; }
   bool isTube() const { return this->Ends == OpenEnds::Kind::Two; }
 
-  // The way to cut, which Automatic leaves to the surface.
+  // The way to cut, which Automatic leaves to the surface unless the place of a cut was given.
   CutMode chosenCut()
   {
-    SurfaceToDiskReport& report = this->Report;
-    const CutMode cut = this->Options.Cut;
-    const bool opens = this->isClosed() && !this->cutsGraph();
-    if (cut == CutMode::Automatic)
+    if (this->Options.Cut != CutMode::Automatic)
     {
-      report.ReasonOfCut = opens ? "Automatic: in the disk, a closed surface mostly has the smallest "
-                                   "errors of angle after a relief that is no longer than suits a disk"
-                           : this->isClosed() ? "Automatic: the cuts of the handles open the surface"
-                                              : "Automatic: the surface has a boundary, which is kept";
-      return opens ? CutMode::Relief : CutMode::Hole;
+      this->Report.ReasonOfCut = "Cut asks for it";
+      if (this->Options.Cut == CutMode::Plane || this->Options.Cut == CutMode::Label)
+      {
+        this->Report.ChosenCut = this->Options.Cut;
+      }
+      return this->Options.Cut;
     }
-    report.ReasonOfCut = "Cut asks for it";
-    if (cut == CutMode::Plane || cut == CutMode::Label)
-    {
-      report.ChosenCut = cut;
-    }
+    const auto [cut, reason] = this->automaticCut();
+    this->Report.ReasonOfCut = std::string("Automatic: ") + reason;
     return cut;
+  }
+
+  std::pair<CutMode, const char*> automaticCut() const
+  {
+    if (!this->Options.SeamPoints.empty())
+    {
+      return { CutMode::Seam, "the points of a seam are given" };
+    }
+    if (!this->isClosed())
+    {
+      return { CutMode::Hole, "the surface has a boundary, which is kept" };
+    }
+    if (this->Options.Hole.Centre)
+    {
+      return { CutMode::Hole, "the point of a hole is given" };
+    }
+    if (this->cutsGraph())
+    {
+      return { CutMode::Hole, "the cuts of the handles open the surface" };
+    }
+    return { CutMode::Relief,
+      "a closed surface mostly has the smallest errors after a relief as long as suits a disk" };
   }
 
   bool hasPlaceOfCut() const
   {
-    return this->Options.Cut == CutMode::Seam
-             ? !this->Options.SeamPoints.empty()
-             : this->Options.Cut == CutMode::Hole && this->Options.Hole.Centre;
+    return this->Cut == CutMode::Seam ? !this->Options.SeamPoints.empty()
+                                      : this->Cut == CutMode::Hole && this->Options.Hole.Centre;
   }
 
   void cutGraph(const ProgressCallback& progress)
@@ -161,7 +179,7 @@ private:
 
   void cutHoleOrSeam(const ProgressCallback& progress)
   {
-    if (this->Options.Cut == CutMode::Seam &&
+    if (this->Cut == CutMode::Seam &&
         (this->isClosed() || this->isTube() || !this->Options.SeamPoints.empty()))
     {
       this->cutSeam(progress);
@@ -220,14 +238,35 @@ private:
     {
       ReliefOpenedSurface relief =
         flattening::cutRelief(this->mesh(), placed.Tips, this->avoided(), subrange(progress, 0.5, 1.0));
-      this->Report.ChosenCut = CutMode::Relief;
       this->Report.ReliefBranches = relief.Branches;
       this->Report.ReliefLength = relief.Opened.Length;
       this->followSeam(std::move(relief.Opened.Cut));
     }
-    this->resolveBoundary(this->Report.ReliefBranches > 0
-                            ? this->Hole.BoundaryVertices
-                            : std::min(LeastBoundaryVertices, this->Hole.BoundaryVertices));
+    if (this->Report.ReliefBranches > 0)
+    {
+      this->Report.ChosenCut = CutMode::Relief;
+      this->resolveBoundary(this->Hole.BoundaryVertices);
+    }
+    else
+    {
+      this->openWithoutRelief(progress);
+    }
+  }
+
+  void openWithoutRelief(const ProgressCallback& progress)
+  {
+    if (!analyseTopology(this->mesh().Faces, this->mesh().vertexCount()).BoundaryLoops.empty())
+    {
+      this->resolveBoundary(std::min(LeastBoundaryVertices, this->Hole.BoundaryVertices));
+      return;
+    }
+    if (this->Options.Cut != CutMode::Automatic)
+    {
+      throw InvalidInput(
+        "there is no room for a relief: mark a smaller region of interest, or set Cut to Hole or Seam");
+    }
+    this->Report.ReasonOfCut = "Automatic: there is no room for a relief";
+    this->cutHole(atFraction(progress, 1.0, "Cutting the hole"));
   }
 
   // The region of interest on the surface as it is now.

@@ -68,12 +68,6 @@ public:
           this->addBranch(vertices[i], atFraction(progress, done, CuttingStage)) ? 1 : 0;
       }
     }
-    if (this->Topology.BoundaryLoops.empty() && relief.Branches == 0)
-    {
-      throw TopologyError(
-        "no branch of a relief can be cut into the surface, as its tips coincide: cut a "
-        "hole or a seam, or remesh the surface");
-    }
     relief.Opened = this->Seams.cut();
     report(progress, 1.0, CuttingStage);
     return relief;
@@ -157,6 +151,12 @@ private:
     }
     snapToVertices(
       this->mesh(), leg, [this](Vertex v) { return this->Seams.isTaken(v) || this->isBlocked(v); });
+    if (leg.size() == 2 && this->Seams.edgeCount() == 0 && this->Topology.BoundaryLoops.empty())
+    {
+      // A cut of a single edge would not open the surface.
+      leg.insert(leg.begin() + 1,
+        PathPoint{ {}, this->mesh().halfedge(leg.front().Vertex, leg.back().Vertex), 0.5 });
+    }
     this->Seams.insert(leg);
   }
 

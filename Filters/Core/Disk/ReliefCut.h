@@ -16,7 +16,7 @@ namespace flattening
 struct ReliefOpenedSurface
 {
   SeamOpenedSurface Opened;
-  int Branches = 0; ///< number of branches that were cut
+  int Branches = 0; ///< number of branches that were cut; without one the surface is as it was
 };
 
 /// Joins one tip after the other to the boundary and the branches before it by the geodesic from the
@@ -28,7 +28,7 @@ struct ReliefOpenedSurface
 /// @param tips  points on the surface or near it, as placeRelief finds them
 /// @param avoided  one flag per vertex, not 0 where no branch may run; empty: branches may run anywhere.
 ///        Branches keep a distance from the flagged vertices where there is room.
-/// @throws TopologyError if no branch can be cut into a closed surface; Cancelled.
+/// @throws Cancelled.
 ReliefOpenedSurface cutRelief(const TriangleMesh& mesh,
   const std::vector<Eigen::Vector3d>& tips,
   const std::vector<char>& avoided = {},

@@ -82,7 +82,10 @@ public:
     PlacedRelief relief;
     if (loops.empty())
     {
-      this->openClosed(relief, progress);
+      if (!this->openClosed(relief, progress))
+      {
+        return relief;
+      }
     }
     else
     {
@@ -107,8 +110,9 @@ private:
     }
   }
 
-  // The first branch of a closed surface, between two peaks that are free.
-  void openClosed(PlacedRelief& relief, const ProgressCallback& progress)
+  // Cuts the first branch of a closed surface, between two peaks that are free. Returns whether there is
+  // room for it.
+  bool openClosed(PlacedRelief& relief, const ProgressCallback& progress)
   {
     for (const double clearance : { ReliefClearance, 0.5 * ReliefClearance, 0.0 })
     {
@@ -132,10 +136,9 @@ private:
       relief.StrainBefore = this->PresentStrain;
       relief.Tips.emplace_back(this->Coarse.Vertices.row(root));
       this->keep(this->branchTo(tip, this->distances(), progress), relief, progress);
-      return;
+      return true;
     }
-    throw InvalidInput("the region of interest leaves no room for a relief: mark a smaller part of the "
-                       "surface");
+    return false;
   }
 
   void openAt(int root, const ProgressCallback& progress)

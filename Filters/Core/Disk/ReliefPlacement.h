@@ -43,8 +43,8 @@ struct PlacedRelief
 /// is worth its length. The first tip of a closed surface is the peak of the factor of a surface opened
 /// at any other point.
 /// @param avoided  one flag per vertex, not 0 where no branch may be; empty: they may be anywhere
-/// @throws InvalidInput if the flags are of another number than the vertices, or leave no room for a
-/// first branch, or an option is out of range; ConvergenceError; Cancelled.
+/// @throws InvalidInput if the flags are of another number than the vertices or all set, or an option is
+/// out of range; ConvergenceError; Cancelled.
 PlacedRelief placeRelief(const TriangleMesh& mesh,
   const std::vector<char>& avoided,
   const ReliefOptions& options,

@@ -44,9 +44,10 @@ enum class CutMode
           ///< (placeRelief, cutRelief) and loses nothing; of an open surface the tree starts at the
           ///< boundary
   Label,  ///< a part of the surface is removed, and its border becomes that of the disk
-  Automatic ///< a closed surface gets the opening that makes the best map of the disk, a relief whose
-            ///< boundary is no longer than the circumference of a disk of the surface's area; an open
-            ///< one keeps its boundary
+  Automatic ///< a cut whose place is given (SeamPoints, Hole.Centre); otherwise a closed surface gets
+            ///< the opening that makes the best map of the disk, a relief whose boundary is no longer
+            ///< than the circumference of a disk of the surface's area, or a hole if the region of
+            ///< interest leaves no room for a relief; an open one keeps its boundary
 };
 
 struct SurfaceToDiskOptions
@@ -63,7 +64,7 @@ struct SurfaceToDiskOptions
   /// 5 % of the surface's area.
   double FillLengthLimit = 0.0;
   HandleMode Handles = HandleMode::Remove;
-  CutMode Cut = CutMode::Hole;
+  CutMode Cut = CutMode::Automatic;
   /// The hole that is cut if the component is closed or nearly closed (isPuncture). Its BoundaryVertices
   /// hold for every boundary that a cut makes.
   GeodesicHoleOptions Hole;

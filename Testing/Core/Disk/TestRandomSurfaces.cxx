@@ -54,7 +54,8 @@ const std::vector<KnownError> KnownErrors = {
   { "seam point off the surface", "pick a point on the surface" },
   { "seam points coincide", "of the seam coincide" },
   { "seam off the boundary", "the seam neither starts nor ends on it" },
-  { "region everywhere", "the region that the hole must avoid covers all" },
+  { "region everywhere for a hole", "the region that the hole must avoid covers all" },
+  { "region everywhere for a relief", "the region that the relief must avoid covers all" },
   { "plane misses", "the cutting plane misses the surface" },
 };
 
@@ -85,8 +86,9 @@ void chooseCut(RandomNumbers& random, const TriangleMesh& mesh, SurfaceToDiskOpt
       0.5 * (randomCorner(random, mesh) + randomCorner(random, mesh)); // it may miss the component
     options.Plane.Normal = random.point(-1.0, 1.0);
   }
-  else if (random.chance(0.3))
+  else if (random.chance(0.6))
   {
+    options.Cut = CutMode::Hole;
     options.Hole.AreaFraction = random.real(1e-4, 0.2);
   }
   if (random.chance(0.15))

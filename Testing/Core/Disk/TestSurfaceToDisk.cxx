@@ -115,12 +115,43 @@ TEST(IsotropicRemeshing, RejectsLengthsThatMakeNoSense)
 TEST(SurfaceToDisk, OpensAClosedSurface)
 {
   const TriangleMesh closed = sphere(4);
-  const DiskSurface disk = surfaceToDisk(soupOf(closed));
+  SurfaceToDiskOptions options;
+  options.Cut = CutMode::Hole;
+  const DiskSurface disk = surfaceToDisk(soupOf(closed), options);
   EXPECT_NEAR(disk.Report.RemovedArea, 1e-3 * totalArea(closed), 1e-12);
   EXPECT_GE(disk.Report.BoundaryVertices, 128);
   EXPECT_EQ(requireDisk(disk.Surface.Mesh).size(), std::size_t(disk.Report.BoundaryVertices));
   EXPECT_NEAR(disk.Report.BoundaryLength, 2.0 * Pi * std::sin(std::acos(1.0 - 2e-3)), 0.01 * 0.4);
   EXPECT_NEAR(disk.Report.SurfaceArea, totalArea(disk.Surface.Mesh), 1e-12);
+}
+
+TEST(SurfaceToDisk, AutomaticCutsAHoleWhereARegionLeavesNoRoomForARelief)
+{
+  const TriangleMesh closed = sphere(4);
+  SurfaceToDiskOptions options;
+  EXPECT_EQ(surfaceToDisk(closed, options).Report.ChosenCut, CutMode::Relief);
+  options.RegionOfInterest.assign(closed.vertexCount(), 1);
+  options.RegionOfInterest[7] = 0;
+  const DiskSurface disk = surfaceToDisk(closed, options);
+  EXPECT_EQ(disk.Report.ChosenCut, CutMode::Hole);
+  EXPECT_TRUE(contains(disk.Report.ReasonOfCut, "no room")) << disk.Report.ReasonOfCut;
+  EXPECT_LT((disk.Report.HoleCentre.transpose() - closed.Vertices.row(7)).norm(), 1e-9);
+  options.Cut = CutMode::Relief;
+  EXPECT_TRUE(contains(messageOf<InvalidInput>([&] { surfaceToDisk(closed, options); }), "no room"));
+}
+
+// The cut of a tetrahedron's only free edge would not open it, so that the edge is divided.
+TEST(SurfaceToDisk, OpensTheSmallestClosedSurface)
+{
+  TriangleMesh tetrahedron;
+  tetrahedron.Vertices.resize(4, 3);
+  tetrahedron.Vertices << 1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1;
+  tetrahedron.Faces.resize(4, 3);
+  tetrahedron.Faces << 0, 1, 2, 0, 2, 3, 0, 3, 1, 1, 3, 2;
+  const DiskSurface disk = surfaceToDisk(tetrahedron);
+  EXPECT_EQ(disk.Report.ChosenCut, CutMode::Relief);
+  EXPECT_NEAR(disk.Report.SurfaceArea, 8.0 * std::sqrt(3.0), 1e-12);
+  EXPECT_GE(disk.Report.BoundaryVertices, 128);
 }
 
 TEST(SurfaceToDisk, KeepsTheLongestBoundary)
@@ -142,7 +173,9 @@ TEST(SurfaceToDisk, KeepsTheLongestBoundary)
 TEST(SurfaceToDisk, WidensATinyBoundary)
 {
   const TriangleMesh whole = sphere(5);
-  const DiskSurface disk = surfaceToDisk(withoutFaces(whole, { 4321, 99 }));
+  SurfaceToDiskOptions options;
+  options.Cut = CutMode::Hole;
+  const DiskSurface disk = surfaceToDisk(withoutFaces(whole, { 4321, 99 }), options);
   EXPECT_EQ(disk.Report.FilledHoles, 2);
   EXPECT_NEAR(disk.Report.RemovedArea, 1e-3 * totalArea(whole), 1e-9);
   EXPECT_GE(disk.Report.BoundaryVertices, 128);
@@ -327,7 +360,7 @@ TEST(SurfaceToDisk, KeepsTheBoundaryAskedFor)
   options.Boundary.By = BoundaryChoice::Rule::None;
   const DiskSurface closed = surfaceToDisk(tube, options);
   EXPECT_EQ(closed.Report.FilledHoles, 2);
-  EXPECT_GT(closed.Report.HoleRadius, 0.0);
+  EXPECT_EQ(closed.Report.ChosenCut, CutMode::Relief);
   options.FillLengthLimit = 7.0; // the loops are 6.3 and 8.2 long
   const std::string message = messageOf<InvalidInput>([&] { surfaceToDisk(tube, options); });
   EXPECT_TRUE(contains(message, "8.1")) << message;
@@ -347,13 +380,13 @@ TEST(SurfaceToDisk, KeepsTheComponentAskedFor)
   const TriangleMesh two = both(small, big); // the smaller one first
   const DiskSurface largest = surfaceToDisk(two);
   EXPECT_EQ(largest.Report.Components, 2);
-  EXPECT_NEAR(largest.Report.SurfaceArea, 0.999 * totalArea(big), 1e-4 * totalArea(big));
+  EXPECT_NEAR(largest.Report.SurfaceArea, totalArea(big), 1e-12 * totalArea(big));
 
   SurfaceToDiskOptions options;
   options.Component.By = ComponentChoice::Rule::ClosestToPoint;
   options.Component.Point = Eigen::Vector3d(5, 0, 0);
   const DiskSurface closest = surfaceToDisk(two, options);
-  EXPECT_NEAR(closest.Report.SurfaceArea, 0.999 * totalArea(small), 1e-4 * totalArea(small));
+  EXPECT_NEAR(closest.Report.SurfaceArea, totalArea(small), 1e-12 * totalArea(small));
   options.Component.Point = Eigen::Vector3d(2.9, 0, 0); // 0.9 from the big one, 1.1 from the small one
   EXPECT_NEAR(surfaceToDisk(two, options).Report.SurfaceArea, largest.Report.SurfaceArea, 1e-12);
 
@@ -395,7 +428,7 @@ TEST(SurfaceToDisk, SlitsOfNonManifoldEdgesDoNotStay)
   EXPECT_EQ(disk.Report.Repair.SplitPoints, 2);
   EXPECT_EQ(disk.Report.Components, 2);
   EXPECT_EQ(disk.Report.FilledHoles, 0);
-  EXPECT_GT(disk.Report.HoleRadius, 0.0);
+  EXPECT_EQ(disk.Report.ChosenCut, CutMode::Relief);
 }
 
 TEST(SurfaceToDisk, GivesTheSameTwice)
