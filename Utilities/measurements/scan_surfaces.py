@@ -21,7 +21,7 @@ from surface_checks import measure
 from vtkmodules.vtkFiltersCore import vtkPolyDataConnectivityFilter
 
 COLUMNS = ["surface", "vertices", "components", "genus", "disk in s", "disk"]
-FLATTENING_COLUMNS = ["flat in s", "faces within 2 %", "area error", "angle error", "flipped"]
+FLATTENING_COLUMNS = ["flat in s", "faces within 2 %", "area error", "angle error", "flipped", "one-to-one"]
 # Field data of Surface To Disk that is printed if the filter writes it.
 REPORTED = ["Genus", "SmallestAngle", "SelfIntersectionsBefore", "SelfIntersections"]
 
@@ -66,7 +66,8 @@ def short(error):
 
 class Run:
     def __init__(self, arguments):
-        self.flatten = arguments.flatten
+        self.flatten = arguments.flatten or arguments.free_outline
+        self.free_outline = arguments.free_outline
         self.settings = dict(setting.split("=", 1) for setting in arguments.set)
         self.scratch = tempfile.TemporaryDirectory()
 
@@ -110,11 +111,10 @@ class Run:
             cells += flat_cells
         return cells, complete
 
-    @staticmethod
-    def flat_cells(disk):
+    def flat_cells(self, disk):
         began = time.monotonic()
         conformal = simple.ConformalDisk(Input=disk)
-        area_preserving = simple.OMTAreaPreserving(Input=conformal)
+        area_preserving = simple.OMTAreaPreserving(Input=conformal, FreeOutline=int(self.free_outline))
         metrics = simple.DistortionMetrics(Input=area_preserving)
         for proxy in (conformal, area_preserving, metrics):
             data, errors, _seconds = execute(proxy)
@@ -127,7 +127,8 @@ class Run:
             f"{figure['AreaWeightedMeanAreaError']:.2g} %",
             f"{figure['AreaWeightedMeanAngleError']:.1f}°",
             f"{figure['FlippedFaces']:.0f}",
-        ], True
+            "yes" if figure["Bijective"] == 1 else "no",
+        ], figure["FreeOutline"] == self.free_outline
 
 
 def _number(text):
@@ -141,6 +142,7 @@ def main():
     parser.add_argument("--plugin", help="SurfaceFlattening.so, unless PV_PLUGIN_PATH brings it")
     parser.add_argument("--only", default="*", help="surfaces whose name fits, e.g. 'ch2bet iso 40*'")
     parser.add_argument("--flatten", action="store_true", help="go on to the flat map")
+    parser.add_argument("--free-outline", action="store_true", help="the same, with a free outline")
     parser.add_argument(
         "--set",
         action="append",
@@ -152,7 +154,7 @@ def main():
     if arguments.plugin:
         simple.LoadPlugin(os.path.abspath(arguments.plugin), remote=False, ns=vars(simple))
 
-    columns = COLUMNS + (FLATTENING_COLUMNS if arguments.flatten else [])
+    columns = COLUMNS + (FLATTENING_COLUMNS if arguments.flatten or arguments.free_outline else [])
     print(f"| {' | '.join(columns)} |\n|{' --- |' * len(columns)}", flush=True)
     run = Run(arguments)
     failed = 0

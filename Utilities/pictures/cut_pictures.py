@@ -15,14 +15,15 @@ from catalogue import TEMPLATES
 from paraview import simple
 from surfaceflattening_volume import isosurface
 
-SIZE = (700, 260)  # pixels
+SIZE = (920, 260)  # pixels
 INK = (0.1, 0.1, 0.1)
 CUTS = {
+    "Cut = Automatic": {},
     "Cut = Hole": {"Cut": "Hole"},
     "Cut = Seam": {"Cut": "Seam"},
     "Cut = Plane": {"Cut": "Plane", "PlaneOrigin": [90, 0, 0], "PlaneNormal": [-1, 0, 0]},
 }
-FROM = [(-1, 0.5, 0), (-1, 1, 1), (1, 0.3, 0.3)]  # where each is looked at from
+FROM = [(-0.5, 0.3, 1), (-1, 0.5, 0), (-1, 1, 1), (1, 0.3, 0.3)]  # where each is looked at from
 
 
 def brain():
@@ -53,16 +54,18 @@ def show(data, view, colour):
     return display
 
 
-def three_views():
+def views_in_a_row():
     layout = simple.CreateLayout()
     layout.SetSize(*SIZE)
-    left = layout.SplitHorizontal(0, 1 / 3)
-    middle = layout.SplitHorizontal(left + 1, 0.5)
-    return layout, (left, middle, middle + 1)
+    cells = [0]
+    for rest in range(len(CUTS), 1, -1):
+        left = layout.SplitHorizontal(cells[-1], 1 / rest)
+        cells[-1:] = [left, left + 1]
+    return layout, cells
 
 
 def picture_of_cuts(disks, path):
-    layout, cells = three_views()
+    layout, cells = views_in_a_row()
     for cell, (title, disk), direction in zip(cells, disks.items(), FROM):
         view = titled_view(layout, cell, title)
         show(disk, view, (0.85, 0.8, 0.75))
@@ -80,7 +83,7 @@ def picture_of_cuts(disks, path):
 
 
 def picture_of_maps(disks, path):
-    layout, cells = three_views()
+    layout, cells = views_in_a_row()
     for cell, (title, disk) in zip(cells, disks.items()):
         metrics = simple.DistortionMetrics(Input=simple.ConformalDisk(Input=disk))
         metrics.UpdatePipeline()
