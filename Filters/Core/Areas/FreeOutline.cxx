@@ -34,9 +34,6 @@ constexpr double LeastShapeGain = 0.01;
 constexpr double GreatestAreaWeight = 300.0;
 // The shares of a deformation to try: with the smaller ones fewer faces flip.
 constexpr double Shares[] = { 1.0, 0.5, 0.25 };
-// How far faces may flip in the round that untangles faces on the boundary, in target areas (epsilon of
-// FaceAreaEnergy); that of the first stage of FaceRefinement.
-constexpr double FlippingEpsilon = 0.1;
 // A deformation that flips a larger share of the faces is too much, and so is one that leaves faces
 // flipped which only larger patches of vertices would untangle. Guards for the time.
 constexpr double MostFlipped = 0.05;
@@ -191,8 +188,8 @@ private:
     return false;
   }
 
-  // Faces that have no vertex inside can be untangled only if the boundary moves, which a round does in
-  // which faces are free to flip.
+  // First the vertices inside move, then also those of the outline around faces that are still flipped,
+  // such as faces that have no vertex inside.
   bool untangle(DomainMap& map, const ProgressCallback& progress)
   {
     const int flipped = countFlippedFaces(map.Positions, this->Surface.Faces);
@@ -203,24 +200,44 @@ private:
     UntanglingOptions options;
     options.AreaWeight = UntanglingAreaWeight;
     options.LargestPatch = LargestUntangledPatch;
-    const auto inside = [&](double begin)
+    const TargetTriangles targets = trianglesOfArea(this->Surface, this->Targets);
+    const auto untangled = [&](const std::vector<char>& fixed, double begin)
     {
       return untangleMap(this->Surface.Faces,
-               this->OnBoundary,
-               trianglesOfArea(this->Surface, this->Targets),
+               fixed,
+               targets,
                map.Positions,
                options,
-               subrange(progress, begin, begin + 0.3))
+               subrange(progress, begin, begin + 0.5))
                .FlippedFaces == 0;
     };
-    if (inside(0.0))
+    return untangled(this->OnBoundary, 0.0) ||
+           (untangled(this->onBoundaryFarFromFlipped(map.Positions), 0.5) &&
+             isSimpleOutline(map.Positions, this->Loop));
+  }
+
+  std::vector<char> onBoundaryFarFromFlipped(const Points2& positions) const
+  {
+    std::vector<char> fixed = this->OnBoundary;
+    const std::vector<signed char> orientations = faceOrientations(positions, this->Surface.Faces);
+    for (int f = 0; f < this->Surface.faceCount(); ++f)
     {
-      return true;
+      if (orientations[f] > 0)
+      {
+        continue;
+      }
+      for (const int corner : this->Surface.Faces.row(f))
+      {
+        for (const int face : this->FacesOf[corner])
+        {
+          for (const int v : this->Surface.Faces.row(face))
+          {
+            fixed[v] = 0;
+          }
+        }
+      }
     }
-    this->Rounds.setStage(this->Targets, FlippingEpsilon);
-    this->Rounds.run(map, 1, RefinementRounds::Until::AllRounds, subrange(progress, 0.3, 0.7));
-    this->Rounds.setStage(this->Targets, 0.0);
-    return inside(0.7);
+    return fixed;
   }
 
   // The mean over the area of the logarithm of the ratio of Dirichlet energy to area; 0 if all shapes
