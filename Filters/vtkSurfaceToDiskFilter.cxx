@@ -122,6 +122,11 @@ void vtkSurfaceToDiskFilter::SetSeamLinesData(vtkPolyData* lines)
   this->SetInputData(1, lines);
 }
 
+void vtkSurfaceToDiskFilter::RemoveSeamLines()
+{
+  this->SetInputConnection(1, nullptr);
+}
+
 vtkPolyData* vtkSurfaceToDiskFilter::GetCuts()
 {
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));

@@ -37,7 +37,7 @@
  * remeshing, lies nearest to, and 0 on filled holes and caps. Active normals are reversed where they
  * point to the back of the oriented surface.
  *
- * Output arrays:
+ * Output arrays of port 0:
  * - point `vtkOriginalPointIds` (vtkIdType): id of the same point in the input, the smallest one of
  *   merged points; -1 for new points, which after remeshing are nearly all. The points on both sides of
  *   a seam have the same id. A point that was moved (by FlattenFolds, HandleMode or SmallestAngle) keeps
@@ -50,9 +50,11 @@
  *   not meet it, at one of their ends: at the one nearest to the first of SeamPoints if there are such.
  * - cell `vtkOriginalCellIds` (vtkIdType): id of the input cell; -1 on filled holes and caps.
  * - cell `Filled` (unsigned char): 1 on filled holes and on the caps of removed handles, 0 elsewhere.
- * - second output, cell `SeamId` (int): number of the piece, from 1, in the order in which the boundary of
- *   the disk meets them after the start; 0 on lines that are no seam.
- * - second output, cell `Length` (double, input units): length of the line.
+ *
+ * Output arrays of port 1:
+ * - cell `SeamId` (int): number of the piece, from 1, in the order in which the boundary of the disk meets
+ *   them after the start; 0 on lines that are no seam.
+ * - cell `Length` (double, input units): length of the line.
  *
  * Field data (one tuple each unless stated otherwise):
  * - `DroppedCells` (vtkIdType): number of vertices and lines of the input.
@@ -439,6 +441,7 @@ public:
    */
   void SetSeamLinesConnection(vtkAlgorithmOutput* lines);
   void SetSeamLinesData(vtkPolyData* lines);
+  void RemoveSeamLines();
   ///@}
 
   /**
