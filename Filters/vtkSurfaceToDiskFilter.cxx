@@ -153,8 +153,8 @@ void vtkSurfaceToDiskFilter::Execute(vtkInformationVector** inputVector,
   const flattening::DiskSurface disk =
     flattening::surfaceToDisk(surface, options, flattening::progressOf(this));
   flattening::setDisk(output, input, cells, disk);
-  const flattening::SeamSegments seams = flattening::seamSegments(disk,
-    options.SeamPoints.empty() ? std::optional<Eigen::Vector3d>() : options.SeamPoints.front());
+  const flattening::SeamSegments seams = flattening::seamSegments(
+    disk, options.SeamPoints.empty() ? std::optional<Eigen::Vector3d>() : options.SeamPoints.front());
   flattening::addSeamArrays(output, seams);
   flattening::setCuts(vtkPolyData::GetData(outputVector, 1), output, seams);
   output->GetFieldData()->PassData(input->GetFieldData());

@@ -52,8 +52,8 @@
  * - cell `Filled` (unsigned char): 1 on filled holes and on the caps of removed handles, 0 elsewhere.
  *
  * Output arrays of port 1:
- * - cell `SeamId` (int): number of the piece, from 1, in the order in which the boundary of the disk meets
- *   them after the start; 0 on lines that are no seam.
+ * - cell `SeamId` (int): number of the piece, from 1, in the order in which the boundary of the disk
+ * meets them after the start; 0 on lines that are no seam.
  * - cell `Length` (double, input units): length of the line.
  *
  * Field data (one tuple each unless stated otherwise):
@@ -436,8 +436,8 @@ public:
    * optional). The cut runs along geodesics between the points of the lines; points closer to each other
    * than the edges of the surface are skipped, except for the ends of lines. Lines may meet at points of
    * theirs, as paths of SeamPathStarts do. A point farther from the surface than 5 % of the diagonal of
-   * its bounding box is an error. Lines whose cell array `SeamId` is 0 are left out, as the second output
-   * of this filter marks borders so.
+   * its bounding box is an error. Lines whose cell array `SeamId` is 0 are left out, as the second
+   * output of this filter marks borders so.
    */
   void SetSeamLinesConnection(vtkAlgorithmOutput* lines);
   void SetSeamLinesData(vtkPolyData* lines);

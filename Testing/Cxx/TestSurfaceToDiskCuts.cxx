@@ -279,8 +279,8 @@ TEST(SurfaceToDiskCuts, OfBlocksAreBlocks)
   {
     auto* lines = vtkPolyData::SafeDownCast(second->GetBlock(block));
     ASSERT_TRUE(lines) << block;
-    EXPECT_EQ(lines->GetNumberOfCells(),
-      vtkPolyData::SafeDownCast(cuts->GetBlock(block))->GetNumberOfCells());
+    EXPECT_EQ(
+      lines->GetNumberOfCells(), vtkPolyData::SafeDownCast(cuts->GetBlock(block))->GetNumberOfCells());
   }
 }
 

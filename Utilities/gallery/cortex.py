@@ -39,8 +39,12 @@ def hemisphere():
     surface = flattening_pipeline.contour(smoothed, flattening_pipeline.ISOVALUE, name="Brain surface")
     bounds = volume.GetDataInformation().GetBounds()
     half = simple.SurfaceToDisk(
-        Input=surface, Cut="Plane", PlaneOrigin=[(bounds[0] + bounds[1]) / 2, 0, 0], PlaneNormal=[-1, 0, 0],
-        Remesh=1, TargetEdgeLength=flattening_pipeline.EDGE_LENGTH,
+        Input=surface,
+        Cut="Plane",
+        PlaneOrigin=[(bounds[0] + bounds[1]) / 2, 0, 0],
+        PlaneNormal=[-1, 0, 0],
+        Remesh=1,
+        TargetEdgeLength=flattening_pipeline.EDGE_LENGTH,
     )
     curved = simple.Curvature(Input=half, CurvatureType="Mean")
     return flattening_pipeline.with_labels(curved, os.path.join(TEMPLATES, "aal.nii.gz"))
@@ -106,7 +110,7 @@ def annotated(image, flat, per_mm, names):
         text = names[label].removesuffix("_L").replace("_", " ")
         box = pen.textbbox((x, y), text, font=small, anchor="mm", stroke_width=2)
         if all(box[0] > b[2] or b[0] > box[2] or box[1] > b[3] or b[1] > box[3] for b in taken):
-            pen.text((x, y), text, fill=(255, 255, 255), font=small, anchor="mm", stroke_width=2, stroke_fill=(20, 20, 60))
+            pen.text((x, y), text, (255, 255, 255), small, "mm", stroke_width=2, stroke_fill=(20, 20, 60))
             taken.append(box)
     left, low = 20, image.height - 18
     pen.line((left, low, left + SCALE_BAR * per_mm, low), fill=panels.INK, width=4)
@@ -120,7 +124,7 @@ def grey():
 
 
 def make(path):
-    disk = simple.SurfaceToDisk(Input=hemisphere(), Cut="Relief", SmallestAngle=0)
+    disk = simple.SurfaceToDisk(Input=hemisphere(), Cut="Relief")
     flat = simple.OMTAreaPreserving(Input=simple.ConformalDisk(Input=disk), FreeOutline=1)
     metrics = simple.DistortionMetrics(Input=flat)
     metrics.UpdatePipeline()
@@ -145,14 +149,15 @@ def report(disk, metrics):
 
     return [
         "The left half of `ch2bet.nii.gz` as above, cut along its relief and flattened with a free outline: mean "
-        "curvature in grey (sulci dark), red outlines of the AAL regions, the boundary blue. A millimetre is a "
-        "millimetre on both: the map has the area of the surface, "
-        f"{figure(disk, 'SurfaceArea'):,.0f} mm². {figure(disk, 'ReliefBranches'):.0f} branches, "
+        "curvature in grey (sulci dark), red outlines of the AAL regions, the boundary blue. The map has the area "
+        f"of the surface, {figure(disk, 'SurfaceArea'):,.0f} mm², so that the bar holds on average. "
+        f"{figure(disk, 'ReliefBranches'):.0f} branches, "
         f"{figure(disk, 'ReliefLength'):.0f} mm; {figure(metrics, 'FacesWithin2Percent'):.1f} % of the triangles have "
         f"their areas within 2 %, the mean angle error is {figure(metrics, 'AreaWeightedMeanAngleError'):.1f}°.",
         "",
-        "In the GUI: the half brain as in the example above, with *Surface To Disk* (*Cut* Plane, *Remesh*); *Filters > "
-        "Alphabetical > Curvature* with *Curvature Type* Mean; a second *Surface To Disk* with *Cut* Relief; *Conformal "
-        "Disk*; *OMT Area Preserving* with *Free Outline*; colour by `Mean_Curvature` in grey. *Ruler* or a *Line* of 50 "
-        "mm is the scale bar. The outlines are drawn by the script.",
+        "In the GUI: the surface of the brain as in the [tutorial](tutorial.md); *Surface To Disk* with *Cut* Plane, "
+        "*Plane Origin* 90 0 0, *Plane Normal* -1 0 0 and *Remesh*; *Filters > Alphabetical > Curvature* with "
+        "*Curvature Type* Mean; the regions as in the tutorial; a second *Surface To Disk* with *Cut* Relief; "
+        "*Conformal Disk*; *OMT Area Preserving* with *Free Outline*; colour by `Mean_Curvature`, "
+        "in grey from -0.12 to 0.12. A *Line* of 50 is the scale bar. The outlines of the regions are drawn by the script.",
     ]

@@ -183,8 +183,7 @@ private:
     for (const auto& [point, node] : this->Nodes)
     {
       const int kind = node.IsOnBorder ? 0 : node.Edges.size() == 1 ? 1 : node.isInsideSegment() ? 3 : 2;
-      const double distance =
-        wanted ? (this->Vertices.row(point).transpose() - *wanted).norm() : 0.0;
+      const double distance = wanted ? (this->Vertices.row(point).transpose() - *wanted).norm() : 0.0;
       const Rank rank{ kind, distance, point };
       const auto [entry, isFirst] = best.emplace(joined.find_set(point), rank);
       entry->second = isFirst ? rank : std::min(entry->second, rank);
