@@ -5,6 +5,7 @@
 #include "Core/Mesh/CoordinateFrame.h"
 #include "Core/Mesh/MeshMeasures.h"
 #include "Internal/ChosenArray.h"
+#include "Internal/CutsOutput.h"
 #include "Internal/DiskOutput.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/PolyDataConversion.h"
@@ -23,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -98,6 +100,7 @@ void print(ostream& os, vtkIndent indent, const char* name, const double x[3])
 vtkSurfaceToDiskFilter::vtkSurfaceToDiskFilter()
 {
   this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
 }
 
 int vtkSurfaceToDiskFilter::FillInputPortInformation(int port, vtkInformation* info)
@@ -117,6 +120,16 @@ void vtkSurfaceToDiskFilter::SetSeamLinesConnection(vtkAlgorithmOutput* lines)
 void vtkSurfaceToDiskFilter::SetSeamLinesData(vtkPolyData* lines)
 {
   this->SetInputData(1, lines);
+}
+
+void vtkSurfaceToDiskFilter::RemoveSeamLines()
+{
+  this->SetInputConnection(1, nullptr);
+}
+
+vtkPolyData* vtkSurfaceToDiskFilter::GetCuts()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
 }
 
 void vtkSurfaceToDiskFilter::Execute(vtkInformationVector** inputVector,
@@ -140,6 +153,10 @@ void vtkSurfaceToDiskFilter::Execute(vtkInformationVector** inputVector,
   const flattening::DiskSurface disk =
     flattening::surfaceToDisk(surface, options, flattening::progressOf(this));
   flattening::setDisk(output, input, cells, disk);
+  const flattening::SeamSegments seams = flattening::seamSegments(
+    disk, options.SeamPoints.empty() ? std::optional<Eigen::Vector3d>() : options.SeamPoints.front());
+  flattening::addSeamArrays(output, seams);
+  flattening::setCuts(vtkPolyData::GetData(outputVector, 1), output, seams);
   output->GetFieldData()->PassData(input->GetFieldData());
   flattening::setReport(output, disk.Report, input->GetNumberOfVerts() + input->GetNumberOfLines());
   for (const std::string& warning : warningsOf(disk.Report))

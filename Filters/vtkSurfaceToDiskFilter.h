@@ -26,6 +26,11 @@
  *
  * The second input is optional: polydata whose lines are the seams, if CutMode is SEAM or AUTOMATIC.
  *
+ * The second output (GetCuts) is the boundary of the disk as lines on the surface, each seam once: a
+ * polyline for each piece of the seams that begins and ends where seams end, branch or meet the boundary
+ * of the surface before it was cut, and then the rest of the boundary. It has the point arrays of the
+ * disk, and can be the second input of another filter, which leaves the rest of the boundary out.
+ *
  * The output is a single component of genus 0 with one boundary loop, points in double precision and no
  * unused point. It keeps all point and cell arrays but the global ids. At new points, arrays of
  * floating point numbers are interpolated linearly, and all others (labels, strings) take the value of
@@ -33,14 +38,24 @@
  * remeshing, lies nearest to, and 0 on filled holes and caps. Active normals are reversed where they
  * point to the back of the oriented surface.
  *
- * Output arrays:
+ * Output arrays of port 0:
  * - point `vtkOriginalPointIds` (vtkIdType): id of the same point in the input, the smallest one of
  *   merged points; -1 for new points, which after remeshing are nearly all. The points on both sides of
  *   a seam have the same id. A point that was moved (by FlattenFolds, HandleMode or SmallestAngle) keeps
  *   its id.
  * - point `Seam` (unsigned char): 1 where the surface was cut open along a seam, 0 elsewhere.
+ * - point `SeamId` (int): number of the piece of the seams, from 1, the same on both of its banks; the
+ *   smallest one where several pieces meet; 0 elsewhere.
+ * - point `SeamDistance` (double, input units): distance along the seams from their start, the same on
+ *   both banks; 0 elsewhere. Seams start at the boundary of the surface before it was cut or, if they do
+ *   not meet it, at one of their ends: at the one nearest to the first of SeamPoints if there are such.
  * - cell `vtkOriginalCellIds` (vtkIdType): id of the input cell; -1 on filled holes and caps.
  * - cell `Filled` (unsigned char): 1 on filled holes and on the caps of removed handles, 0 elsewhere.
+ *
+ * Output arrays of port 1:
+ * - cell `SeamId` (int): number of the piece, from 1, in the order in which the boundary of the disk
+ * meets them after the start; 0 on lines that are no seam.
+ * - cell `Length` (double, input units): length of the line.
  *
  * Field data (one tuple each unless stated otherwise):
  * - `DroppedCells` (vtkIdType): number of vertices and lines of the input.
@@ -425,11 +440,19 @@ public:
    * input; optional). The cut runs along geodesics between the points of the lines; points closer to
    * each other than the edges of the surface are skipped, except for the ends of lines. Lines may meet
    * at points of theirs, as paths of SeamPathStarts do. A point farther from the surface than 5 % of the
-   * diagonal of its bounding box is an error.
+   * diagonal of its bounding box is an error. Lines whose cell array `SeamId` is 0 are left out, as the
+   * second output of this filter marks borders so.
    */
   void SetSeamLinesConnection(vtkAlgorithmOutput* lines);
   void SetSeamLinesData(vtkPolyData* lines);
+  void RemoveSeamLines();
   ///@}
+
+  /**
+   * The second output: the cuts as lines on the surface. nullptr if the input is composite; the second
+   * output then has one block for each of the input.
+   */
+  vtkPolyData* GetCuts();
 
   ///@{
   /**

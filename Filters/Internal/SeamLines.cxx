@@ -2,10 +2,14 @@
 #include "Internal/SeamLines.h"
 
 #include "Core/Base/Errors.h"
+#include "Internal/CutsOutput.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
+#include <vtkCellData.h>
 #include <vtkCleanPolyData.h>
+#include <vtkDataArray.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -16,11 +20,37 @@
 namespace flattening
 {
 
+namespace
+{
+
+// The lines without those that an output of cuts marks as borders.
+vtkSmartPointer<vtkCellArray> linesOfSeams(vtkPolyData* data)
+{
+  vtkDataArray* ids = data->GetCellData()->GetArray(SeamIdName);
+  if (!ids || ids->GetNumberOfTuples() != data->GetNumberOfCells())
+  {
+    return data->GetLines();
+  }
+  auto seams = vtkSmartPointer<vtkCellArray>::New();
+  vtkNew<vtkIdList> points;
+  for (vtkIdType k = 0; k < data->GetNumberOfLines(); ++k)
+  {
+    if (ids->GetComponent(data->GetNumberOfVerts() + k, 0) != 0.0) // lines follow the vertices
+    {
+      data->GetLines()->GetCellAtId(k, points);
+      seams->InsertNextCell(points);
+    }
+  }
+  return seams;
+}
+
+} // namespace
+
 SeamLines seamLines(vtkPolyData* data)
 {
   vtkNew<vtkPolyData> lines;
   lines->SetPoints(data->GetPoints());
-  lines->SetLines(data->GetLines());
+  lines->SetLines(linesOfSeams(data));
   vtkNew<vtkCleanPolyData> merged;
   merged->SetInputData(lines);
   merged->ConvertLinesToPointsOff();

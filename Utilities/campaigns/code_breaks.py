@@ -224,6 +224,9 @@ BREAKS = [
         "0.5 * (boundaryLength(this->mesh()) - before)",
         "boundaryLength(this->mesh()) - before",
     ),
+    at("Disk/SeamSegments.cxx", "start + share * (end - start)", "start"),
+    at("Disk/SeamSegments.cxx", "segment = std::min(segment, this->Edges[e].Segment);", ""),
+    at("Disk/SeamSegments.cxx", "node->second.IsOnBorder = true;", ""),
     # --- FlatMap
     at("FlatMap/DistortionMeasures.cxx", "alpha + beta", "alpha - beta"),
     at("FlatMap/DistortionMeasures.cxx", "-std::log(result.AreaRatio[f])", "std::log(result.AreaRatio[f])"),

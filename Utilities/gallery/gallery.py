@@ -15,6 +15,7 @@ from paraview import simple
 
 EXAMPLES = (
     "brain",
+    "cortex",
     "vase",
     "power_diagram",
     "chest",

@@ -9,6 +9,7 @@
 #include "Disk/ReliefCut.h"
 #include "Disk/ReliefPlacement.h"
 #include "Disk/SeamPlacement.h"
+#include "Disk/SeamSegments.h"
 #include "Disk/TubeSeam.h"
 #include "Handles/HandleLoops.h"
 #include "Mesh/MeshMeasures.h"
@@ -76,10 +77,15 @@ int countOnSeam(const std::vector<char>& flags, const CutSurface& cut)
 class Opening
 {
 public:
-  Opening(DiskSurface& disk, const OpenEnds& ends, const SurfaceToDiskOptions& options)
+  // @param region  the region of interest on the surface of the disk
+  Opening(DiskSurface& disk,
+    const OpenEnds& ends,
+    const SurfaceToDiskOptions& options,
+    std::vector<char> region)
     : Disk(disk)
     , Report(disk.Report)
     , Options(options)
+    , Region(std::move(region))
     , Hole(options.Hole)
     , Ends(ends.Ends)
   {
@@ -272,9 +278,8 @@ private:
   // The region of interest on the surface as it is now.
   std::vector<char> avoided() const
   {
-    return this->Options.RegionOfInterest.empty()
-             ? std::vector<char>()
-             : flagsOf(this->Disk.Surface.Vertices, this->Options.RegionOfInterest, false);
+    return this->Region.empty() ? std::vector<char>()
+                                : flagsOf(this->Disk.Surface.Vertices, this->Region, false);
   }
 
   void followSeam(CutSurface&& cut)
@@ -328,6 +333,7 @@ private:
   DiskSurface& Disk;
   SurfaceToDiskReport& Report;
   const SurfaceToDiskOptions& Options;
+  std::vector<char> Region;
   GeodesicHoleOptions Hole;
   OpenEnds::Kind Ends;
   CutMode Cut = CutMode::Hole;
@@ -340,7 +346,16 @@ void openSurface(DiskSurface& disk,
   const SurfaceToDiskOptions& options,
   const ProgressCallback& progress)
 {
-  Opening(disk, ends, options).open(progress);
+  // The origins of the disk are those on the surface before it is cut, until the points of the seams are
+  // known.
+  DerivedMesh uncut = std::exchange(disk.Surface, derivedFromItself(disk.Surface.Mesh));
+  std::vector<char> region = options.RegionOfInterest.empty()
+                               ? std::vector<char>()
+                               : flagsOf(uncut.Vertices, options.RegionOfInterest, false);
+  Opening(disk, ends, options, std::move(region)).open(progress);
+  disk.SeamPoint = pointsOfSeam(disk.Surface.Vertices, disk.Seam);
+  follow(uncut, std::move(disk.Surface));
+  disk.Surface = std::move(uncut);
 }
 
 } // namespace flattening

@@ -324,9 +324,10 @@ private:
   void measure()
   {
     this->Disk.Seam.resize(this->mesh().vertexCount(), 0);
-    const std::vector<int> boundary = requireDisk(this->mesh());
-    this->Report.BoundaryVertices = static_cast<int>(boundary.size());
-    this->Report.BoundaryLength = loopLength(this->mesh().Vertices, boundary);
+    this->Disk.SeamPoint.resize(this->mesh().vertexCount(), -1);
+    this->Disk.Boundary = requireDisk(this->mesh());
+    this->Report.BoundaryVertices = static_cast<int>(this->Disk.Boundary.size());
+    this->Report.BoundaryLength = loopLength(this->mesh().Vertices, this->Disk.Boundary);
     this->Report.SurfaceArea = this->area();
     this->Report.SmallestAngle = smallestAngle(this->mesh());
   }

@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Macro: makes the cuts of the Surface To Disk that is selected in the pipeline browser points that can be moved."""
+
+# First, for it lets Python find the modules of plugins.
+from paraview import simple  # isort: skip
+from surfaceflattening_cuts import edit_cuts
+
+edit_cuts(simple.GetActiveSource())
