@@ -48,7 +48,7 @@ TEST_P(SurfaceToDiskHandles, AreRemoved)
   {
     EXPECT_NEAR(loops->GetTuple1(i), shortest, 0.02 * shortest);
   }
-  EXPECT_EQ(figure(output, "SeamLength"), figure(output, "ReliefLength"));
+  EXPECT_NEAR(figure(output, "SeamLength"), figure(output, "ReliefLength"), 1e-9); // no handle is cut
   const double changed = figure(output, "HandleAreaAdded") - figure(output, "HandleAreaRemoved");
   EXPECT_GT(figure(output, "HandleAreaAdded"), 0.0);
   EXPECT_NEAR(figure(output, "SurfaceArea"),

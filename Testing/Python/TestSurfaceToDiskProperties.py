@@ -118,7 +118,7 @@ shorter = disk(finger, Cut="Relief", ReliefGain=0.001, LongestRelief=0.1)
 assert figure(shorter, "ReliefBranches") == 1
 
 automatic = disk(ball)  # the default
-assert SurfaceToDisk(Input=ball).CutMode == "Automatic"
+assert SurfaceToDisk(Input=ball).Cut == "Automatic"
 assert figure(automatic, "ChosenCut") == 3 and figure(automatic, "ReliefBranches") >= 1
 assert figure(automatic, "BoundaryLength") <= 2 * math.sqrt(math.pi * area)
 
