@@ -140,8 +140,10 @@ private:
       // Areas are off by little but everywhere, which steps of the whole mesh correct at once.
       this->Rounds.balance(map, FinalRegionTolerance, subrange(progress, 0.0, 0.3));
     }
-    this->Rounds.run(map, SecondStageRounds, Until::Enough, subrange(progress, 0.3, 0.8));
-    this->Rounds.balance(map, FinalRegionTolerance, subrange(progress, 0.8, 1.0));
+    if (!this->Rounds.run(map, SecondStageRounds, Until::Enough, subrange(progress, 0.3, 0.8)))
+    {
+      this->Rounds.balance(map, FinalRegionTolerance, subrange(progress, 0.8, 1.0));
+    }
   }
 
   // Most faces that are flipped after the first stage untangle in more of its rounds, and the rest in

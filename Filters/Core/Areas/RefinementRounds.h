@@ -47,8 +47,9 @@ public:
   /// steps of the whole mesh: faces that lie across each other come apart.
   void favourShapes();
 
-  /// Runs at most @p most rounds. @throws Cancelled, ConvergenceError.
-  void run(DomainMap& map, int most, Until until, const ProgressCallback& progress);
+  /// Runs at most @p most rounds. Returns whether they ended because even steps of the whole mesh brought
+  /// too little. @throws Cancelled, ConvergenceError.
+  bool run(DomainMap& map, int most, Until until, const ProgressCallback& progress);
 
   /// Makes steps of the whole mesh if the area of a region of the size of a patch is off by more than
   /// the share @p tolerance. @throws Cancelled, ConvergenceError.
