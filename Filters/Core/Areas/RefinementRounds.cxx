@@ -12,10 +12,10 @@ namespace flattening
 namespace
 {
 
-// In the first rounds shapes count FirstShapeFactor times as much: the shape that faces gain over the
-// long way is not lost again. Repeating these rounds untangles faces in the protrusions of large
-// surfaces. Both are choices by trial; with 1 more faces stay flipped after the first stage.
-constexpr int FirstShapeRounds = 2;
+// In the first rounds (FirstShapeRounds) shapes count FirstShapeFactor times as much: the shape that
+// faces gain over the long way is not lost again. Repeating these rounds untangles faces in the
+// protrusions of large surfaces. Both are choices by trial; with 1 more faces stay flipped after the
+// first stage.
 constexpr double FirstShapeFactor = 10.0;
 // A stage ends when at most the share EnoughShare of the faces is off by more than AreaTolerance, or
 // after MostIdleRounds rounds in a row that lower neither their number nor the sum of their errors by
@@ -30,9 +30,10 @@ constexpr int MostIdleRounds = 2;
 // steps a hemisphere in a quadrilateral 30 times as long as wide keeps up to 2.6 % of its faces wrong,
 // depending on the last bits.
 constexpr double LeastWholeProgress = 0.1;
-// The same after a warm start: rounds that bring little are not worth the wait for a small change.
-constexpr double LeastWarmProgress = 0.2;
-constexpr int MostIdleWarmRounds = 1;
+// The same after a warm start and for a rough map: rounds that bring little are not worth the wait for a
+// small change, or for a map that is deformed afterwards.
+constexpr double LeastQuickProgress = 0.2;
+constexpr int MostIdleQuickRounds = 1;
 // The least area ratio of a face in the sum of errors. A guard: the logarithm of a flipped face's ratio
 // does not exist.
 constexpr double LeastRatio = 1e-3;
@@ -75,9 +76,9 @@ void RefinementRounds::setStage(const Eigen::VectorXd& targets, double epsilon)
   this->Epsilon = epsilon;
 }
 
-void RefinementRounds::favourShapes()
+void RefinementRounds::favourShapes(int rounds)
 {
-  this->LastShapeRound = this->Count + FirstShapeRounds;
+  this->LastShapeRound = this->Count + rounds;
   if (this->Descent)
   {
     this->Descent->resetDamping();
@@ -162,8 +163,8 @@ double RefinementRounds::descend(DomainMap& map, const ProgressCallback& progres
 
 bool RefinementRounds::run(DomainMap& map, int most, Until until, const ProgressCallback& progress)
 {
-  const bool isWarm = this->Start == RefinementStart::WarmStart;
-  const int mostIdle = isWarm ? MostIdleWarmRounds : MostIdleRounds;
+  const bool isQuick = this->Start == RefinementStart::WarmStart || until == Until::Roughly;
+  const int mostIdle = isQuick ? MostIdleQuickRounds : MostIdleRounds;
   WrongFaces before = this->wrongFaces(map);
   int idle = 0;
   for (int round = 0; round < most && (before.Share > EnoughShare || until == Until::AllRounds); ++round)
@@ -190,13 +191,13 @@ bool RefinementRounds::run(DomainMap& map, int most, Until until, const Progress
     pass.ShapeFactor = this->Count <= this->LastShapeRound ? FirstShapeFactor : 1.0;
     const int patches = this->Patches.run(pass, map, subrange(progress, middle, end));
     const WrongFaces next = this->wrongFaces(map);
-    const double leastProgress = isWhole  ? LeastWholeProgress
-                                 : isWarm ? LeastWarmProgress
-                                          : LeastProgress;
+    const double leastProgress = isWhole   ? LeastWholeProgress
+                                 : isQuick ? LeastQuickProgress
+                                           : LeastProgress;
     const bool isIdle = next.Share > (1.0 - leastProgress) * before.Share &&
                         next.Distance > (1.0 - leastProgress) * before.Distance;
     idle = isIdle ? idle + 1 : 0;
-    if (patches == 0 || (until == Until::Enough && idle == mostIdle))
+    if (patches == 0 || (until != Until::AllRounds && idle == mostIdle))
     {
       return isWhole && idle == mostIdle;
     }
