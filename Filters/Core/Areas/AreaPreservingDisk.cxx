@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Areas/AreaPreservingDisk.h"
 
-#include "Areas/FreeOutline.h"
+#include "Areas/FreedMap.h"
 #include "Areas/WarmStart.h"
 #include "Base/Errors.h"
 #include "Mesh/FaceOrientation.h"
@@ -175,14 +175,10 @@ public:
       this->startFromTransport();
     }
     this->countFlipped();
+    this->Map.OnDomain = this->Map.Positions;
     if (this->Options.RefineFaces)
     {
-      this->refine(subrange(progress, transportEnd + 0.02, this->Options.FreeOutline ? 0.75 : 1.0));
-    }
-    this->Map.OnDomain = this->Map.Positions;
-    if (this->Options.FreeOutline)
-    {
-      this->freeOutline(subrange(progress, 0.75, 1.0));
+      this->refine(subrange(progress, transportEnd + 0.02, 1.0));
     }
     report(progress, 1.0, "Area-preserving map");
     return { std::move(this->Map), std::move(*this->Diagram), std::move(this->Sites.SiteOfVertex) };
@@ -311,41 +307,42 @@ private:
     return faceTargets(this->Mesh, relative);
   }
 
-  void freeOutline(const ProgressCallback& progress)
-  {
-    FreeOutlineResult freed = flattening::freeOutline(this->Mesh,
-      this->Boundary.Vertices,
-      this->Map.Positions,
-      this->targetsOfFaces(),
-      this->Domain->area(),
-      shapeWeight(this->Options.Refinement),
-      progress);
-    this->Map.Positions = std::move(freed.Positions);
-    this->Map.FlippedFaces = freed.FlippedFaces;
-    this->Map.Bijective = freed.Bijective;
-    this->Map.RefinementRounds += freed.Rounds;
-    this->Map.Deformations = freed.Deformations;
-  }
-
   void refine(const ProgressCallback& progress)
   {
-    FaceRefinementResult refined = refineFaces(this->Mesh,
-      { this->Domain,
-        this->Boundary.Vertices,
-        this->Boundary.Corners,
-        this->Conformal,
-        this->Map.Positions,
-        this->OnDomain,
-        this->Map.WarmStarted ? RefinementStart::WarmStart : RefinementStart::Transport },
-      this->targetsOfFaces(),
-      this->Options.Refinement,
-      progress);
+    const TransportedMap transported{ this->Domain,
+      this->Boundary.Vertices,
+      this->Boundary.Corners,
+      this->Conformal,
+      this->Map.Positions,
+      this->OnDomain,
+      this->Map.WarmStarted ? RefinementStart::WarmStart : RefinementStart::Transport };
+    const FaceRefinementOptions& options = this->Options.Refinement;
+    if (!this->Options.FreeOutline)
+    {
+      this->take(refineFaces(this->Mesh, transported, this->targetsOfFaces(), options, progress));
+      return;
+    }
+    FreedMap map = freedMap(this->Mesh, transported, this->targetsOfFaces(), options, progress);
+    this->take(std::move(map.OnDomain));
+    if (map.Freed)
+    {
+      this->Map.Positions = std::move(map.Freed->Positions);
+      this->Map.FlippedFaces = map.Freed->FlippedFaces;
+      this->Map.Bijective = map.Freed->Bijective;
+      this->Map.RefinementRounds += map.Freed->Rounds;
+      this->Map.Deformations = map.Freed->Deformations;
+    }
+  }
+
+  void take(FaceRefinementResult refined)
+  {
     this->Map.Positions = std::move(refined.Positions);
     this->Map.FlippedFaces = refined.FlippedFaces;
     this->Map.Bijective = refined.Bijective;
     this->Map.RefinementRounds = refined.Rounds;
     this->Map.RepairedFaces = refined.RepairedFaces;
     this->Map.StartShare = refined.StartShare;
+    this->Map.OnDomain = this->Map.Positions;
   }
 
   const TriangleMesh& Mesh;

@@ -18,12 +18,6 @@ namespace flattening
 namespace
 {
 
-// The least target of a face, in mean targets. A guard for faces without area on the surface, which
-// would divide by 0.
-constexpr double LeastTarget = 1e-6;
-// The epsilon of FaceAreaEnergy in the first stage: how far faces may flip, in target areas. A choice:
-// less makes flipped faces stiff, more leaves more of them flipped.
-constexpr double FirstEpsilon = 0.1;
 // Limits of the time; the stages mostly end earlier, when their rounds no longer help
 // (RefinementRounds).
 constexpr int FirstStageRounds = 16;
@@ -49,8 +43,6 @@ constexpr double ShapeWeightScale = 0.03;
 // the work per vertex, which bounds its time by that of the first stage.
 constexpr double LargestPatchShare = 0.25;
 constexpr double RepairWork = 30.0;
-// The weight of areas while untangling. A choice: areas count as much as shapes.
-constexpr double RepairAreaWeight = 1.0;
 // Shares of the way from the conformal to the transported map at which to look for a map that can be
 // untangled, the nearest to the transported map first. 0, the conformal map, has few flipped faces or
 // none.
@@ -65,14 +57,14 @@ public:
     const FaceRefinementOptions& options)
     : Surface(surface)
     , Map(map)
+    , IsRough(options.IsRough)
     , FacesOf(surface.Faces, surface.vertexCount())
     , Dofs(surface.vertexCount(), map.Domain, map.Loop, map.Corners)
-    , Targets(faceTargets.cwiseMax(LeastTarget * faceTargets.mean()))
+    , Targets(positiveTargets(faceTargets, map.Domain->area()))
     , Terms(surface, map.Loop, map.Domain->perimeter(), shapeWeight(options))
     , Rounds(surface, this->Terms, this->FacesOf, this->Dofs, map.Start)
     , OnBoundary(surface.vertexCount(), 0)
   {
-    this->Targets *= map.Domain->area() / this->Targets.sum();
     for (const int v : map.Loop)
     {
       this->OnBoundary[v] = 1;
@@ -90,7 +82,7 @@ public:
     {
       this->startOver(map, subrange(progress, 0.65, 0.7));
     }
-    if (this->countFlipped(map) == 0)
+    if (!this->IsRough && this->countFlipped(map) == 0)
     {
       this->secondStage(map, subrange(progress, 0.7, 1.0));
     }
@@ -128,8 +120,8 @@ private:
       isRound
         ? resolvableAreas(this->Surface.Faces, this->Map.Conformal, this->Map.Positions, this->Targets)
         : this->Targets,
-      FirstEpsilon);
-    this->Rounds.run(map, FirstStageRounds, Until::Enough, progress);
+      RefinementRounds::FlippingEpsilon);
+    this->Rounds.run(map, FirstStageRounds, this->IsRough ? Until::Roughly : Until::Enough, progress);
   }
 
   void secondStage(DomainMap& map, const ProgressCallback& progress)
@@ -140,8 +132,10 @@ private:
       // Areas are off by little but everywhere, which steps of the whole mesh correct at once.
       this->Rounds.balance(map, FinalRegionTolerance, subrange(progress, 0.0, 0.3));
     }
-    this->Rounds.run(map, SecondStageRounds, Until::Enough, subrange(progress, 0.3, 0.8));
-    this->Rounds.balance(map, FinalRegionTolerance, subrange(progress, 0.8, 1.0));
+    if (!this->Rounds.run(map, SecondStageRounds, Until::Enough, subrange(progress, 0.3, 0.8)))
+    {
+      this->Rounds.balance(map, FinalRegionTolerance, subrange(progress, 0.8, 1.0));
+    }
   }
 
   // Most faces that are flipped after the first stage untangle in more of its rounds, and the rest in
@@ -164,7 +158,7 @@ private:
       {
         break;
       }
-      this->Rounds.favourShapes();
+      this->Rounds.favourShapes(RefinementRounds::FirstShapeRounds);
       this->Rounds.run(
         map, MoreRounds, Until::AllRounds, subrange(progress, begin + 0.5 * part, begin + part));
     }
@@ -185,7 +179,7 @@ private:
   bool untangleIn(PatchSizes patches, DomainMap& map, const ProgressCallback& progress)
   {
     UntanglingOptions options;
-    options.AreaWeight = RepairAreaWeight;
+    options.AreaWeight = UntanglingOptions::EqualAreaWeight;
     if (patches == PatchSizes::Large)
     {
       const int share = static_cast<int>(LargestPatchShare * this->Surface.vertexCount());
@@ -241,6 +235,7 @@ private:
 
   const TriangleMesh& Surface;
   const TransportedMap& Map;
+  bool IsRough;
   VertexFaces FacesOf;
   DegreesOfFreedom Dofs;
   Eigen::VectorXd Targets;

@@ -20,6 +20,9 @@ struct FaceRefinementOptions
   /// The weight of angles against areas, in [0, 1): 0 asks for areas, with just enough weight of the
   /// angles to make the map unique.
   double AngleWeight = 0.0;
+  /// Whether a few rounds are enough: the map is to be one-to-one, and areas about right. For a map that
+  /// is deformed afterwards.
+  bool IsRough = false;
 };
 
 /// The weight of shapes against areas in the refinement energy, > 0.

@@ -6,6 +6,7 @@
 #include "Areas/RefinementRounds.h"
 #include "Areas/RefinementTerms.h"
 #include "Areas/SmoothDeformation.h"
+#include "Areas/TargetAreas.h"
 #include "Mesh/FaceOrientation.h"
 #include "Mesh/OutlineCrossings.h"
 #include "Mesh/PlaneVectors.h"
@@ -23,8 +24,6 @@ namespace flattening
 namespace
 {
 
-// The least target of a face, in mean targets. A guard for faces without area on the surface.
-constexpr double TargetFloor = 1e-6;
 // The deformations end when one lowers the distortion of shapes by less than LeastShapeGain of it, or
 // after MostDeformations. A compromise: the next ones would gain less than a tenth of a degree each.
 constexpr int MostDeformations = 10;
@@ -38,25 +37,22 @@ constexpr double Shares[] = { 1.0, 0.5, 0.25 };
 // flipped which only larger patches of vertices would untangle. Guards for the time.
 constexpr double MostFlipped = 0.05;
 constexpr int LargestUntangledPatch = 200;
-// The weight of areas while untangling. A choice: areas count as much as shapes.
-constexpr double UntanglingAreaWeight = 1.0;
 // A limit of the time; the last rounds mostly end earlier, when they no longer help (RefinementRounds).
 constexpr int LastRounds = 8;
-// The share of the faces that may get worse than the tolerance: where more do, weights or horns ask for
-// more than a free outline can give, and the map stays in its domain.
-constexpr double GreatestLoss = 0.01;
-// The same share after a deformation and the round that follows it. A choice: later rounds mostly make
-// so many faces right again, and with 0.05 small meshes keep their domain.
+// The share of the faces that may get worse than the tolerance after a deformation and the round that
+// follows it. A choice: later rounds mostly make so many faces right again, and with 0.05 small meshes
+// keep their domain.
 constexpr double GreatestPassingLoss = 0.2;
-// Then steps of the whole mesh follow, a round at a time, until one lowers the energy by less than this
-// share. One round sets regions right; more are worth their time where all shapes can be kept.
+// Then steps of the whole mesh follow, unless the last rounds ended with such steps that brought little:
+// a round at a time, until one lowers the energy by less than this share. One round sets regions right;
+// more are worth their time where all shapes can be kept.
 constexpr int LastWholeRounds = 20;
 constexpr double LeastRoundGain = 0.1;
 
-class OutlineRelease
+class OutlineFreeing
 {
 public:
-  OutlineRelease(const TriangleMesh& surface,
+  OutlineFreeing(const TriangleMesh& surface,
     const std::vector<int>& loop,
     const Points2& positions,
     const Eigen::VectorXd& faceTargets,
@@ -68,13 +64,12 @@ public:
     , AreaWeight(std::min(GreatestAreaWeight, 1.0 / shapeWeight))
     , FacesOf(surface.Faces, surface.vertexCount())
     , Dofs(surface.vertexCount())
-    , Targets(faceTargets.cwiseMax(TargetFloor * faceTargets.mean()))
+    , Targets(positiveTargets(faceTargets, area))
     , Terms(surface, loop, 1.0, shapeWeight)
     , Rounds(surface, this->Terms, this->FacesOf, this->Dofs, RefinementStart::Transport)
     , OnBoundary(surface.vertexCount(), 0)
     , Map{ positions, {} }
   {
-    this->Targets *= this->Area / this->Targets.sum();
     this->Terms.Gaps.clear();
     for (std::size_t k = 0; k < loop.size(); ++k)
     {
@@ -89,7 +84,7 @@ public:
     this->Result.Positions = this->Map.Positions;
     if (this->isOneToOne(this->Map.Positions))
     {
-      this->release(progress);
+      this->free(progress);
     }
     this->Result.FlippedFaces = countFlippedFaces(this->Result.Positions, this->Surface.Faces);
     this->Result.Bijective =
@@ -104,11 +99,10 @@ private:
            isSimpleOutline(positions, this->Loop);
   }
 
-  // Leaves the result as it is if the map with a free outline would lose too many areas, or gain
-  // nothing.
-  void release(const ProgressCallback& progress)
+  // Leaves the result as it is if the map with a free outline would gain nothing.
+  void free(const ProgressCallback& progress)
   {
-    const double offBefore = this->shareOff();
+    this->Result.ShareOff = this->shareOff();
     const double distortionBefore = this->distortion();
     this->Map.Positions *= std::sqrt(this->Area / this->covered());
     const int deformations = this->deform(subrange(progress, 0.0, 0.7));
@@ -116,11 +110,14 @@ private:
     {
       return;
     }
-    this->Rounds.run(
-      this->Map, LastRounds, RefinementRounds::Until::Enough, subrange(progress, 0.7, 0.9));
-    this->Rounds.settle(this->Map, LeastRoundGain, LastWholeRounds, subrange(progress, 0.9, 1.0));
-    if (this->shareOff() <= offBefore + GreatestLoss && this->distortion() < distortionBefore)
+    if (!this->Rounds.run(
+          this->Map, LastRounds, RefinementRounds::Until::Enough, subrange(progress, 0.7, 0.9)))
     {
+      this->Rounds.settle(this->Map, LeastRoundGain, LastWholeRounds, subrange(progress, 0.9, 1.0));
+    }
+    if (this->distortion() < distortionBefore)
+    {
+      this->Result.ShareOff = this->shareOff();
       this->Result.Positions = this->centred();
       this->Result.Rounds = this->Rounds.count();
       this->Result.Deformations = deformations;
@@ -130,10 +127,8 @@ private:
   // The share of the faces whose area is off by more than the tolerance.
   double shareOff() const
   {
-    const Eigen::ArrayXd ratios =
-      signedFaceAreas(this->Map.Positions, this->Surface.Faces).array() / this->Targets.array();
-    const double scale = this->Targets.sum() / this->covered();
-    return ((scale * ratios - 1.0).abs() > RefinementPatches::AreaTolerance).cast<double>().mean();
+    return shareOfWrongFaces(
+      this->Map.Positions, this->Surface.Faces, this->Targets, RefinementPatches::AreaTolerance);
   }
 
   // Returns the number of deformations.
@@ -175,6 +170,7 @@ private:
       if (isSimpleOutline(this->Map.Positions, this->Loop) &&
           this->untangle(this->Map, subrange(progress, begin, middle)))
       {
+        this->Rounds.favourShapes(1);
         this->Rounds.run(
           this->Map, 1, RefinementRounds::Until::AllRounds, subrange(progress, middle, end));
         if (this->shareOff() <= mostOff)
@@ -198,7 +194,7 @@ private:
       return false;
     }
     UntanglingOptions options;
-    options.AreaWeight = UntanglingAreaWeight;
+    options.AreaWeight = UntanglingOptions::EqualAreaWeight;
     options.LargestPatch = LargestUntangledPatch;
     const TargetTriangles targets = trianglesOfArea(this->Surface, this->Targets);
     const auto untangled = [&](const std::vector<char>& fixed, double begin)
@@ -301,7 +297,7 @@ FreeOutlineResult freeOutline(const TriangleMesh& surface,
   double shapeWeight,
   const ProgressCallback& progress)
 {
-  return OutlineRelease(surface, loop, positions, faceTargets, area, shapeWeight).run(progress);
+  return OutlineFreeing(surface, loop, positions, faceTargets, area, shapeWeight).run(progress);
 }
 
 } // namespace flattening

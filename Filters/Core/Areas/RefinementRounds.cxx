@@ -12,10 +12,10 @@ namespace flattening
 namespace
 {
 
-// In the first rounds shapes count FirstShapeFactor times as much: the shape that faces gain over the
-// long way is not lost again. Repeating these rounds untangles faces in the protrusions of large
-// surfaces. Both are choices by trial; with 1 more faces stay flipped after the first stage.
-constexpr int FirstShapeRounds = 2;
+// In the first rounds (FirstShapeRounds) shapes count FirstShapeFactor times as much: the shape that
+// faces gain over the long way is not lost again. Repeating these rounds untangles faces in the
+// protrusions of large surfaces. Both are choices by trial; with 1 more faces stay flipped after the
+// first stage.
 constexpr double FirstShapeFactor = 10.0;
 // A stage ends when at most the share EnoughShare of the faces is off by more than AreaTolerance, or
 // after MostIdleRounds rounds in a row that lower neither their number nor the sum of their errors by
@@ -23,9 +23,17 @@ constexpr double FirstShapeFactor = 10.0;
 constexpr double EnoughShare = 0.003;
 constexpr double LeastProgress = 0.02;
 constexpr int MostIdleRounds = 2;
-// The same after a warm start: rounds that bring little are not worth the wait for a small change.
-constexpr double LeastWarmProgress = 0.2;
-constexpr int MostIdleWarmRounds = 1;
+// Where faces may not flip, the round after one that brought little begins with steps of the whole mesh:
+// long rows of faces of a stretched map are right only together, which patches do not see. As these
+// steps cost about as much as several rounds, they have to bring LeastWholeProgress. A compromise: with
+// LeastProgress they go on for a handful of faces in protrusions, which stay wrong, and without these
+// steps a hemisphere in a quadrilateral 30 times as long as wide keeps up to 2.6 % of its faces wrong,
+// depending on the last bits.
+constexpr double LeastWholeProgress = 0.1;
+// The same after a warm start and for a rough map: rounds that bring little are not worth the wait for a
+// small change, or for a map that is deformed afterwards.
+constexpr double LeastQuickProgress = 0.2;
+constexpr int MostIdleQuickRounds = 1;
 // The least area ratio of a face in the sum of errors. A guard: the logarithm of a flipped face's ratio
 // does not exist.
 constexpr double LeastRatio = 1e-3;
@@ -68,9 +76,9 @@ void RefinementRounds::setStage(const Eigen::VectorXd& targets, double epsilon)
   this->Epsilon = epsilon;
 }
 
-void RefinementRounds::favourShapes()
+void RefinementRounds::favourShapes(int rounds)
 {
-  this->LastShapeRound = this->Count + FirstShapeRounds;
+  this->LastShapeRound = this->Count + rounds;
   if (this->Descent)
   {
     this->Descent->resetDamping();
@@ -153,11 +161,10 @@ double RefinementRounds::descend(DomainMap& map, const ProgressCallback& progres
   return this->Descent->round(map, progress);
 }
 
-void RefinementRounds::run(DomainMap& map, int most, Until until, const ProgressCallback& progress)
+bool RefinementRounds::run(DomainMap& map, int most, Until until, const ProgressCallback& progress)
 {
-  const bool isWarm = this->Start == RefinementStart::WarmStart;
-  const double leastProgress = isWarm ? LeastWarmProgress : LeastProgress;
-  const int mostIdle = isWarm ? MostIdleWarmRounds : MostIdleRounds;
+  const bool isQuick = this->Start == RefinementStart::WarmStart || until == Until::Roughly;
+  const int mostIdle = isQuick ? MostIdleQuickRounds : MostIdleRounds;
   WrongFaces before = this->wrongFaces(map);
   int idle = 0;
   for (int round = 0; round < most && (before.Share > EnoughShare || until == Until::AllRounds); ++round)
@@ -166,7 +173,13 @@ void RefinementRounds::run(DomainMap& map, int most, Until until, const Progress
     const double begin = static_cast<double>(round) / most;
     const double end = (round + 1.0) / most;
     const double middle = 0.5 * (begin + end);
-    if (round % RoundsPerBalance == RoundsPerBalance - 1)
+    const bool isWhole = idle > 0 && this->Epsilon == 0.0;
+    if (isWhole)
+    {
+      this->Energy.setEnclosed(map);
+      this->descend(map, subrange(progress, begin, middle));
+    }
+    else if (round % RoundsPerBalance == RoundsPerBalance - 1)
     {
       this->balance(map, RegionTolerance, subrange(progress, begin, middle));
     }
@@ -178,15 +191,19 @@ void RefinementRounds::run(DomainMap& map, int most, Until until, const Progress
     pass.ShapeFactor = this->Count <= this->LastShapeRound ? FirstShapeFactor : 1.0;
     const int patches = this->Patches.run(pass, map, subrange(progress, middle, end));
     const WrongFaces next = this->wrongFaces(map);
+    const double leastProgress = isWhole   ? LeastWholeProgress
+                                 : isQuick ? LeastQuickProgress
+                                           : LeastProgress;
     const bool isIdle = next.Share > (1.0 - leastProgress) * before.Share &&
                         next.Distance > (1.0 - leastProgress) * before.Distance;
     idle = isIdle ? idle + 1 : 0;
-    if (patches == 0 || (until == Until::Enough && idle == mostIdle))
+    if (patches == 0 || (until != Until::AllRounds && idle == mostIdle))
     {
-      return;
+      return isWhole && idle == mostIdle;
     }
     before = next;
   }
+  return false;
 }
 
 } // namespace flattening

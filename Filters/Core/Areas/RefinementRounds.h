@@ -28,8 +28,13 @@ public:
   enum class Until
   {
     Enough,   ///< when few faces are off, or when rounds in a row bring too little
+    Roughly,  ///< the same, but already when one round brings less than a fifth
     AllRounds ///< never
   };
+
+  /// The epsilon of FaceAreaEnergy where faces may flip: how far, in target areas. A choice: less makes
+  /// flipped faces stiff, more leaves more of them flipped.
+  static constexpr double FlippingEpsilon = 0.1;
 
   /// From the transport on, shapes count more in the first rounds. After a warm start they do not, and
   /// the rounds end earlier. The arguments must live as long as this does.
@@ -43,12 +48,14 @@ public:
   /// see FaceAreaEnergy: with 0 faces do not flip, and all of them must be positive at the start.
   void setStage(const Eigen::VectorXd& targets, double epsilon);
 
-  /// Lets shapes count more in the next rounds, as in the first ones, and resets the damping of the
+  /// Lets shapes count more in the next @p rounds, as in the first ones, and resets the damping of the
   /// steps of the whole mesh: faces that lie across each other come apart.
-  void favourShapes();
+  void favourShapes(int rounds);
+  static constexpr int FirstShapeRounds = 2; ///< how many first rounds those are
 
-  /// Runs at most @p most rounds. @throws Cancelled, ConvergenceError.
-  void run(DomainMap& map, int most, Until until, const ProgressCallback& progress);
+  /// Runs at most @p most rounds. Returns whether they ended because even steps of the whole mesh
+  /// brought too little. @throws Cancelled, ConvergenceError.
+  bool run(DomainMap& map, int most, Until until, const ProgressCallback& progress);
 
   /// Makes steps of the whole mesh if the area of a region of the size of a patch is off by more than
   /// the share @p tolerance. @throws Cancelled, ConvergenceError.

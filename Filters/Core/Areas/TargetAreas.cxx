@@ -20,6 +20,10 @@ namespace
 constexpr double SegmentShare = 0.3;
 constexpr double LargestShare = 0.3;
 
+// The least target of a face, in mean targets. A guard for faces without area on the surface, which
+// would divide by 0.
+constexpr double LeastTarget = 1e-6;
+
 double longestSide(const FaceMatrix& faces, const Points2& positions, Eigen::Index face)
 {
   double longest = 0.0;
@@ -122,6 +126,22 @@ Eigen::VectorXd resolvableAreas(const FaceMatrix& faces,
     result[f] = std::max(result[f], std::min(SegmentShare * segment, largest));
   }
   return result * (targets.sum() / result.sum());
+}
+
+Eigen::VectorXd positiveTargets(const Eigen::VectorXd& targets, double area)
+{
+  const Eigen::VectorXd positive = targets.cwiseMax(LeastTarget * targets.mean());
+  return positive * (area / positive.sum());
+}
+
+double shareOfWrongFaces(const Points2& positions,
+  const FaceMatrix& faces,
+  const Eigen::VectorXd& targets,
+  double tolerance)
+{
+  const Eigen::VectorXd areas = signedFaceAreas(positions, faces);
+  const Eigen::ArrayXd ratios = targets.sum() / areas.sum() * areas.array() / targets.array();
+  return ((ratios - 1.0).abs() > tolerance).cast<double>().mean();
 }
 
 } // namespace flattening

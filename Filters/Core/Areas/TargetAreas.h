@@ -30,4 +30,15 @@ Eigen::VectorXd resolvableAreas(const FaceMatrix& faces,
   const Points2& positions,
   const Eigen::VectorXd& targets);
 
+/// @p targets (m, >= 0) scaled to the sum @p area, none of them 0: faces without area on the surface get
+/// a millionth of the mean.
+Eigen::VectorXd positiveTargets(const Eigen::VectorXd& targets, double area);
+
+/// The share of the faces whose flat area, as a part of the whole map, differs from their target (m, >
+/// 0) by more than @p tolerance of it.
+double shareOfWrongFaces(const Points2& positions,
+  const FaceMatrix& faces,
+  const Eigen::VectorXd& targets,
+  double tolerance);
+
 } // namespace flattening

@@ -12,6 +12,8 @@ namespace flattening
 
 struct UntanglingOptions
 {
+  /// The weight of areas in maps that keep them. A choice: areas count as much as shapes.
+  static constexpr double EqualAreaWeight = 1.0;
   /// Weight of a face's area against its shape (see FoldoverEnergy), dimensionless, >= 0.
   double AreaWeight = 0.1;
   /// Greatest number of vertices that are moved together; flipped faces that need more stay flipped.
