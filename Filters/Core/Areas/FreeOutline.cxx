@@ -43,6 +43,10 @@ constexpr int LastRounds = 8;
 // follows it. A choice: later rounds mostly make so many faces right again, and with 0.05 small meshes
 // keep their domain.
 constexpr double GreatestPassingLoss = 0.2;
+// What a face that becomes wrong counts against the distortion of shapes, when a deformation and its round
+// are judged. A choice: with less, the last deformations of a surface with long folds gain little shape
+// and leave areas wrong that no later round makes right.
+constexpr double WrongFaceWeight = 0.1;
 // Then steps of the whole mesh follow, unless the last rounds ended with such steps that brought little:
 // a round at a time, until one lowers the energy by less than this share. One round sets regions right;
 // more are worth their time where all shapes can be kept.
@@ -131,6 +135,8 @@ private:
       this->Map.Positions, this->Surface.Faces, this->Targets, RefinementPatches::AreaTolerance);
   }
 
+  double cost() const { return this->distortion() + WrongFaceWeight * this->shareOff(); }
+
   // Returns the number of deformations.
   int deform(const ProgressCallback& progress)
   {
@@ -155,10 +161,11 @@ private:
 
   // A round of the refinement follows the deformation, so that small errors do not add up. Returns
   // false, and leaves the map, if every share of the deformation leaves the outline crossed, faces
-  // flipped or more than the share @p mostOff of the areas wrong.
+  // flipped or more than the share @p mostOff of the areas wrong, or costs more than it gains.
   bool deformOnce(double mostOff, const ProgressCallback& progress)
   {
     const Points2 before = this->Map.Positions;
+    const double costBefore = this->cost();
     const Points2 whole = smoothlyDeformed(
       this->Terms, before, this->Targets, this->AreaWeight, subrange(progress, 0.0, 0.5));
     double begin = 0.5;
@@ -173,7 +180,7 @@ private:
         this->Rounds.favourShapes(1);
         this->Rounds.run(
           this->Map, 1, RefinementRounds::Until::AllRounds, subrange(progress, middle, end));
-        if (this->shareOff() <= mostOff)
+        if (this->shareOff() <= mostOff && this->cost() < costBefore)
         {
           return true;
         }
