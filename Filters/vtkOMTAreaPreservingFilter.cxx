@@ -381,8 +381,8 @@ void vtkOMTAreaPreservingFilter::Execute(vtkInformationVector** inputVector,
   {
     vtkWarningMacro(<< this->GetBlockPrefix()
                     << "the outline could not be freed without a loss of areas, and the map fills "
-                       "the domain: remesh the surface (Surface To Disk, Remesh), or use area weights "
-                       "that differ less");
+                       "the domain: remesh the surface (Surface To Disk, Remesh), cut it open along its "
+                       "relief (Cut), or use area weights that differ less");
   }
   const double area = EIGEN_PI * placement.Scale * placement.Scale;
   if (!std::isnormal(area))

@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -152,6 +154,28 @@ INSTANTIATE_TEST_SUITE_P(,
       pointsOf({ { 0, 0 }, { 30, 0.2 }, { 29.5, 1 }, { 0.5, 1.1 } }),
       99.0 }),
   [](const testing::TestParamInfo<Case>& info) { return std::string(info.param.Name); });
+
+// How the disk is turned decides where the refinement divides the map, and which long rows of faces
+// cross from one part into the other. Without steps of the whole mesh these maps have 97.4 to 98.5 % of
+// the faces right.
+TEST(AreaPreservingPolygon, AThinOneIsFilledHoweverTheDiskIsTurned)
+{
+  const TriangleMesh mesh = ringMesh(sphericalCap(0.5 * Pi), 3000).Mesh;
+  const Points2 conformal = conformalDiskMap(mesh).Positions;
+  const Points2 corners =
+    domainPolygon(pointsOf({ { 0, 0 }, { 30, 0.2 }, { 29.5, 1 }, { 0.5, 1.1 } })).Corners;
+  for (const double angle : { 0.2, 0.8, 1.3, 2.0, 2.9 })
+  {
+    const Points2 turned = conformal * Eigen::Rotation2Dd(angle).toRotationMatrix().transpose();
+    const AreaPreservingMap map =
+      areaPreservingPolygonMap(mesh, turned, UnitDisk(), { corners, false }).Map;
+    EXPECT_TRUE(map.Bijective) << angle;
+    const double within =
+      summariseDistortion(measureDistortion(mesh, map.Positions)).FacesWithin2Percent;
+    std::cout << "turned by " << angle << ", faces within 2 %: " << within << "\n";
+    EXPECT_GT(within, 99.3) << angle;
+  }
+}
 
 // Between rectangles the transport of uniform areas is affine. It is so from sites of any size, and the
 // corners of the one go to those of the other.
