@@ -54,10 +54,8 @@ def panel(solid, lines, size, direction, up, colours):
     panels.colour_by(display, "POINTS", "SeamId")
     panels.categories("SeamId", colours)
     display.LineWidth = panels.OVERSAMPLING * 4
-    display.RenderLinesAsTubes = 1
-    display = panels.show_points(dots(lines), view, (0.0, 0.0, 0.0), 7)
-    if flat:
-        display.Position = [0.0, 0.0, 50.0]  # above the lines
+    display.RenderLinesAsTubes = 0 if flat else 1  # tubes would hide dots
+    panels.show_points(dots(lines), view, (0.0, 0.0, 0.0), 7)
     panels.look(view, solid.GetDataInformation().GetBounds(), size, direction, up)
     return panels.screenshot(view, size)
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Pictures of ParaView's window with the plugin, for docs/pictures: the panels of the four filters, the layout of
 # Flatten and Compare with a linked selection, an error message. Needs a build and Debian's packages xvfb, xdotool,
-# x11-apps, python3-pil and mricron-data. Takes three minutes.
+# x11-apps, libqt5svg5 (icons), python3-pil and mricron-data. Takes three minutes.
 #   Utilities/screenshots/screenshots.sh [folder of the pictures]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
