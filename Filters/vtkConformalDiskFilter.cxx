@@ -271,10 +271,12 @@ void vtkConformalDiskFilter::Warn(int flippedFaces, int spreadPoints, int points
       << this->GetBlockPrefix() << spreadPoints << " of " << points
       << " points lie in long narrow parts of the surface, which a conformal disk "
          "shrinks to less than 1e-5 of the rest: they were moved apart, and the map is not "
-         "conformal there. A disk that keeps areas is stretched "
-      << anisotropy
-      << " to 1 along its boundary. If the surface is a tube, cut it open (Surface To Disk, "
-         "Cut: Seam) and set Domain to Rectangle");
+         "conformal there"
+      << (anisotropy > 1.0
+             ? ". A disk that keeps areas is stretched " + flattening::formatted(anisotropy) +
+                 " to 1 along its boundary. If the surface is a tube, cut it open (Surface To Disk, "
+                 "Cut: Seam) and set Domain to Rectangle"
+             : std::string()));
   }
 }
 

@@ -103,10 +103,11 @@ flattening::AreaPreservingMap flatten(const TriangleMesh& disk,
     map.Bijective &= placed.FlippedFaces == 0;
     return map;
   }
-  catch (const flattening::ConvergenceError& error)
+  catch (const flattening::ConvergenceError&) // its remedies are settings that this filter does not have
   {
-    throw flattening::ConvergenceError(std::string("the region could not be flattened (") +
-                                       error.what() + "); here, a wider margin often helps as well");
+    throw flattening::ConvergenceError(
+      "no flat map of the region was found, as it has slivers, thin protrusions or points that nearly "
+      "coincide: set a wider Margin, or remesh the surface before (Surface To Disk, Remesh)");
   }
 }
 

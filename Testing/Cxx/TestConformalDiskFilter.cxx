@@ -434,6 +434,11 @@ TEST(ConformalDiskFilter, WarnsOfLongTubes)
   filter->AddObserver(vtkCommand::WarningEvent, command);
   filter->Update();
   EXPECT_NE(warning.find("set Domain to Rectangle"), std::string::npos) << warning;
+  warning.clear();
+  filter->SetInputData(polyDataOf(samples::rectangleGrid(100, 4, 7.0))); // a strip is no tube
+  filter->Update();
+  EXPECT_NE(warning.find("long narrow parts"), std::string::npos) << warning;
+  EXPECT_EQ(warning.find("stretched"), std::string::npos) << warning;
   filter->SetInputData(polyDataOf(ringMesh(capsule(3.0), 3000).Mesh));
   warning.clear();
   filter->Update();

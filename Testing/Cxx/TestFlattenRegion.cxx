@@ -351,6 +351,29 @@ TEST(FlattenRegion, ReportsWhatIsWrong)
   expectWords("there is no selection");
 }
 
+// Its remedies are those of this filter, not those of the stage that failed, and it is short enough to
+// be read.
+TEST(FlattenRegion, SaysInOneSentenceThatNoMapWasFound)
+{
+  const vtkSmartPointer<vtkPolyData> input = hemisphere(60);
+  for (vtkIdType p = 0; p < input->GetNumberOfPoints(); ++p) // needles
+  {
+    double x[3];
+    input->GetPoint(p, x);
+    input->GetPoints()->SetPoint(p, 1e7 * x[0], x[1], x[2]);
+  }
+  vtkNew<vtkFlattenRegion> filter;
+  filter->SetInputData(input);
+  useLabels(filter);
+  ErrorLog errors(filter);
+  filter->Update();
+  ASSERT_EQ(errors.messages().size(), 1u);
+  const std::string& message = errors.messages()[0];
+  EXPECT_NE(message.find("no flat map of the region was found"), std::string::npos) << message;
+  EXPECT_NE(message.find("Margin"), std::string::npos) << message;
+  EXPECT_EQ(message.find("Tolerance"), std::string::npos) << message;
+}
+
 TEST(FlattenRegion, CanBeStopped)
 {
   const auto input = hemisphere(1000);

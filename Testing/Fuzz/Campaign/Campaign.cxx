@@ -34,6 +34,8 @@ Campaign::Campaign(const CampaignOptions& options)
 {
   std::filesystem::create_directories(options.Out);
   this->Options.Limit.LogFile = options.Out / "child.log";
+  this->Cases.open(options.Out / "cases.csv");
+  this->Cases << "class,seed,scenario,faces,seconds,failures\n";
 }
 
 int Campaign::run()
@@ -52,6 +54,7 @@ int Campaign::run()
         this->keep(record, failure);
       }
     }
+    this->Cases.flush();
     std::ofstream table(this->Options.Out / "summary.csv");
     this->Table.writeCsv(table);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
@@ -81,6 +84,8 @@ std::vector<Job> Campaign::nextJobs(int done, int most) const
 void Campaign::finish(const Record& record)
 {
   this->Table.add(record);
+  this->Cases << record.Of.SurfaceClass << ',' << record.Of.Seed << ',' << record.Scenario << ','
+              << record.Faces << ',' << record.Seconds << ',' << record.Shown.Failures.size() << '\n';
   if (!record.Shown.Failures.empty())
   {
     this->Failed.push_back(record);

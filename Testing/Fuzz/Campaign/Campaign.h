@@ -6,6 +6,7 @@
 #include "Summary.h"
 
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <set>
 #include <string>
@@ -39,6 +40,7 @@ private:
 
   CampaignOptions Options;
   Summary Table;
+  std::ofstream Cases; ///< a line for each case, with its processor time
   std::vector<Record> Failed;
   std::map<std::string, int> Kept; ///< files by kind of failure
 };
