@@ -26,7 +26,7 @@ def core_filter(name):
     """The pipeline up to a filter, whose panel is shown with its output."""
     proxy = brain()
     for function in CORE_FILTERS[: CORE_FILTERS.index(name) + 1]:
-        settings = {"Remesh": 1, "TargetEdgeLength": 2.0} if function == "SurfaceToDisk" else {}
+        settings = {"Remesh": 1, "TargetEdgeLength": 1.9} if function == "SurfaceToDisk" else {}
         proxy = getattr(simple, function)(Input=proxy, **settings)
     simple.Show(proxy)
     simple.SetActiveSource(proxy)
