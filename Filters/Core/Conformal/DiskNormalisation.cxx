@@ -53,6 +53,17 @@ double weightedMedian(const std::vector<double>& values, const Eigen::VectorXd& 
   return values[order.back()];
 }
 
+// The real or the imaginary parts; 0 for the point at infinity.
+std::vector<double> coordinates(const ComplexVector& halfPlane, bool imaginary)
+{
+  std::vector<double> values;
+  for (const Complex& z : halfPlane)
+  {
+    values.push_back(!std::isfinite(z.real()) ? 0.0 : imaginary ? z.imag() : z.real());
+  }
+  return values;
+}
+
 struct Moments
 {
   Complex First{ 0.0, 0.0 };  // sum of mass z
@@ -95,19 +106,20 @@ void moveToCircle(const std::vector<int>& vertices, ComplexVector& disk)
   }
 }
 
+Complex medianOf(const ComplexVector& halfPlane, const Eigen::VectorXd& masses)
+{
+  return { weightedMedian(coordinates(halfPlane, false), masses),
+    weightedMedian(coordinates(halfPlane, true), masses) };
+}
+
 Complex centreOfMass(const ComplexVector& halfPlane, const Eigen::VectorXd& masses)
 {
-  std::vector<double> x;
-  std::vector<double> y;
-  for (const Complex& z : halfPlane)
-  {
-    x.push_back(std::isfinite(z.real()) ? z.real() : 0.0);
-    y.push_back(std::isfinite(z.real()) ? z.imag() : 0.0);
-  }
   // The first centre lies amid the mass, so that no image loses digits by lying close to the circle.
-  Complex centre(weightedMedian(x, masses), weightedMedian(y, masses));
+  Complex centre = medianOf(halfPlane, masses);
   if (!(centre.imag() > 0.0))
   {
+    const std::vector<double> x = coordinates(halfPlane, false);
+    const std::vector<double> y = coordinates(halfPlane, true);
     const auto [left, right] = std::minmax_element(x.begin(), x.end());
     const double highest = *std::max_element(y.begin(), y.end());
     centre.imag(highest > 0.0 ? highest : *right - *left); // 0 if all vertices are on the boundary
@@ -191,6 +203,11 @@ DiskCentring::DiskCentring(const TriangleMesh& mesh, int vertex)
 Complex DiskCentring::centre(const ComplexVector& halfPlane) const
 {
   return this->Vertex >= 0 ? halfPlane[this->Vertex] : centreOfMass(halfPlane, this->Weights);
+}
+
+Complex DiskCentring::roughCentre(const ComplexVector& halfPlane) const
+{
+  return this->Vertex >= 0 ? halfPlane[this->Vertex] : medianOf(halfPlane, this->Weights);
 }
 
 } // namespace flattening

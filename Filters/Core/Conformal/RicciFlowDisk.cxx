@@ -31,9 +31,12 @@ constexpr int LateSteps = 90;
 // which another vertex is sent to infinity. Derived: the disk loses as many digits as this has, and six
 // of sixteen leave faces of a millionth of the radius in order.
 constexpr double MostLopsided = 1e6;
-// A vertex counts as near the centre if it is at most so many times as far as the nearest one. A choice:
-// among these the vertex with the best star is taken.
+// A vertex counts as near the centre if the boundary around it subtends at most so many times less of an
+// angle there than around the nearest one. A choice: among these the vertex with the best star is taken.
 constexpr double NearCentre = 10.0;
+// Number of times that another vertex is sent to infinity: a choice, as each costs a whole flow. Each
+// brings the centre closer by up to the sixteen digits that the positions have.
+constexpr int MostCloser = 3;
 // Number of times that a surface too coarse for any of them is subdivided: a guard, for one subdivision
 // gives every boundary edge a vertex with interior neighbours.
 constexpr int MostSubdivisions = 4;
@@ -139,23 +142,37 @@ HalfPlaneMap mapToHalfPlane(const IntrinsicSurface& surface,
                          "(Surface To Disk, Remesh)");
 }
 
-// The candidates for infinity that see the centre well, best first.
+// The candidates for infinity that are close to the centre, best first: those around which the boundary
+// subtends large angles there. (Distances in the half-plane do not tell: beyond the centre, all of the
+// surface is as near as the centre itself.)
 std::vector<int> candidatesNear(Complex centre,
   const HalfPlaneMap& half,
   const std::vector<int>& candidates)
 {
-  const auto distance = [&](int v)
-  { return v == half.AtInfinity ? HUGE_VAL : std::abs(half.Positions[v] - centre); };
-  double nearest = HUGE_VAL;
-  for (const int v : candidates)
+  std::vector<int> along = candidates;
+  along.erase(std::remove(along.begin(), along.end(), half.AtInfinity), along.end());
+  std::sort(along.begin(),
+    along.end(),
+    [&half](int a, int b)
+    {
+      const double left = half.Positions[a].real();
+      const double right = half.Positions[b].real();
+      return left != right ? left < right : a < b;
+    });
+  std::map<int, double> angles;
+  double greatest = 0.0;
+  for (std::size_t i = 1; i + 1 < along.size(); ++i)
   {
-    nearest = std::min(nearest, distance(v));
+    const double width = half.Positions[along[i + 1]].real() - half.Positions[along[i - 1]].real();
+    const double angle = width / std::norm(half.Positions[along[i]] - centre);
+    angles[along[i]] = angle;
+    greatest = std::max(greatest, angle);
   }
   std::vector<int> near;
   std::copy_if(candidates.begin(),
     candidates.end(),
     std::back_inserter(near),
-    [&](int v) { return distance(v) <= NearCentre * nearest; });
+    [&](int v) { return angles.count(v) > 0 && angles[v] >= greatest / NearCentre; });
   return near;
 }
 
@@ -222,18 +239,20 @@ ConformalDiskMap ricciFlowDisk(const TriangleMesh& mesh,
     candidates = verticesForInfinity(surface.Triangulation);
   }
   HalfPlaneMap half = mapToHalfPlane(surface, candidates, options, map, subrange(progress, 0.1, 0.9));
-  report(progress, 0.9, "Moebius normalisation");
-  Complex centre = centring.centre(firstOf(half.Positions, n));
-  if (std::abs(centre) > MostLopsided * centre.imag())
+  // Seen from an unlucky vertex at infinity, the surface is a speck, in which the next one is chosen.
+  for (int closer = 0; closer < MostCloser; ++closer)
   {
-    // Seen from the vertex at infinity, the surface is a speck.
-    half = mapToHalfPlane(surface,
-      candidatesNear(centre, half, candidates),
-      options,
-      map,
-      subrange(progress, 0.9, 1.0));
-    centre = centring.centre(firstOf(half.Positions, n));
+    const Complex rough = centring.roughCentre(firstOf(half.Positions, n));
+    const std::vector<int> near = candidatesNear(rough, half, candidates);
+    if (near.empty() || std::abs(rough) <= MostLopsided * rough.imag())
+    {
+      break;
+    }
+    half = mapToHalfPlane(
+      surface, near, options, map, atFraction(progress, 0.9, "Moebius normalisation"));
   }
+  report(progress, 0.95, "Moebius normalisation");
+  const Complex centre = centring.centre(firstOf(half.Positions, n));
   ComplexVector disk = cayley(half.Positions, centre);
   moveToCircle(loop, disk);
 

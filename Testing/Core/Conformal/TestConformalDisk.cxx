@@ -417,6 +417,23 @@ TEST(ConformalDisk, TriesNoThirdVertexAfterFlowsThatFailLate)
   EXPECT_LT(reached, 0.5);
 }
 
+// Seen from a vertex at its end, a long strip is a speck: of the strip of 15:1, the half-plane then has too
+// few digits, and 21 faces stayed flipped.
+TEST(ConformalDisk, LongStripsAreCentred)
+{
+  for (const int aspect : { 5, 10, 15 })
+  {
+    const TriangleMesh strip = samples::rectangleGrid(3 * aspect, 7, std::sqrt(samples::Pi * aspect));
+    const ConformalDiskMap map = conformalDiskMap(strip);
+    const Eigen::VectorXd masses = vertexAreas(strip);
+    // Points that a disk shrinks too much are moved apart, which moves the centroid.
+    EXPECT_LT((masses.transpose() * map.Positions).norm() / masses.sum(), 0.15) << aspect;
+    EXPECT_LE(map.Positions.rowwise().norm().maxCoeff(), 1.0 + 1e-15) << aspect;
+    EXPECT_LT(map.Positions.rowwise().norm().minCoeff(), 0.9) << aspect;
+    EXPECT_LE(map.Untangling.FlippedFaces, 5) << aspect;
+  }
+}
+
 TEST(ConformalDisk, SameBitsWhateverTheThreads)
 {
   const TriangleMesh mesh = bentSurface(10000);
