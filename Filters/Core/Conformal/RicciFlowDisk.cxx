@@ -24,8 +24,8 @@ using Complex = std::complex<double>;
 // costs a whole flow.
 constexpr int MostAttempts = 4;
 // Newton steps of failed attempts after which no other vertex is tried: two flows that fail late, as on
-// nearly degenerate triangles, are enough. A guard for the time; with one, surfaces with many slivers are
-// given up that the second vertex maps.
+// nearly degenerate triangles, are enough. A guard for the time; with one, surfaces with many slivers
+// are given up that the second vertex maps.
 constexpr int LateSteps = 90;
 // Distance of the centre of the disk from the origin of the half-plane, in units of its height, above
 // which another vertex is sent to infinity. Derived: the disk loses as many digits as this has, and six
@@ -248,8 +248,8 @@ ConformalDiskMap ricciFlowDisk(const TriangleMesh& mesh,
     {
       break;
     }
-    half = mapToHalfPlane(
-      surface, near, options, map, atFraction(progress, 0.9, "Moebius normalisation"));
+    half =
+      mapToHalfPlane(surface, near, options, map, atFraction(progress, 0.9, "Moebius normalisation"));
   }
   report(progress, 0.95, "Moebius normalisation");
   const Complex centre = centring.centre(firstOf(half.Positions, n));

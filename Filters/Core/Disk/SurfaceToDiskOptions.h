@@ -140,8 +140,8 @@ struct DiskSurface
 {
   DerivedMesh Surface;
   std::vector<char> Seam; ///< per vertex: 1 on a seam or a cut graph
-  /// Per vertex: the point of the uncut surface that it is a copy of, as its first copy; -1 off the seams
-  /// (pointsOfSeam).
+  /// Per vertex: the point of the uncut surface that it is a copy of, as its first copy; -1 off the
+  /// seams (pointsOfSeam).
   std::vector<int> SeamPoint;
   std::vector<int> Boundary; ///< vertices, in the direction that has the surface on its left
   SurfaceToDiskReport Report;

@@ -20,9 +20,9 @@ namespace
 
 // How far the next targets on the way may lie, as the greatest log ratio to the present areas: at most a
 // decade. Steps that are accepted at once lengthen the way, rejected trials shorten it; that saves a
-// third of the power diagrams on raw surfaces. The shortest way is a guard against standing still. It was
-// found where one cell holds all others back, so that they come closer by a factor of 1.003 in a step:
-// with 0.1 most of the 500 steps begin with five vain trials and take five times as long.
+// third of the power diagrams on raw surfaces. The shortest way is a guard against standing still. It
+// was found where one cell holds all others back, so that they come closer by a factor of 1.003 in a
+// step: with 0.1 most of the 500 steps begin with five vain trials and take five times as long.
 constexpr double LongestWay = 2.3;
 constexpr double ShortestWay = 1e-3;
 // The share of its area, or of its aim if that is smaller, that a cell must keep in a step. A choice: a

@@ -417,8 +417,8 @@ TEST(ConformalDisk, TriesNoThirdVertexAfterFlowsThatFailLate)
   EXPECT_LT(reached, 0.5);
 }
 
-// Seen from a vertex at its end, a long strip is a speck: of the strip of 15:1, the half-plane then has too
-// few digits, and 21 faces stayed flipped.
+// Seen from a vertex at its end, a long strip is a speck: of the strip of 15:1, the half-plane then has
+// too few digits, and 21 faces stayed flipped.
 TEST(ConformalDisk, LongStripsAreCentred)
 {
   for (const int aspect : { 5, 10, 15 })
