@@ -191,8 +191,9 @@ private:
     return false;
   }
 
-  // First the vertices inside move, then also those of the outline around faces that are still flipped,
-  // such as faces that have no vertex inside.
+  // Faces that have no vertex inside can be untangled only if the outline moves: first in a round in
+  // which all faces are free to flip and the outline keeps from crossing itself, then around the faces
+  // that are still flipped, in a way that may cross it.
   bool untangle(DomainMap& map, const ProgressCallback& progress)
   {
     const int flipped = countFlippedFaces(map.Positions, this->Surface.Faces);
@@ -211,11 +212,18 @@ private:
                targets,
                map.Positions,
                options,
-               subrange(progress, begin, begin + 0.5))
+               subrange(progress, begin, begin + 0.2))
                .FlippedFaces == 0;
     };
-    return untangled(this->OnBoundary, 0.0) ||
-           (untangled(this->onBoundaryFarFromFlipped(map.Positions), 0.5) &&
+    if (untangled(this->OnBoundary, 0.0))
+    {
+      return true;
+    }
+    this->Rounds.setStage(this->Targets, RefinementRounds::FlippingEpsilon);
+    this->Rounds.run(map, 1, RefinementRounds::Until::AllRounds, subrange(progress, 0.2, 0.6));
+    this->Rounds.setStage(this->Targets, 0.0);
+    return untangled(this->OnBoundary, 0.6) ||
+           (untangled(this->onBoundaryFarFromFlipped(map.Positions), 0.8) &&
              isSimpleOutline(map.Positions, this->Loop));
   }
 
