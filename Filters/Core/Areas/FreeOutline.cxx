@@ -43,9 +43,9 @@ constexpr int LastRounds = 8;
 // follows it. A choice: later rounds mostly make so many faces right again, and with 0.05 small meshes
 // keep their domain.
 constexpr double GreatestPassingLoss = 0.2;
-// What a face that becomes wrong counts against the distortion of shapes, when a deformation and its
-// round are judged. A choice: with less, the last deformations of a surface with long folds gain little
-// shape and leave areas wrong that no later round makes right.
+// The weight of the share of wrong faces against the distortion of shapes, by which a deformation and
+// the round after it are judged. A choice: with less, the last deformations of a surface with long folds
+// gain little shape and leave areas wrong that no later round makes right.
 constexpr double WrongFaceWeight = 0.1;
 // Then steps of the whole mesh follow, unless the last rounds ended with such steps that brought little:
 // a round at a time, until one lowers the energy by less than this share. One round sets regions right;

@@ -243,8 +243,12 @@ ConformalDiskMap ricciFlowDisk(const TriangleMesh& mesh,
   for (int closer = 0; closer < MostCloser; ++closer)
   {
     const Complex rough = centring.roughCentre(firstOf(half.Positions, n));
+    if (std::abs(rough) <= MostLopsided * rough.imag())
+    {
+      break;
+    }
     const std::vector<int> near = candidatesNear(rough, half, candidates);
-    if (near.empty() || std::abs(rough) <= MostLopsided * rough.imag())
+    if (near.empty())
     {
       break;
     }

@@ -57,7 +57,7 @@ public:
   }
 
 private:
-  // What is known of a point where the seams have an edge.
+  // A point at which edges of the seams end.
   struct Node
   {
     std::vector<int> Edges;
