@@ -23,7 +23,7 @@ constexpr std::size_t PointsPerTask = 4096;
 constexpr double CentringTolerance = 1e-14;
 // Distance that is accepted where no step reduces it, as rounding of the positions may forbid. A guard:
 // maps that are off by more are refused.
-constexpr double AcceptedOffset = 1e-6;
+constexpr double AcceptedOffset = 1e-9;
 // Guards against endless loops: convergence takes a few iterations, and 2^-50 of a step moves nothing.
 constexpr int MostNewtonSteps = 200;
 constexpr int MostHalvings = 50;
