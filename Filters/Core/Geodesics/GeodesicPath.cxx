@@ -25,11 +25,9 @@ using Face = SurfaceMesh::Face_index;
 using ShortestPath =
   CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, SurfaceMesh>>;
 
-// Half the width of the first strip and its growth from one strip to the next, in edges. The path does
-// not depend on them unless several are locally shortest: narrow strips are searched fast but often,
-// wide ones slowly.
+// Half the width of the first strip, in edges. The path does not depend on it unless several are locally
+// shortest: narrow strips are searched fast but often, wide ones slowly.
 constexpr int FirstRings = 4;
-constexpr int MoreRings = 2;
 
 constexpr const char* PathStage = "looking for the geodesic";
 
@@ -273,8 +271,14 @@ GeodesicPath geodesicPath(const SurfaceMesh& mesh,
   const ProgressCallback& progress)
 {
   report(progress, 0.0, PathStage);
+  if (from == to)
+  {
+    return { { { from, SurfaceMesh::null_halfedge(), 0.0 } }, 0.0 };
+  }
   std::vector<Vertex> middle = shortestEdgePath(mesh, from, to);
-  for (int rings = FirstRings;; rings += MoreRings)
+  // Strips grow by half, so that they are the whole surface after a number of searches that grows with
+  // the logarithm of its size.
+  for (int rings = FirstRings;; rings += rings / 2)
   {
     report(progress, 0.5, PathStage);
     Strip strip(mesh, middle);

@@ -34,10 +34,10 @@ struct GeodesicPath
 
 /// The exact geodesic between two vertices (Xin, Wang 2009, "Improving Chen and Han's algorithm on the
 /// discrete geodesic problem"; CGAL Surface_mesh_shortest_path) in a strip around the shortest edge
-/// path. While the path touches the strip's border, it is sought again in a wider strip around itself;
-/// in the end it is as straight as the surface allows. A shorter one on the far side of a hill may
-/// exist.
-/// @throws TopologyError if no path joins the vertices; Cancelled.
+/// path. While the path touches the strip's border, it is sought again in a strip around itself that is
+/// half as wide again; in the end it is as straight as the surface allows. A shorter one on the far side
+/// of a hill may exist. From a vertex to itself it is that vertex.
+/// @throws TopologyError if no path joins the vertices, or rounding breaks the search; Cancelled.
 GeodesicPath geodesicPath(const SurfaceMesh& mesh,
   SurfaceMesh::Vertex_index from,
   SurfaceMesh::Vertex_index to,

@@ -183,7 +183,11 @@ public:
     const Eigen::VectorXd fromSecond = geodesicDistances(this->Region, this->Ends.second, atFirst);
     const Eigen::VectorXd along = fromFirst - fromSecond;
     const std::size_t first = this->nearestOnLoop(fromFirst);
-    const std::size_t second = this->nearestOnLoop(fromSecond);
+    std::size_t second = this->nearestOnLoop(fromSecond);
+    if (first == second) // the ends lie inside and nothing parts the boundary: take its halves
+    {
+      second = (first + this->Loop.size() / 2) % this->Loop.size();
+    }
     const std::array<std::vector<int>, 2> sides{ this->between(first, second),
       this->between(second, first) };
     SurfaceCurve longest;

@@ -93,6 +93,16 @@ TEST(GeodesicPath, OfATubeIsTheStraightLineOfItsNet)
   expectStraight(1, 7, 7);
 }
 
+TEST(GeodesicPath, FromAVertexToItselfIsThatVertex)
+{
+  const EditableSurface tube(cylinder(12, 4, 1.0));
+  const SurfaceMesh::Vertex_index v(20);
+  const GeodesicPath path = geodesicPath(tube.mesh(), v, v);
+  EXPECT_EQ(path.Length, 0.0);
+  ASSERT_EQ(path.Points.size(), 1u);
+  EXPECT_EQ(path.Points[0].Vertex, v);
+}
+
 TEST(GeodesicPath, ReportsProgressWhileALibraryWorks)
 {
   const EditableSurface tube(cylinder(48, 40, 3.0));

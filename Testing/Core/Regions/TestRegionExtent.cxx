@@ -298,6 +298,39 @@ TEST(RegionExtent, OfARectangleIsItsDiagonalAndWhatIsSquareToIt)
   EXPECT_EQ(extent.EdgeLength, 1.0);
 }
 
+// A ball with two horns and a hole on the other side, so that the same vertex of the boundary is the
+// nearest to both tips.
+TEST(RegionExtent, OfTwoHornsBesideEachOther)
+{
+  TriangleMesh ball = sphere(4);
+  const Eigen::RowVector3d pole = ball.Vertices.row(0);
+  const Eigen::RowVector3d rim = ball.Vertices.row(ball.Faces(0, 1));
+  const Eigen::RowVector3d meridian = (rim - rim.dot(pole) * pole).normalized();
+  const Eigen::RowVector3d aside = pole.cross(meridian);
+  std::vector<char> region(ball.faceCount(), 1);
+  for (int f = 0; f < ball.faceCount(); ++f)
+  {
+    region[f] = (ball.Faces.row(f).array() != 0).all();
+  }
+  const double height = 4.0;
+  for (const double angle : { -0.5, 0.5 })
+  {
+    const Eigen::RowVector3d tip = (-0.5 * pole + std::cos(angle) * meridian + std::sin(angle) * aside);
+    for (int v = 0; v < ball.vertexCount(); ++v)
+    {
+      const Eigen::RowVector3d direction = ball.Vertices.row(v).normalized();
+      const double away = std::acos(std::min(1.0, direction.dot(tip.normalized())));
+      ball.Vertices.row(v) += height * std::max(0.0, 1.0 - away / 0.4) * direction;
+    }
+  }
+  const RegionExtent extent = regionExtent(regionDisk(ball, region).Disk.Mesh);
+  std::printf("two horns: diameter %.3f, across %.3f\n", extent.Diameter.Length, extent.Across.Length);
+  EXPECT_GT(extent.Diameter.Length, 1.7 * height); // from tip to tip
+  EXPECT_LT(extent.Diameter.Length, 2.0 * height + 1.0);
+  EXPECT_GT(extent.Across.Length, 0.0);
+  EXPECT_LT(extent.Across.Length, extent.Diameter.Length);
+}
+
 void expectSameCurve(const SurfaceCurve& curve, const SurfaceCurve& other)
 {
   EXPECT_EQ(curve.Length, other.Length);
