@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -11,6 +10,9 @@
 #include <ctime>
 #include <exception>
 #include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <poll.h>
 #include <stdexcept>
 #include <sys/resource.h>
@@ -124,21 +126,41 @@ void passLines(std::string& buffer, const std::function<void(const std::string&)
   }
 }
 
+// Whether all threads of a running child wait for something. A child that waits for a processor, which
+// is ready to run, does not, nor does one that was stopped or waits for a disk.
+bool sleeps(pid_t child)
+{
+  std::error_code error;
+  const std::filesystem::path tasks = "/proc/" + std::to_string(child) + "/task";
+  int threads = 0;
+  for (const auto& task : std::filesystem::directory_iterator(tasks, error))
+  {
+    std::ifstream file(task.path() / "stat");
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    const std::size_t name = text.rfind(')'); // the state follows the name in brackets
+    if (name == std::string::npos || text.compare(name, 3, ") S") != 0)
+    {
+      return false;
+    }
+    ++threads;
+  }
+  return threads > 0;
+}
+
 // Listens until the child closes its pipe. Kills it and returns why if it exceeds a limit.
 std::string listen(pid_t child,
   int pipeEnd,
   const Limits& limits,
   const std::function<void(const std::string&)>& hear)
 {
-  using Clock = std::chrono::steady_clock;
-  constexpr double clockFactor = 5.0; // as other programs may run beside
-  auto last = Clock::now();
-  double lastProcessor = 0.0;
+  constexpr int interval = 500; // milliseconds between two looks at the child
+  double processorBefore = 0.0;
+  double slept = 0.0;
   std::string buffer;
   for (;;)
   {
     pollfd wait = { pipeEnd, POLLIN, 0 };
-    if (poll(&wait, 1, 500) > 0)
+    if (poll(&wait, 1, interval) > 0)
     {
       char bytes[4096];
       const ssize_t count = read(pipeEnd, bytes, sizeof(bytes));
@@ -148,13 +170,12 @@ std::string listen(pid_t child,
       }
       buffer.append(bytes, static_cast<std::size_t>(count));
       passLines(buffer, hear);
-      last = Clock::now();
-      lastProcessor = processorSeconds(child);
+      processorBefore = processorSeconds(child);
+      slept = 0.0;
       continue;
     }
-    const bool hangs =
-      processorSeconds(child) - lastProcessor > limits.Seconds ||
-      std::chrono::duration<double>(Clock::now() - last).count() > clockFactor * limits.Seconds;
+    slept += sleeps(child) ? 1e-3 * interval : 0.0;
+    const bool hangs = processorSeconds(child) - processorBefore + slept > limits.Seconds;
     if (hangs || residentMegabytes(child) > limits.MemoryMegabytes)
     {
       kill(child, SIGKILL);

@@ -11,8 +11,9 @@ namespace fuzz
 
 struct Limits
 {
-  double Seconds =
-    60.0; ///< greatest processor time between two lines of a child; five times that by the clock
+  /// Greatest time between two lines of a child: of the processor, and by the clock while the child
+  /// sleeps. The clock alone would end a child that waits for a processor which other programs use.
+  double Seconds = 60.0;
   long MemoryMegabytes = 4096;
   std::string LogFile; ///< gets what the child prints; empty: the terminal
 };
