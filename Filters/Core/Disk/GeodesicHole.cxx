@@ -38,6 +38,10 @@ constexpr double EdgePerSpacing = 1.25;
 constexpr double HoleRefinement = 0.7;
 // A guard against endless refinement: so many rounds make edges shorter by a factor of 40,000 at least.
 constexpr int MostHoleRounds = 30;
+// The least share to which a round shortens the longest edges along the isoline. A choice: with more,
+// faces of ordinary shapes need more than one round; with less, long faces that the isoline only touches
+// are refined over their whole length.
+constexpr double ShorterPerRound = 0.25;
 // The mesh is refined this many spacings to either side of the isoline, which still moves a little from
 // round to round. A convention: with less, more rounds are needed.
 constexpr double RingSpacings = 4.0;
@@ -113,6 +117,16 @@ private:
 
   Face faceAtCentre() const { return partAt(this->Surface, this->CentreFace, this->centrePoint()); }
 
+  double longestEdge(const std::vector<Face>& faces) const
+  {
+    double longest = 0.0;
+    for (const Face face : faces)
+    {
+      longest = std::max(longest, this->Surface.longestEdge(face));
+    }
+    return longest;
+  }
+
   // Refines a ball around the centre whose radius is that of a flat hole. The longest edges are halved
   // round by round: big faces are refined near the hole only.
   void refineBall()
@@ -121,11 +135,7 @@ private:
     const double wanted = radius / BallEdges;
     const auto faces = [this, radius]
     { return facesInBall(this->Mesh, this->faceAtCentre(), this->centrePoint(), BallRadii * radius); };
-    double longest = 0.0;
-    for (const Face face : faces())
-    {
-      longest = std::max(longest, this->Surface.longestEdge(face));
-    }
+    double longest = this->longestEdge(faces());
     while (longest > wanted)
     {
       longest = std::max(wanted, 0.5 * longest);
@@ -141,6 +151,11 @@ private:
     {
       report(progress, std::min(1.0, 0.25 * round), "measuring distances around the hole");
       this->measure();
+      if (crossesMoreThanEnough(
+            this->Mesh, this->Distance, this->Radius, this->Options.BoundaryVertices))
+      {
+        return;
+      }
       if (this->facesAtIsoline(0.0, EdgeLengthSlack * edgePerSpacing * this->Spacing).empty())
       {
         if (static_cast<int>(edgesAcrossIsoline(this->Mesh, this->Distance, this->Radius).size()) >=
@@ -150,9 +165,10 @@ private:
         }
         edgePerSpacing *= HoleRefinement;
       }
-      const double longest = edgePerSpacing * this->Spacing;
+      const double wanted = edgePerSpacing * this->Spacing;
+      const std::vector<Face> faces = this->facesAtIsoline(RingSpacings * this->Spacing, wanted);
       bisectLongEdges(
-        this->Surface, this->facesAtIsoline(RingSpacings * this->Spacing, longest), longest);
+        this->Surface, faces, std::max(wanted, ShorterPerRound * this->longestEdge(faces)));
     }
     this->throwNoHole();
   }

@@ -28,6 +28,14 @@ std::vector<SurfaceMesh::Halfedge_index> edgesAcrossIsoline(const SurfaceMesh& m
   const std::vector<double>& values,
   double level);
 
+/// Whether the isoline crosses so many edges that refining the faces along it further would not help a
+/// boundary of @p boundaryVertices: faces of ordinary shapes are short enough by then, and of slivers
+/// side by side there would only be more.
+bool crossesMoreThanEnough(const SurfaceMesh& mesh,
+  const std::vector<double>& values,
+  double level,
+  int boundaryVertices);
+
 /// The faces that take values within @p distance of the level and have an edge longer than
 /// @p longestEdge (input units).
 std::vector<EditableSurface::Face> longFacesAtIsoline(const EditableSurface& surface,

@@ -81,7 +81,7 @@ void refineAlongPlane(EditableSurface& surface,
       Eigen::Map<const Eigen::VectorXd>(heights.data(), static_cast<Eigen::Index>(heights.size())),
       0.0) /
     boundaryVertices;
-  for (;;)
+  while (!crossesMoreThanEnough(surface.mesh(), heights, 0.0, boundaryVertices))
   {
     const auto faces = longFacesAtIsoline(surface, heights, 0.0, 0.0, EdgeLengthSlack * wanted);
     if (faces.empty())

@@ -8,6 +8,7 @@
 #include "Support/SampleSurfaces.h"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace
 {
@@ -51,6 +52,18 @@ double roundness(const OpenedSurface& opened)
   const auto boundary = requireDisk(opened.Surface.Mesh);
   const double length = loopLength(opened.Surface.Mesh.Vertices, boundary);
   return 4.0 * Pi * opened.RemovedArea / (length * length);
+}
+
+// The circle around the hole reaches around the needle, so that it is much shorter than the faces that
+// it crosses.
+TEST(GeodesicHole, InANeedleEndsSoon)
+{
+  TriangleMesh needle = sphere(1);
+  needle.Vertices.col(0) *= 1e3;
+  const OpenedSurface opened = cutGeodesicHole(needle, holeAt(1e3, 0.0, 0.0, 1e-2));
+  std::printf("needle: %d faces of %d\n", opened.Surface.Mesh.faceCount(), needle.faceCount());
+  EXPECT_LT(opened.Surface.Mesh.faceCount(), 20000);
+  requireDisk(opened.Surface.Mesh);
 }
 
 TEST(GeodesicHole, OfASphereIsTheSphericalCap)

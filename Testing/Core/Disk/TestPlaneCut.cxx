@@ -7,6 +7,7 @@
 #include "Support/SampleSurfaces.h"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace
 {
@@ -97,6 +98,24 @@ TEST(PlaneCut, ResolvesTheBoundaryOfTheCoarsestMeshes)
     EXPECT_NEAR(
       totalArea(cut.Surface.Mesh) + cut.RemovedArea, totalArea(closed), 1e-4 * totalArea(closed));
   }
+}
+
+// A thin ring of slivers that lie side by side across the plane: halving them makes ever more
+// that the plane crosses.
+TEST(PlaneCut, OfLongSliversEndsSoon)
+{
+  TriangleMesh ring = torus(3, 14);
+  for (int v = 0; v < ring.vertexCount(); ++v)
+  {
+    const double radius = ring.Vertices.row(v).head(2).norm();
+    ring.Vertices.row(v).head(2) *= (2.0 + 1e-3 * (radius - 2.0)) / radius;
+    ring.Vertices(v, 2) *= 1e-3;
+  }
+  const PlaneCutSurface cut = cutAtPlane(ring, plane({ 0, 0, 0 }, { 1, 0, 0 }), 256);
+  std::printf("slivers: %d faces of %d\n", cut.Surface.Mesh.faceCount(), ring.faceCount());
+  EXPECT_LT(cut.Surface.Mesh.faceCount(), 20000);
+  EXPECT_GE(
+    analyseTopology(cut.Surface.Mesh.Faces, cut.Surface.Mesh.vertexCount()).BoundaryLoops.size(), 1u);
 }
 
 TEST(PlaneCut, DoesNotDependOnTheUnit)
