@@ -18,7 +18,7 @@ constexpr const char* Usage =
   "Runs N cases: the seeds SEED, SEED + 1, ... of each class in turn. A class and a seed determine a "
   "case.\n"
   "  --minutes     ends after so many minutes, whatever N is\n"
-  "  --time-limit  greatest processor time of a case, 60 by default; more is a hang\n"
+  "  --time-limit  greatest processor time of a run of a filter, 60 by default; more is a hang\n"
   "  --memory      greatest memory of a case, 4096 by default\n"
   "  --out         folder of summary.csv and the cases that failed, fuzz-output by default\n"
   "  --shrink      time to make a failed case smaller, 60 by default\n"

@@ -48,7 +48,8 @@ void requireWorkArea()
   static bool wasFound = false;
   if (!wasFound)
   {
-    const std::unique_ptr<char[]> area(new (std::nothrow) char[WorkArea]); // not touched: it costs nothing
+    const std::unique_ptr<char[]> area(
+      new (std::nothrow) char[WorkArea]); // not touched: it costs nothing
     requireMemory(area != nullptr);
     wasFound = true;
   }
@@ -105,9 +106,10 @@ struct SparseCholesky::Factor : Eigen::CholmodDecomposition<SparseMatrix, Eigen:
 
   void factor(const SparseMatrix& matrix)
   {
-    if (!(this->HasConstantPattern && this->m_analysisIsOk) && !this->reuseOrder(matrix))
+    if (!(this->HasConstantPattern && this->m_analysisIsOk) && !this->reuseOrder(matrix) &&
+        !this->findOrder(matrix))
     {
-      this->findOrder(matrix);
+      return;
     }
     const std::unique_ptr<BlasLock> lock = this->blasLock();
     this->factorize(matrix);
@@ -150,7 +152,9 @@ struct SparseCholesky::Factor : Eigen::CholmodDecomposition<SparseMatrix, Eigen:
     return true;
   }
 
-  void findOrder(const SparseMatrix& matrix)
+  // False, as if the matrix were not positive definite, if CHOLMOD does not accept it: it has no
+  // entries.
+  bool findOrder(const SparseMatrix& matrix)
   {
     cholmod_common& common = this->cholmod();
     const int methods = common.nmethods;
@@ -164,9 +168,16 @@ struct SparseCholesky::Factor : Eigen::CholmodDecomposition<SparseMatrix, Eigen:
     common.nmethods = methods;
     common.method[0].ordering = first;
     this->requireMemoryAndSize();
+    if (!this->m_cholmodFactor)
+    {
+      this->m_analysisIsOk = false;
+      this->m_info = Eigen::NumericalIssue;
+      return false;
+    }
     const auto* order = static_cast<const int*>(this->m_cholmodFactor->Perm);
     this->Order.Unknowns.assign(order, order + matrix.rows());
     this->Order.Fill = common.lnz;
+    return true;
   }
 
   // After every call of CHOLMOD.
@@ -175,8 +186,9 @@ struct SparseCholesky::Factor : Eigen::CholmodDecomposition<SparseMatrix, Eigen:
     requireMemory(this->cholmod().status != CHOLMOD_OUT_OF_MEMORY);
     if (this->cholmod().status == CHOLMOD_TOO_LARGE)
     {
-      throw InvalidInput("the factor of a linear system has more entries than CHOLMOD can count: reduce the "
-                  "surface, e.g. with Decimate");
+      throw InvalidInput(
+        "the factor of a linear system has more entries than CHOLMOD can count: reduce the "
+        "surface, e.g. with Decimate");
     }
   }
 

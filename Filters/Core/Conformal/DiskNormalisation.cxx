@@ -162,8 +162,8 @@ Complex centreOfMass(const ComplexVector& halfPlane, const Eigen::VectorXd& mass
   }
   if (std::abs(m.First) > AcceptedOffset * total)
   {
-    throw ConvergenceError(
-      "the conformal disk could not be centred: give an interior point for the centre");
+    throw ConvergenceError("the conformal disk could not be centred, as happens to long narrow strips: "
+                           "set Domain to Rectangle");
   }
   return centre;
 }

@@ -13,10 +13,10 @@ namespace flattening
 namespace
 {
 
-// Length of the boundary over that of the chords that measure a turn to either side of a vertex. A
-// choice: shorter chords see the noise of single edges, longer ones miss corners that are close to each
-// other.
-constexpr double WindowsPerLoop = 40.0;
+// Length of the boundary over that of the chords that measure a turn to either side of a vertex, at
+// first. A choice: shorter chords see the noise of single edges, longer ones miss corners that are close
+// to each other, as at the ends of a strip.
+constexpr int FirstWindows = 40;
 // Least turn of a corner (radians), half of a right angle: a choice. With less, smooth boundaries have
 // corners.
 constexpr double LeastTurn = 0.25 * EIGEN_PI;
@@ -52,10 +52,9 @@ public:
            t * this->Mesh.Vertices.row(this->Loop[(k + 1) % this->Loop.size()]);
   }
 
-  // The angle between the chords before and after vertex k of the loop (radians).
-  double turn(int k) const
+  // The angle between chords of a length before and after vertex k of the loop (radians).
+  double turn(int k, double window) const
   {
-    const double window = this->length() / WindowsPerLoop;
     const Eigen::RowVector3d here = this->Mesh.Vertices.row(this->Loop[k]);
     const Eigen::RowVector3d before = here - this->point(this->Along[k] - window);
     const Eigen::RowVector3d after = this->point(this->Along[k] + window) - here;
@@ -87,29 +86,49 @@ private:
   std::vector<double> Along;
 };
 
-// Indices into the loop of its sharp corners, ascending; fewer than four if it does not turn so often.
-std::vector<int> sharpCorners(const BoundaryCurve& curve, int count)
+// Indices into the loop of its sharp corners, the sharpest first.
+// @param window length of the chords that measure a turn
+std::vector<int> sharpCorners(const BoundaryCurve& curve, int count, double window)
 {
   std::vector<double> turns(count);
   for (int k = 0; k < count; ++k)
   {
-    turns[k] = curve.turn(k);
+    turns[k] = curve.turn(k, window);
   }
   std::vector<int> order(count);
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&turns](int a, int b) { return turns[a] > turns[b]; });
+  // The chords of a vertex beside a corner reach around it: only the corner turns the most within a
+  // chord.
   std::vector<int> corners;
-  for (const int k : order)
+  for (auto k = order.begin(); k != order.end() && turns[*k] >= LeastTurn; ++k)
   {
-    const bool isFree = std::all_of(corners.begin(),
-      corners.end(),
-      [&](int other)
-      { return curve.distance(curve.at(k), curve.at(other)) > 2.0 * curve.length() / WindowsPerLoop; });
-    if (turns[k] >= LeastTurn && isFree && corners.size() < 4)
+    const auto isApart = [&](double distance)
     {
-      corners.push_back(k);
+      return [&curve, k, distance](int other)
+      { return curve.distance(curve.at(*k), curve.at(other)) > distance; };
+    };
+    if (std::all_of(corners.begin(), corners.end(), isApart(2.0 * window)) &&
+        std::all_of(order.begin(), k, isApart(window)))
+    {
+      corners.push_back(*k);
     }
   }
+  return corners;
+}
+
+// Indices into the loop of its four sharpest corners, ascending; fewer if it does not turn so often.
+// Where two corners are closer than the first chords, shorter ones part them, and count if they see four
+// corners and no more: of noise there would be many.
+std::vector<int> sharpestCorners(const BoundaryCurve& curve, int count)
+{
+  std::vector<int> corners = sharpCorners(curve, count, curve.length() / FirstWindows);
+  for (int windows = 2 * FirstWindows; corners.size() < 4 && windows <= count; windows *= 2)
+  {
+    const std::vector<int> close = sharpCorners(curve, count, curve.length() / windows);
+    corners = close.size() == 4 ? close : corners;
+  }
+  corners.resize(std::min<std::size_t>(corners.size(), 4));
   std::sort(corners.begin(), corners.end());
   return corners;
 }
@@ -180,7 +199,7 @@ std::vector<int> rectangleCorners(const TriangleMesh& mesh, const std::vector<in
   const auto distance = [&](int k) { return (mesh.Vertices.row(loop[k]) - centroid).norm(); };
 
   const BoundaryCurve curve(mesh, loop);
-  std::vector<int> indices = sharpCorners(curve, count);
+  std::vector<int> indices = sharpestCorners(curve, count);
   if (indices.size() < 4)
   {
     int farthest = 0;

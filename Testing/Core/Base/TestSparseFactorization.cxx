@@ -79,6 +79,14 @@ double residual(SparseCholesky& cholesky, const SparseMatrix& matrix)
 }
 
 // A few more edges keep the order of elimination; very many more, or another size, do not.
+TEST(SparseCholesky, OfAMatrixWithoutEntriesIsAFailure)
+{
+  SparseCholesky cholesky;
+  cholesky.compute(SparseMatrix(5, 5));
+  EXPECT_NE(cholesky.info(), Eigen::Success);
+  EXPECT_LT(residual(cholesky, laplacian(5, 0)), 1e-12); // and works again
+}
+
 TEST(SparseFactorization, SolvesEverySystemOfASequence)
 {
   SparseCholesky cholesky;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "AnalyticSurfaces.h"
 #include "Base/Errors.h"
+#include "Conformal/ConformalDisk.h"
 #include "Conformal/ConformalRectangle.h"
 #include "Mesh/MeshTopology.h"
 #include "Support/SampleSurfaces.h"
@@ -95,6 +96,40 @@ TEST(ConformalRectangle, FindsTheCornersOfARectangle)
   mesh.Vertices.col(1) *= 2.0;
   corners = rectangleCorners(mesh, requireDisk(mesh));
   EXPECT_TRUE(mesh.Vertices(corners[0], 0) == mesh.Vertices(corners[1], 0)) << "the long side is first";
+}
+
+// The map to a disk shrinks the ends of a strip by exp(-pi length / width), which doubles cannot hold;
+// the remedy that the error names works.
+TEST(ConformalRectangle, IsTheRemedyForALongStrip)
+{
+  const TriangleMesh mesh = grid(401, 5);
+  try
+  {
+    conformalDiskMap(mesh);
+    ADD_FAILURE() << "no error";
+  }
+  catch (const ConvergenceError& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("set Domain to Rectangle"), std::string::npos);
+  }
+  EXPECT_EQ(conformalRectangleMap(mesh).Map.Untangling.FlippedFaces, 0);
+}
+
+// The corners at an end of a strip are much closer than a fortieth of its boundary.
+TEST(ConformalRectangle, FindsTheCornersOfAStrip)
+{
+  for (const int length : { 20, 100, 1000 })
+  {
+    SCOPED_TRACE(length);
+    const int columns = 4 * length + 1;
+    TriangleMesh mesh = grid(columns, 5);
+    mesh.Vertices *= 0.25;
+    const std::vector<int> corners = rectangleCorners(mesh, requireDisk(mesh));
+    EXPECT_TRUE(std::is_permutation(corners.begin(), corners.end(), gridCorners(columns, 5).begin()));
+    const ConformalRectangleMap result = conformalRectangleMap(mesh);
+    EXPECT_NEAR(result.Modulus / length, 1.0, 1e-9);
+    EXPECT_EQ(result.Map.Untangling.FlippedFaces, 0);
+  }
 }
 
 // A cylinder of radius 1 and length L, cut along a line.

@@ -30,13 +30,17 @@ bool hasLeak()
   return __lsan_do_recoverable_leak_check && __lsan_do_recoverable_leak_check() != 0;
 }
 
-// The lines that a child tells: "start <scenario> <faces>", "fail <kind> <detail>" and "end <figures>".
+// The lines that a child tells: "start <scenario> <faces>", "run <filter>", "fail <kind> <detail>" and
+// "end <figures>". The limit of time is that between two of them, so that it holds for each run of a
+// filter.
 void tellCase(const Case& one, const Tell& tell)
 {
   tell("start" + std::string(1, Separator) + one.Scenario + Separator +
        std::to_string(one.Surface->GetNumberOfCells()));
   const std::clock_t start = std::clock(); // of the processor, as other programs may run beside
+  announceRuns([&tell](const std::string& filter) { tell("run" + std::string(1, Separator) + filter); });
   const Findings findings = runCase(one);
+  announceRuns({});
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   for (const Failure& failure : findings.Failures)
   {
@@ -74,6 +78,10 @@ bool hearLine(const std::string& line, Record& record)
   {
     record.Scenario = parts[1];
     record.Faces = std::atoi(parts[2].c_str());
+  }
+  else if (parts[0] == "run")
+  {
+    record.Filter = parts[1];
   }
   else if (parts[0] == "fail")
   {
@@ -150,7 +158,7 @@ void runJobs(const std::vector<Job>& jobs,
     if (!end.empty() && next < jobs.size())
     {
       record.Of = jobs[next];
-      record.Shown.fail(end, lastLines(limits.LogFile));
+      record.Shown.fail(end, record.Filter + ": " + lastLines(limits.LogFile));
       record.Seconds = end == "hang" ? limits.Seconds : 0.0;
       finished.push_back(record);
       ++next;
@@ -192,7 +200,7 @@ Record runInChild(const Case& one, const Limits& limits)
     [&](const std::string& line) { hearLine(line, record); });
   if (!end.empty())
   {
-    record.Shown.fail(end, lastLines(limits.LogFile));
+    record.Shown.fail(end, record.Filter + ": " + lastLines(limits.LogFile));
   }
   return record;
 }

@@ -25,6 +25,7 @@ struct Record
 {
   Job Of;
   std::string Scenario;
+  std::string Filter; ///< class of the filter that ran last
   Findings Shown;
   double Seconds = 0.0;
   int Faces = 0;

@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <ctime>
 #include <mutex>
+#include <utility>
 
 namespace fuzz
 {
@@ -25,6 +26,7 @@ namespace
 {
 
 bool IsVerbose = false;
+std::function<void(const std::string&)> Announce;
 std::mutex StrayMutex;
 std::vector<std::string> StrayErrors;
 
@@ -171,6 +173,11 @@ bool hasNothing(vtkDataObject* data)
   return true;
 }
 
+void announceRuns(std::function<void(const std::string&)> announce)
+{
+  Announce = std::move(announce);
+}
+
 void printRuns()
 {
   IsVerbose = true;
@@ -178,6 +185,10 @@ void printRuns()
 
 Outcome runFilter(vtkAlgorithm* filter, Findings& findings)
 {
+  if (Announce)
+  {
+    Announce(filter->GetClassName());
+  }
   const std::clock_t start = std::clock();
   const std::string name = filter->GetClassName();
   Watch watch(filter);

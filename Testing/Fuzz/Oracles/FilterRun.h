@@ -5,6 +5,7 @@
 
 #include "../Findings.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ Outcome runFilter(vtkAlgorithm* filter, Findings& findings);
 
 /// Whether the data object has no points, cells or vertices.
 bool hasNothing(vtkDataObject* data);
+
+/// Makes runFilter() call a function with the name of the filter's class before each run.
+void announceRuns(std::function<void(const std::string&)> announce);
 
 /// Makes runFilter() print the time, errors and warnings of each filter.
 void printRuns();
