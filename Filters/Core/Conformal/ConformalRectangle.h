@@ -38,11 +38,10 @@ ConformalRectangleMap conformalRectangleMap(const TriangleMesh& mesh,
   const ProgressCallback& progress = {});
 
 /// The four vertices where the boundary @p loop turns most sharply, seen over a fortieth of its length
-/// to either side, if it turns by at least 45 degrees at each of them. Shorter pieces part corners that
-/// are closer, as at the ends of a strip. Without four corners, four vertices a quarter of its length
-/// apart, beginning with the one farthest from the surface's centroid. The longer pair of sides begins
-/// after the first corner; of the two corners of that kind, the first is the one farther from the
-/// centroid.
+/// to either side, if it turns by at least 45 degrees at each of them. Otherwise, four vertices a
+/// quarter of its length apart, beginning with the one farthest from the surface's centroid. The longer
+/// pair of sides begins after the first corner; of the two corners of that kind, the first is the one
+/// farther from the centroid.
 std::vector<int> rectangleCorners(const TriangleMesh& mesh, const std::vector<int>& loop);
 
 /// The corners of a tube that was cut open from end to end: the vertices where the two sides of the
