@@ -45,14 +45,10 @@ class _VTKScan(Scan):
     """A volume that a reader of VTK reads."""
 
     def __init__(self, reader, path):
-        self._reader, self._path, self._errors = reader, path, []
-
-        def record(_caller, _event, text=""):
-            self._errors.append(" ".join(text.split()).split("): ", 1)[-1])
-
-        record.CallDataType = "string0"
-        for item in (reader, reader.GetExecutive()):
-            item.AddObserver("ErrorEvent", record)
+        self._reader, self._path, self._errors, self._vtk_warnings = reader, path, [], []
+        for event, texts in (("ErrorEvent", self._errors), ("WarningEvent", self._vtk_warnings)):
+            for item in (reader, reader.GetExecutive()):
+                item.AddObserver(event, _recorder(texts))
         reader.SetFileName(path)
         reader.UpdateInformation()
         self._raise_errors()
@@ -76,6 +72,14 @@ class _VTKScan(Scan):
         return values.reshape(*reversed(self.shape), *values.shape[1:]).swapaxes(0, 2)
 
 
+def _recorder(texts):
+    def record(_caller, _event, text=""):
+        texts.append(" ".join(text.split()).split("): ", 1)[-1])
+
+    record.CallDataType = "string0"
+    return record
+
+
 class NIfTIScan(_VTKScan):
     name = "NIFTI"
 
@@ -84,6 +88,8 @@ class NIfTIScan(_VTKScan):
         reader = self._reader
         header = reader.GetNIFTIHeader()
         self.placement = orientation.nifti_placement(header, self.shape)
+        # What VTK says of the forms is said in more detail there.
+        self.placement.warnings += [text for text in self._vtk_warnings if "FormMatrix" not in text]
         if self.placement.matrix is not None and reader.GetQFac() < 0:
             # VTK reads such files with the last slice first.
             flip = [False, False, True]
