@@ -179,6 +179,13 @@ void vtkFlatMapSlab::Execute(vtkInformationVector** inputVector, vtkInformationV
   const Points3 normals = flattening::vertexNormals(surface);
   const double sign = this->Outwards ? 1.0 : -1.0;
   const Eigen::Affine3d toVolume = flattening::surfaceToVolume(input, volume);
+  if (flattening::patientMatrix(volume) && !flattening::patientMatrix(input) &&
+    !flattening::inPatientSpace(input))
+  {
+    vtkWarningMacro(<< this->GetBlockPrefix()
+                    << "the surface does not say where it lies in the patient, though the volume does: it is "
+                       "taken to have the coordinates of the voxels");
+  }
   const flattening::VolumeSampling sampling(
     volume, this->NearestVoxel, toVolume, flattening::subrange(progress, 0.0, 0.1));
   const flattening::Layers layers = flattening::sampleLayers(

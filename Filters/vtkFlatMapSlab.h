@@ -17,7 +17,8 @@
  *
  * A surface in patient space (vtkPatientSpace) is sampled where the field array `PatientMatrix` of the
  * volume says that it lies in the patient. The same is done if both have a matrix and these differ.
- * Otherwise surface and volume are taken to have the same coordinates.
+ * Otherwise surface and volume are taken to have the same coordinates, with a warning if the volume alone
+ * has a matrix.
  *
  * Samples deeper than the radius of curvature of a surface that bends inwards cross those of
  * neighbouring points. A warning is given if samples lie outside the volume.

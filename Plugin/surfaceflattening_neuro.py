@@ -80,6 +80,12 @@ def read_cortex(path, overlays=(), warn=print):
         geometry = neighbour(path)
         warn(f"{path}: shown on {geometry}")
     surface = _attempt(geometry, read_geometry, warn)
+    side = hemisphere_of(geometry)
+    if side:
+        text = vtkStringArray()
+        text.SetName("Hemisphere")
+        text.InsertNextValue(side)
+        surface.GetFieldData().AddArray(text)
     for overlay in paths:
         for item in _attempt(overlay, read_overlay):
             add_overlay(surface, item, overlay)
@@ -100,6 +106,13 @@ def neighbour(path):
         f"{path}: this has values but no surface, and there is no {hemisphere}.pial or the like beside it: open the "
         "surface, and give this file as its overlay"
     )
+
+
+def hemisphere_of(path):
+    """left or right by the name of the file, as FreeSurfer (lh.pial), HCP (100307.L.pial) and BIDS (hemi-L) have it; or
+    nothing."""
+    found = re.search(r"(?:^|[._-])(?:hemi-)?(lh|rh|l|r)[._]", os.path.basename(path).lower())
+    return {"l": "left", "r": "right"}[found.group(1)[0]] if found else None
 
 
 def read_geometry(path, warn=print):

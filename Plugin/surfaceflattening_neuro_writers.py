@@ -43,35 +43,59 @@ def write_cortex(path, data, array=None):
 
 def write_patch(path, data):
     """FreeSurfer's binary patch: -1, the number of vertices, then for each its number + 1, negative on the border, and
-    x, y, z; integers and single precision, all big-endian (mrisWritePatch in FreeSurfer's mrisurf_io.cpp)."""
-    numbers = vertex_numbers(data)
-    points = _points(data)
-    border = np.zeros(len(points), bool)
-    border[border_points(_faces(data))] = True
-    rows = np.zeros(len(points), dtype=[("number", ">i4"), ("position", ">f4", 3)])
-    rows["number"] = np.where(border, -(numbers + 1), numbers + 1)
-    rows["position"] = points
-    rows = rows[np.argsort(numbers)]
+    x, y, z; integers and single precision, all big-endian (mrisWritePatch in FreeSurfer's mrisurf_io.cpp).
+
+    A vertex on a cut has several places on the map, and is left out, as FreeSurfer itself does."""
+    numbers, kept = vertices_of_patch(data)
+    faces = _faces(data)
+    faces = faces[kept[faces].all(axis=1)]
+    border = np.zeros(len(kept), bool)
+    border[border_points(faces)] = True
+    used = np.zeros(len(kept), bool)
+    used[faces] = True
+    rows = np.zeros(used.sum(), dtype=[("number", ">i4"), ("position", ">f4", 3)])
+    rows["number"] = np.where(border, -(numbers + 1), numbers + 1)[used]
+    rows["position"] = _points(data)[used]
+    rows = rows[np.argsort(numbers[used])]
     with open(path, "wb") as stream:
         stream.write(struct.pack(">2i", -1, len(rows)) + rows.tobytes())
 
 
-def vertex_numbers(data):
-    """Which vertex of the original surface each point is. Raises CortexError if a point is none, or two are the same."""
-    for name in (VERTEX_NUMBER, ORIGINAL):
-        array = data.GetPointData().GetArray(name)
-        if array:
-            numbers = vtk_to_numpy(array).astype(np.int64)
-            break
-    else:
+def vertices_of_patch(data):
+    """The vertex of the original surface that each point is, and whether it is that one's only point. Raises CortexError
+    if most points are no vertex of it, as after remeshing."""
+    numbers, known = _numbers(data)
+    unique, places, counts = np.unique(numbers[known], return_inverse=True, return_counts=True)
+    kept = known.copy()
+    kept[known] = counts[places] == 1
+    # Cuts have some percent of the vertices. With less than half there was another surface in between.
+    if len(unique) == 0 or kept.sum() < 0.5 * len(kept):
+        raise CortexError(
+            f"{kept.sum()} of {len(kept)} points are vertices of the original surface, as it was remeshed: use the "
+            "output of Flat Map Transfer, with the original surface as its second input"
+        )
+    return numbers, kept
+
+
+def _numbers(data):
+    """The vertex that each point is, and whether it is one at all and not a new point."""
+    numbers, ids = (data.GetPointData().GetArray(name) for name in (VERTEX_NUMBER, ORIGINAL))
+    if not numbers and not ids:
         raise CortexError(
             "the points do not say which vertices of the original surface they are (VertexNumber): use the output of "
             "Flat Map Transfer"
         )
-    if numbers.min() < 0 or len(np.unique(numbers)) < len(numbers):
+    values = vtk_to_numpy(numbers or ids).astype(np.int64)
+    return values, (vtk_to_numpy(ids) >= 0 if ids else np.ones(len(values), bool)) & (values >= 0)
+
+
+def vertex_numbers(data):
+    """Which vertex of the original surface each point is. Raises CortexError if a point is none, or two are the same."""
+    numbers, known = _numbers(data)
+    if not known.all() or len(np.unique(numbers)) < len(numbers):
         raise CortexError(
-            f"{name} is not one vertex of the original surface for each point, as the surface was cut or remeshed: use "
-            "the output of Flat Map Transfer, with the original surface as its second input"
+            "the points are not one vertex of the original surface each, as it was cut or remeshed: use the output of "
+            "Flat Map Transfer, with the original surface as its second input"
         )
     return numbers
 
