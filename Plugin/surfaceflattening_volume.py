@@ -20,6 +20,7 @@ import math
 import os
 import plistlib
 import tarfile
+import warnings
 from dataclasses import dataclass
 
 from paraview import simple
@@ -134,6 +135,12 @@ def isosurface(
     padded = pad(floating, padding, background) if padding else floating
     smoothed = smooth(padded, smoothing_mm) if smoothing_mm else padded
     in_voxels = contour(smoothed, isovalue, name)
+    if patient_space and hasattr(image, "FileName") and not _field(image, "PatientMatrix"):
+        warnings.warn(
+            "The reader of the scan does not say where it lies in the patient, so that left and right are as the "
+            "voxels are stored: open it by open_scan of surfaceflattening_scans, which tells what the file has.",
+            stacklevel=2,
+        )
     surface = in_patient_space(in_voxels) if patient_space else in_voxels
     surface.UpdatePipeline()
     return Isosurface(floating, padded, smoothed, in_voxels, surface)
