@@ -211,6 +211,7 @@ def flatten_cortex_and_show(source=None):
     simple.AssignViewToLayout(view=sheet, layout=layout, hint=0)
     simple.Show(result.table, sheet)
     simple.SetActiveView(views[1])
+    simple.SetActiveSource(result.measured)
     simple.RenderAllViews()
     for written in (result.patch, result.csv):
         if written:
