@@ -146,6 +146,28 @@ def isosurface(
     return Isosurface(floating, padded, smoothed, in_voxels, surface)
 
 
+def label_surface(atlas, labels, smoothing_mm=1.0, name="Structure", patient_space=True):
+    """The surface of a structure in a volume of labels, such as the thalamus in an atlas. Returns an Isosurface.
+
+    @labels: of the structure, one or several. @smoothing_mm: as of isosurface(); without smoothing the surface has
+    the steps of the voxels, and more than the thickness of the structure makes it vanish.
+    """
+    labels = [labels] if isinstance(labels, int) else list(labels)
+    _require_scalar_image(atlas)
+    product = "*".join(f'abs("{_scalars(atlas).GetName()}"-({label}))' for label in labels)
+    inside = simple.Calculator(
+        registrationName=f"{name}, voxels", Input=atlas, ResultArrayName="Inside", Function=f"1-min(1,{product})"
+    )
+    if _value_range(inside)[1] < 1:
+        raise ValueError(f"no voxel has the label {', '.join(map(str, labels))}: look at the atlas's list of labels")
+    padded = pad(inside, 10, 0.0)
+    smoothed = smooth(padded, smoothing_mm) if smoothing_mm else padded
+    in_voxels = contour(smoothed, 0.5, name)
+    surface = in_patient_space(in_voxels) if patient_space else in_voxels
+    surface.UpdatePipeline()
+    return Isosurface(inside, padded, smoothed, in_voxels, surface)
+
+
 def metaimage_of_invesalius(path, folder):
     """Unpacks the volume of an InVesalius project (.inv3) into @folder and writes a MetaImage header beside
     it. Returns the header's path, for OpenDataFile.

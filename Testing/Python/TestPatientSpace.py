@@ -4,6 +4,7 @@
 import os
 import tempfile
 
+import gdcm
 import nibabel
 import numpy as np
 import VolumeFiles
@@ -289,6 +290,28 @@ def check_dicom(folder):
             assert "evenly spaced" in str(error), error
 
 
+def check_compressed(folder):
+    """Slices in JPEG without loss, as archives send them, made by GDCM."""
+    values, affine = marker(), affine_of(np.eye(3), SIZES["1 x 1 x 3 mm"])
+    path = os.path.join(folder, "compressed")
+    VolumeFiles.write_dicom_series(path, values.T, None, LPS @ affine)
+    for syntax in (gdcm.TransferSyntax.JPEGLosslessProcess14_1, gdcm.TransferSyntax.JPEG2000Lossless):
+        for name in os.listdir(path):
+            reader, change, writer = gdcm.ImageReader(), gdcm.ImageChangeTransferSyntax(), gdcm.ImageWriter()
+            file = os.path.join(path, name)
+            reader.SetFileName(file)
+            assert reader.Read()
+            change.SetTransferSyntax(gdcm.TransferSyntax(syntax))
+            change.SetInput(reader.GetImage())
+            assert change.Change()
+            writer.SetFileName(file)
+            writer.SetFile(reader.GetFile())
+            writer.SetImage(change.GetOutput())
+            assert writer.Write()
+        check_surface(f"DICOM, {gdcm.TransferSyntax(syntax)}", path, values, affine)
+        clear()
+
+
 with tempfile.TemporaryDirectory() as scratch:
     check_nifti(scratch)
     check_same_place(scratch)
@@ -296,3 +319,4 @@ with tempfile.TemporaryDirectory() as scratch:
     check_odd_headers(scratch)
     check_other_formats(scratch)
     check_dicom(scratch)
+    check_compressed(scratch)
