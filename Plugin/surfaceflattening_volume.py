@@ -154,18 +154,21 @@ def label_surface(atlas, labels, smoothing_mm=1.0, name="Structure", patient_spa
     """
     labels = [labels] if isinstance(labels, int) else list(labels)
     _require_scalar_image(atlas)
-    product = "*".join(f'abs("{_scalars(atlas).GetName()}"-({label}))' for label in labels)
+    array = _scalars(atlas).GetName()
+    product = "*".join(f'abs("{array}"-({label}))' for label in labels)
+    # The labels are replaced: Image Pad would keep a second array and leave it without values.
     inside = simple.Calculator(
-        registrationName=f"{name}, voxels", Input=atlas, ResultArrayName="Inside", Function=f"1-min(1,{product})"
+        registrationName=f"{name}, voxels", Input=atlas, ResultArrayName=array, Function=f"1-min(1,{product})"
     )
     if _value_range(inside)[1] < 1:
         raise ValueError(f"no voxel has the label {', '.join(map(str, labels))}: look at the atlas's list of labels")
-    padded = pad(inside, 10, 0.0)
+    floating = cast_to_float(inside)
+    padded = pad(floating, 10, 0.0)
     smoothed = smooth(padded, smoothing_mm) if smoothing_mm else padded
     in_voxels = contour(smoothed, 0.5, name)
     surface = in_patient_space(in_voxels) if patient_space else in_voxels
     surface.UpdatePipeline()
-    return Isosurface(inside, padded, smoothed, in_voxels, surface)
+    return Isosurface(floating, padded, smoothed, in_voxels, surface)
 
 
 def metaimage_of_invesalius(path, folder):

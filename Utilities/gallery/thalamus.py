@@ -12,14 +12,13 @@ PICTURE = "thalamus.png"
 TEMPLATES = "/usr/share/mricron/templates"  # Debian's package mricron-data
 LABEL = 77  # Thalamus_L in aal.nii.txt
 SIDE = (330, 330)  # pixels
-CURVATURE = "Mean_Curvature"  # of ParaView's filter, per mm
-GREATEST = 0.2  # per mm
+HEIGHT = "Height"  # mm above the middle of the anterior commissure, the origin of the atlas
 
 
 def panel(source, direction, up, flat):
     view = panels.new_view()
     display = panels.show_flat(source, view) if flat else panels.show_solid(source, view)
-    panels.colour_by(display, "POINTS", CURVATURE)
+    panels.colour_by(display, "POINTS", HEIGHT)
     panels.look(view, source.GetDataInformation().GetBounds(), SIDE, direction, up)
     return panels.screenshot(view, SIDE)
 
@@ -27,13 +26,14 @@ def panel(source, direction, up, flat):
 def make(path):
     atlas = simple.NIfTIImageReader(FileName=os.path.join(TEMPLATES, "aal.nii.gz"))
     surface = label_surface(atlas, LABEL, smoothing_mm=1.5, name="Thalamus_L").surface
-    curved = simple.Curvature(Input=surface, CurvatureType="Mean")
-    disk = simple.SurfaceToDisk(Input=curved, Remesh=1, TargetEdgeLength=0.7)
+    high = simple.Calculator(Input=surface, ResultArrayName=HEIGHT, Function="coordsZ")
+    disk = simple.SurfaceToDisk(Input=high, Remesh=1, TargetEdgeLength=0.7)
     flat = simple.OMTAreaPreserving(Input=simple.ConformalDisk(Input=disk), FreeOutline=1)
     metrics = simple.DistortionMetrics(Input=flat, UseRegionArray=0)
     metrics.UpdatePipeline()
-    table = simple.GetColorTransferFunction(CURVATURE)
-    table.RGBPoints = [-GREATEST, 0.35, 0.35, 0.35, GREATEST, 0.95, 0.95, 0.95]
+    low, top = disk.PointData[HEIGHT].GetRange()
+    table = simple.GetColorTransferFunction(HEIGHT)
+    table.RGBPoints = [low, 0.15, 0.3, 0.6, (low + top) / 2, 0.95, 0.95, 0.9, top, 0.75, 0.3, 0.1]
     panels.compose(
         path,
         [
@@ -51,11 +51,11 @@ def make(path):
 
     return [
         "The left thalamus, label 77 of `aal.nii.gz`: the voxels of the label smoothed by 1.5 mm (`label_surface(atlas, 77, "
-        "smoothing_mm=1.5)`), where the patient is; mean curvature in grey. The map has the area of the surface, "
+        "smoothing_mm=1.5)`), where the patient is; blue is low, red is high. The map has the area of the surface, "
         f"{figure('SurfaceArea'):,.0f} mm\u00b2; {figure('FacesWithin2Percent'):.1f} % of the triangles have their areas "
         f"within 2 %, the mean angle error is {figure('AreaWeightedMeanAngleError'):.1f}\u00b0.",
         "",
-        "In the GUI: *Calculator* on the atlas, `if(NIFTI==77,1,0)`; *Image Pad*, *Image Gaussian Smooth* with 1.5, "
-        "*Contour* at 0.5, *Patient Space*, *Curvature*, *Surface To Disk* with *Remesh*, *Conformal Disk*, *OMT Area "
+        "In the GUI: *Calculator* on the atlas, `if(NIFTI==77,1,0)` with *Result Array Name* `NIFTI`; *Image Cast*, *Image Pad*, *Image Gaussian Smooth* with 1.5, "
+        "*Contour* at 0.5, *Patient Space*, *Surface To Disk* with *Remesh*, *Conformal Disk*, *OMT Area "
         "Preserving* with *Free Outline*.",
     ]
