@@ -26,9 +26,8 @@ using flattening::Points3;
 
 void movePoints(vtkPolyData* output, const Eigen::Affine3d& toPatient)
 {
-  const Points3 moved =
-    (flattening::pointsOf(output) * toPatient.linear().transpose()).rowwise() +
-    toPatient.translation().transpose();
+  const Points3 moved = (flattening::pointsOf(output) * toPatient.linear().transpose()).rowwise() +
+                        toPatient.translation().transpose();
   vtkNew<vtkPoints> points;
   points->SetData(flattening::newTuples<vtkDoubleArray>("Points", moved));
   output->SetPoints(points);
@@ -62,10 +61,11 @@ void vtkPatientSpace::Execute(vtkInformationVector** inputVector, vtkInformation
   }
   if (!toPatient)
   {
-    vtkWarningMacro(<< this->GetBlockPrefix()
-                    << "there is no field array PatientMatrix, so the surface stays as it is, and its left "
-                       "and right are as the file has them: read the scan with a reader of Surface "
-                       "Flattening, which says whether the file has an orientation");
+    vtkWarningMacro(
+      << this->GetBlockPrefix()
+      << "there is no field array PatientMatrix, so the surface stays as it is, and its left "
+         "and right are as the file has them: read the scan with a reader of Surface "
+         "Flattening, which says whether the file has an orientation");
     return;
   }
   if (input->GetPointData()->HasArray(flattening::SurfacePointsName))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lets Python find the plugin's modules from its start. The readers of scans and of cortex files are written in
-// Python, and ParaView makes their proxies, in its window and in pvserver, before anything has imported
-// paraview.servermanager, which is what lets Python find the modules of plugins otherwise.
+// Lets Python find the plugin's modules from its start. The readers of scans and of cortex files are
+// written in Python, and ParaView makes their proxies, in its window and in pvserver, before anything
+// has imported paraview.servermanager, which is what lets Python find the modules of plugins otherwise.
 #include <vtkCallbackCommand.h>
 #include <vtkNew.h>
 #include <vtkPythonInterpreter.h>

@@ -61,8 +61,8 @@ def write_patch(path, data):
 
 
 def vertices_of_patch(data):
-    """The vertex of the original surface that each point is, whether it is one, and whether it is that one's only point.
-    Raises CortexError if most points are no vertex of it, as after remeshing."""
+    """The vertex of the original surface that each point is, whether it is one, and whether it is that one's only
+    point. Raises CortexError if most points are no vertex of it, as after remeshing."""
     numbers, known = _numbers(data)
     unique, places, counts = np.unique(numbers[known], return_inverse=True, return_counts=True)
     kept = known.copy()
@@ -90,7 +90,8 @@ def _numbers(data):
 
 
 def vertex_numbers(data):
-    """Which vertex of the original surface each point is. Raises CortexError if a point is none, or two are the same."""
+    """Which vertex of the original surface each point is. Raises CortexError if a point is none, or two are the
+    same."""
     numbers, known = _numbers(data)
     if not known.all() or len(np.unique(numbers)) < len(numbers):
         raise CortexError(
@@ -176,7 +177,9 @@ def _write_gifti_surface(path, data):
     system = gifti.GiftiCoordSystem(dataspace=space, xformspace=space)
     image = gifti.GiftiImage(
         darrays=[
-            gifti.GiftiDataArray(points, intent="NIFTI_INTENT_POINTSET", datatype="NIFTI_TYPE_FLOAT32", coordsys=system),
+            gifti.GiftiDataArray(
+                points, intent="NIFTI_INTENT_POINTSET", datatype="NIFTI_TYPE_FLOAT32", coordsys=system
+            ),
             gifti.GiftiDataArray(
                 _faces_of_all_vertices(data).astype(np.int32),
                 intent="NIFTI_INTENT_TRIANGLE",
@@ -241,7 +244,8 @@ def _write_label(path, data, values):
     with open(path, "w", encoding="ascii") as stream:
         stream.write(f"#!ascii label\n{len(chosen)}\n")
         for k in chosen:
-            stream.write(f"{numbers[k]} {points[k][0]:.6f} {points[k][1]:.6f} {points[k][2]:.6f} {float(values[k]):.6f}\n")
+            x, y, z = points[k]
+            stream.write(f"{numbers[k]} {x:.6f} {y:.6f} {z:.6f} {float(values[k]):.6f}\n")
 
 
 def _write_freesurfer_surface(path, data):

@@ -47,7 +47,8 @@ def region_table(surface, array, curvature=None, names=None, hemisphere=None, ho
     rows = []
     for label, side in keys:
         own = (labels == label) & (sides == side)
-        rows.append(_row(label, names.get(label, str(label)), side, own, points, faces, areas, flat_areas, bend, patient))
+        name = names.get(label, str(label))
+        rows.append(_row(label, name, side, own, points, faces, areas, flat_areas, bend, patient))
     for side in sorted({side for _label, side in keys}):
         own = (sides == side) & np.isin(labels, [label for label, _side in keys])
         rows.append(_row(-1, TOTAL, side, own, points, faces, areas, flat_areas, bend, patient))
@@ -134,7 +135,9 @@ def _labels_of_faces(data, name, faces):
         raise RegionTableError(f"there is no array {name}: choose the array of labels")
     labels = vtk_to_numpy(on_points if on_points is not None else array)
     if labels.ndim > 1 or not np.array_equal(labels, np.rint(labels)):
-        raise RegionTableError(f"{name} does not have whole numbers, one for each point or cell: it is no array of labels")
+        raise RegionTableError(
+            f"{name} does not have whole numbers, one for each point or cell: it is no array of labels"
+        )
     labels = labels.astype(np.int64)
     if on_points is None:
         return labels

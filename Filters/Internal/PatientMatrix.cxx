@@ -16,8 +16,8 @@ namespace
 {
 
 // The least volume of a voxel's image, relative to the product of the lengths of its edges, at which a
-// matrix can be inverted with ten digits. Sheared scans have 0.5 and more; a matrix with two axes that are
-// parallel in single precision has 1e-7. A greater value would refuse matrices that are merely odd.
+// matrix can be inverted with ten digits. Sheared scans have 0.5 and more; a matrix with two axes that
+// are parallel in single precision has 1e-7. A greater value would refuse matrices that are merely odd.
 constexpr double LeastVolume = 1e-6;
 
 Eigen::Affine3d coordinatesToPatient(vtkDataObject* data)
@@ -52,8 +52,9 @@ std::optional<Eigen::Affine3d> patientMatrix(vtkDataObject* data)
   const Eigen::Matrix3d linear = matrix.topLeftCorner<3, 3>();
   if (!(std::abs(linear.determinant()) > LeastVolume * linear.colwise().norm().prod()))
   {
-    throw InvalidInput("the field array PatientMatrix is singular: it would make the surface flat. Correct "
-                       "the orientation in the header of the scan");
+    throw InvalidInput(
+      "the field array PatientMatrix is singular: it would make the surface flat. Correct "
+      "the orientation in the header of the scan");
   }
   return Eigen::Affine3d(matrix);
 }
@@ -72,8 +73,9 @@ Eigen::Affine3d surfaceToVolume(vtkDataObject* surface, vtkDataObject* volume)
   const bool volumeInPatient = inPatientSpace(volume);
   if (surfaceInPatient && !volumeInPatient && !ofVolume)
   {
-    throw InvalidInput("the surface is in patient space, and the volume does not say where it lies in the "
-                       "patient: read it with a reader of Surface Flattening");
+    throw InvalidInput(
+      "the surface is in patient space, and the volume does not say where it lies in the "
+      "patient: read it with a reader of Surface Flattening");
   }
   if (surfaceInPatient && volumeInPatient)
   {

@@ -18,8 +18,8 @@ inline constexpr const char* PatientMatrixName = "PatientMatrix";
 inline constexpr const char* InPatientSpaceName = "InPatientSpace";
 
 /// The map of the array PatientMatrix; none if the data have no such array.
-/// @throws InvalidInput if it does not have 16 finite numbers, if its last row is not 0 0 0 1, or if it is
-/// singular.
+/// @throws InvalidInput if it does not have 16 finite numbers, if its last row is not 0 0 0 1, or if it
+/// is singular.
 std::optional<Eigen::Affine3d> patientMatrix(vtkDataObject* data);
 
 /// Whether the data say that they are in patient space.

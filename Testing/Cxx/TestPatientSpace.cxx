@@ -216,7 +216,8 @@ TEST(PatientSpace, ASlabOfASurfaceInPatientSpaceSamplesTheVoxelsUnderIt)
   double greatest = 0.0;
   for (vtkIdType i = 0; i < samples->GetNumberOfTuples(); ++i)
   {
-    const Eigen::Vector3d inVoxels = (back * Eigen::Vector3d(where->GetTuple3(i)).homogeneous()).head<3>();
+    const Eigen::Vector3d inVoxels =
+      (back * Eigen::Vector3d(where->GetTuple3(i)).homogeneous()).head<3>();
     greatest = std::max(greatest, std::abs(samples->GetTuple1(i) - inVoxels.x()));
   }
   EXPECT_LT(greatest, 1e-4); // samples are in single precision
