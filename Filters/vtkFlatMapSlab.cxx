@@ -5,6 +5,7 @@
 #include "Internal/ArrayConversion.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/ImageMemory.h"
+#include "Internal/PatientMatrix.h"
 #include "Internal/PolyDataConversion.h"
 #include "Internal/SlabLayers.h"
 #include "Internal/VolumeSampling.h"
@@ -177,8 +178,16 @@ void vtkFlatMapSlab::Execute(vtkInformationVector** inputVector, vtkInformationV
   flattening::requireOrdinarySize(surface);
   const Points3 normals = flattening::vertexNormals(surface);
   const double sign = this->Outwards ? 1.0 : -1.0;
+  const Eigen::Affine3d toVolume = flattening::surfaceToVolume(input, volume);
+  if (flattening::patientMatrix(volume) && !flattening::patientMatrix(input) &&
+    !flattening::inPatientSpace(input))
+  {
+    vtkWarningMacro(<< this->GetBlockPrefix()
+                    << "the surface does not say where it lies in the patient, though the volume does: it is "
+                       "taken to have the coordinates of the voxels");
+  }
   const flattening::VolumeSampling sampling(
-    volume, this->NearestVoxel, flattening::subrange(progress, 0.0, 0.1));
+    volume, this->NearestVoxel, toVolume, flattening::subrange(progress, 0.0, 0.1));
   const flattening::Layers layers = flattening::sampleLayers(
     sampling, surface.Vertices, sign * normals, this->Depths, flattening::subrange(progress, 0.1, 0.4));
 

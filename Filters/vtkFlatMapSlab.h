@@ -15,6 +15,11 @@
  * sampled in the volume itself, at its own point of the surface. If the depths are equally spaced, z is
  * the depth; otherwise the layers are one pixel apart.
  *
+ * A surface in patient space (vtkPatientSpace) is sampled where the field array `PatientMatrix` of the
+ * volume says that it lies in the patient. The same is done if both have a matrix and these differ.
+ * Otherwise surface and volume are taken to have the same coordinates, with a warning if the volume alone
+ * has a matrix.
+ *
  * Samples deeper than the radius of curvature of a surface that bends inwards cross those of
  * neighbouring points. A warning is given if samples lie outside the volume.
  *
@@ -37,7 +42,8 @@
  *
  * An empty input on either port gives empty outputs. The following are errors, each with empty outputs:
  * cells that are not triangles; no array `SurfacePoints`; no depth; a depth that is not finite or given
- * twice; a volume that has no point arrays or contains no sample; a stack for which there is too little
+ * twice; a volume that has no point arrays or contains no sample; a volume that does not say where it
+ * lies in the patient, though the surface is in patient space; a stack for which there is too little
  * memory.
  *
  * @sa vtkFlatMapImage vtkOMTAreaPreservingFilter vtkProbeFilter

@@ -20,6 +20,7 @@ import math
 import os
 import plistlib
 import tarfile
+import warnings
 from dataclasses import dataclass
 
 from paraview import simple
@@ -32,6 +33,7 @@ class Isosurface:
     floating: object
     padded: object
     smoothed: object
+    contour: object
     surface: object
 
 
@@ -100,8 +102,18 @@ def contour(image, isovalue, name="Isosurface"):
     )
 
 
-def isosurface(image, isovalue, smoothing_mm=1.0, padding=10, background=None, name="Isosurface"):
-    """The whole recipe: cast to float, pad, smooth, contour. Returns an Isosurface.
+def in_patient_space(surface, name="Patient space"):
+    """The @surface of a scan where it lies in the patient: x is right, y is front, z is top, in mm (RAS+). The
+    surface itself if it is there already, or if its file has no orientation."""
+    if not _field(surface, "PatientMatrix") or _field(surface, "InPatientSpace"):
+        return surface
+    return _filter("PatientSpace")(registrationName=name, Input=surface)
+
+
+def isosurface(
+    image, isovalue, smoothing_mm=1.0, padding=10, background=None, name="Isosurface", patient_space=True
+):
+    """The whole recipe: cast to float, pad, smooth, contour, move to patient space. Returns an Isosurface.
 
     @image: a proxy of an image, as OpenDataFile returns it, in mm.
     @isovalue: in the image's units; for CT, bone is above 200 to 400 HU.
@@ -110,6 +122,8 @@ def isosurface(image, isovalue, smoothing_mm=1.0, padding=10, background=None, n
         moved down to halfway between two integers: voxels of that value are inside.
     @padding: voxels added on every side; 0: none.
     @background: the value of what is added; by default the lowest in the image.
+    @patient_space: moves the surface to where it lies in the patient, if the image came from a reader of this
+        plugin and its file has an orientation. Otherwise it stays in the coordinates of the voxels.
 
     The surface may have several components, handles and boundaries: Surface To Disk takes it from there
     and keeps the largest component. Errors raise ValueError, as pvpython itself does not.
@@ -120,9 +134,41 @@ def isosurface(image, isovalue, smoothing_mm=1.0, padding=10, background=None, n
     floating = cast_to_float(image)
     padded = pad(floating, padding, background) if padding else floating
     smoothed = smooth(padded, smoothing_mm) if smoothing_mm else padded
-    surface = contour(smoothed, isovalue, name)
+    in_voxels = contour(smoothed, isovalue, name)
+    if patient_space and hasattr(image, "FileName") and not _field(image, "PatientMatrix"):
+        warnings.warn(
+            "The reader of the scan does not say where it lies in the patient, so that left and right are as the "
+            "voxels are stored: open it by open_scan of surfaceflattening_scans, which tells what the file has.",
+            stacklevel=2,
+        )
+    surface = in_patient_space(in_voxels) if patient_space else in_voxels
     surface.UpdatePipeline()
-    return Isosurface(floating, padded, smoothed, surface)
+    return Isosurface(floating, padded, smoothed, in_voxels, surface)
+
+
+def label_surface(atlas, labels, smoothing_mm=1.0, name="Structure", patient_space=True):
+    """The surface of a structure in a volume of labels, such as the thalamus in an atlas. Returns an Isosurface.
+
+    @labels: of the structure, one or several. @smoothing_mm: as of isosurface(); without smoothing the surface has
+    the steps of the voxels, and more than the thickness of the structure makes it vanish.
+    """
+    labels = [labels] if isinstance(labels, int) else list(labels)
+    _require_scalar_image(atlas)
+    array = _scalars(atlas).GetName()
+    product = "*".join(f'abs("{array}"-({label}))' for label in labels)
+    # The labels are replaced: Image Pad would keep a second array and leave it without values.
+    inside = simple.Calculator(
+        registrationName=f"{name}, voxels", Input=atlas, ResultArrayName=array, Function=f"1-min(1,{product})"
+    )
+    if _value_range(inside)[1] < 1:
+        raise ValueError(f"no voxel has the label {', '.join(map(str, labels))}: look at the atlas's list of labels")
+    floating = cast_to_float(inside)
+    padded = pad(floating, 10, 0.0)
+    smoothed = smooth(padded, smoothing_mm) if smoothing_mm else padded
+    in_voxels = contour(smoothed, 0.5, name)
+    surface = in_patient_space(in_voxels) if patient_space else in_voxels
+    surface.UpdatePipeline()
+    return Isosurface(floating, padded, smoothed, in_voxels, surface)
 
 
 def metaimage_of_invesalius(path, folder):
@@ -177,6 +223,10 @@ def _filter(name):
             "script or by PV_PLUGIN_PATH"
         )
     return creator
+
+
+def _field(proxy, name):
+    return _information(proxy).GetFieldDataInformation().GetArrayInformation(name)
 
 
 def _information(image):

@@ -20,6 +20,7 @@ if [ "${1:-}" = --vtk ]; then
   packages+=(libvtk9-dev python3-vtk9)
 else
   packages+=(paraview paraview-dev python3-paraview mricron-data)
+  packages+=(python3-nibabel python3-pydicom python3-gdcm) # files of FreeSurfer, GIFTI and DICOM, when they are opened
   packages+=(qttools5-dev qtxmlpatterns5-dev-tools python3-markdown python3-pil) # the plugin's pages in ParaView's help
   packages+=(qtbase5-dev) # puts the icons into the plugin, which goes without them otherwise; 47 MB
 fi

@@ -26,7 +26,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # reads what the libraries need
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "paraview (>= ${ParaView_VERSION})")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-paraview, libopenblas0-serial")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-paraview, libopenblas0-serial, python3-nibabel, python3-pydicom, python3-gdcm")
 
 # Python compiles the package when root imports it, into files that dpkg does not know.
 file(WRITE "${CMAKE_BINARY_DIR}/prerm" "#!/bin/sh

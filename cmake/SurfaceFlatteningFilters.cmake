@@ -11,6 +11,7 @@ set(surfaceflattening_filters
   FlattenRegion
   MeshSaliency
   OMTAreaPreserving
+  PatientSpace
   PlanarWarp
   SurfaceToDisk
 )

@@ -84,9 +84,13 @@ vtkSmartPointer<vtkPolyData> pointsOnly(const Points3& points, vtkImageData* vox
 
 } // namespace
 
-VolumeSampling::VolumeSampling(vtkImageData* volume, bool nearest, const ProgressCallback& progress)
+VolumeSampling::VolumeSampling(vtkImageData* volume,
+  bool nearest,
+  const Eigen::Affine3d& toVolume,
+  const ProgressCallback& progress)
   : Volume(vtkSmartPointer<vtkImageData>::New())
   , Nearest(nearest)
+  , ToVolume(toVolume)
 {
   this->Volume->CopyStructure(volume);
   const int count = volume->GetPointData()->GetNumberOfArrays();
@@ -128,7 +132,11 @@ std::vector<VolumeSamples> VolumeSampling::at(const Points3& points,
   {
     report(
       progress, static_cast<double>(begin) / static_cast<double>(points.rows()), "Sampling the volume");
-    this->sample(points.middleRows(begin, std::min(SampleBatch, points.rows() - begin)), begin, samples);
+    const Eigen::Index count = std::min(SampleBatch, points.rows() - begin);
+    const Points3 moved =
+      (points.middleRows(begin, count) * this->ToVolume.linear().transpose()).rowwise() +
+      this->ToVolume.translation().transpose();
+    this->sample(moved, begin, samples);
   }
   return samples;
 }

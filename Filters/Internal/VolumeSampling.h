@@ -7,6 +7,8 @@
 
 #include <vtkSmartPointer.h>
 
+#include <Eigen/Geometry>
+
 #include <string>
 #include <vector>
 
@@ -30,8 +32,12 @@ class VolumeSampling
 public:
   /// @param nearest whether to take the value of the nearest voxel, as labels need it, instead of
   /// interpolating linearly.
+  /// @param toVolume takes the points that are sampled to the coordinates of the volume.
   /// @throws InvalidInput if the volume has no numeric point array.
-  VolumeSampling(vtkImageData* volume, bool nearest, const ProgressCallback& progress = {});
+  VolumeSampling(vtkImageData* volume,
+    bool nearest,
+    const Eigen::Affine3d& toVolume,
+    const ProgressCallback& progress = {});
   ~VolumeSampling();
 
   /// The samples at the points (n x 3), one entry per array in the order of the volume. Points that are
@@ -45,6 +51,7 @@ private:
                                         ///< whose name may be one of theirs
   std::vector<std::string> Names;       ///< names of the arrays in the volume
   bool Nearest;
+  Eigen::Affine3d ToVolume;
 };
 
 } // namespace flattening

@@ -49,6 +49,8 @@ assert tested == {
     "DistortionMetrics.RegionArray",
     "FlattenRegion.LabelArray",
     "OMTAreaPreserving.AreaWeightArray",
+    "RegionTable.CurvatureArray",
+    "RegionTable.RegionArray",
     "SurfaceToDisk.LabelArray",
     "SurfaceToDisk.RegionOfInterest",
 }, tested

@@ -27,26 +27,35 @@ def write_nifti(path, values, spacing):
         stream.write(header + values.astype("<i2").tobytes())
 
 
-def write_metaimage(path, values, spacing):
-    """Header and voxels in one file (.mha)."""
+def write_metaimage(path, values, spacing, matrix=None):
+    """Header and voxels in one file (.mha). @matrix: voxel index to LPS+ mm (4 x 4), instead of the spacing."""
+    place = ""
+    if matrix is not None:
+        spacing = _lengths(matrix)
+        axes = [matrix[row][axis] / spacing[axis] for axis in range(3) for row in range(3)]
+        place = f"TransformMatrix = {_words(axes)}\nOffset = {_words(matrix[row][3] for row in range(3))}\n"
     header = (
         "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
-        f"DimSize = {_words(reversed(values.shape))}\nElementSpacing = {_words(spacing)}\n"
+        f"DimSize = {_words(reversed(values.shape))}\nElementSpacing = {_words(spacing)}\n{place}"
         "ElementType = MET_SHORT\nElementDataFile = LOCAL\n"
     )
     with open(path, "wb") as stream:
         stream.write(header.encode("ascii") + values.astype("<i2").tobytes())
 
 
-def write_nrrd(path, values, spacing):
-    """https://teem.sourceforge.net/nrrd/format.html, raw and attached."""
+def write_nrrd(path, values, spacing, matrix=None, space="left-posterior-superior"):
+    """https://teem.sourceforge.net/nrrd/format.html, raw and attached. @matrix: voxel index to @space in mm (4 x 4),
+    instead of the spacing."""
+    where, origin = "space dimension: 3", "(0,0,0)"
+    if matrix is not None:
+        where, origin = f"space: {space}", _triple(matrix[row][3] for row in range(3))
     directions = " ".join(
         "(" + ",".join(repr(float(size)) if k == axis else "0" for k in range(3)) + ")"
         for axis, size in enumerate(spacing)
-    )
+    ) if matrix is None else " ".join(_triple(matrix[row][axis] for row in range(3)) for axis in range(3))
     header = (
-        f"NRRD0004\ntype: short\ndimension: 3\nspace dimension: 3\nsizes: {_words(reversed(values.shape))}\n"
-        f"space directions: {directions}\nspace origin: (0,0,0)\nkinds: domain domain domain\n"
+        f"NRRD0004\ntype: short\ndimension: 3\n{where}\nsizes: {_words(reversed(values.shape))}\n"
+        f"space directions: {directions}\nspace origin: {origin}\nkinds: domain domain domain\n"
         'space units: "mm" "mm" "mm"\nendian: little\nencoding: raw\n\n'
     )
     with open(path, "wb") as stream:
@@ -69,18 +78,33 @@ def write_vti(path, values, spacing):
         )
 
 
-def write_dicom_series(folder, values, spacing):
+def dicom_slice_path(folder, k, depth):
+    # 7 and the number of slices have no common divisor.
+    return os.path.join(folder, f"slice{(k * 7 + 3) % depth:03d}.dcm")
+
+
+def write_dicom_series(folder, values, spacing, matrix=None, move=None):
     """A file per slice, explicit VR little endian (DICOM PS3.5, PS3.10), as CT scanners write them. The
-    names are in another order than the slices: their positions are what counts."""
+    names are in another order than the slices: their positions are what counts. @matrix: voxel index to LPS+
+    mm (4 x 4), instead of the spacing. @move: by how many slices some lie farther along than they should."""
     os.makedirs(folder, exist_ok=True)
     depth = len(values)
     for k in range(depth):
-        name = f"slice{(k * 7 + 3) % depth:03d}.dcm"  # 7 and the number of slices have no common divisor
-        with open(os.path.join(folder, name), "wb") as stream:
-            stream.write(_dicom_slice(values[k], k, spacing))
+        at = k + (move or {}).get(k, 0)
+        with open(dicom_slice_path(folder, k, depth), "wb") as stream:
+            stream.write(_dicom_slice(values[k], k, *_dicom_place(at, spacing, matrix)))
 
 
-def _dicom_slice(values, k, spacing):
+def _dicom_place(k, spacing, matrix):
+    """Sizes of the voxels, position of the slice and direction of its rows and columns."""
+    if matrix is None:
+        return spacing, (0.0, 0.0, k * spacing[2]), (1.0, 0.0, 0.0, 0.0, 1.0, 0.0)
+    sizes = _lengths(matrix)
+    position = [float(matrix[row][2] * k + matrix[row][3]) for row in range(3)]
+    return sizes, position, [float(matrix[row][axis] / sizes[axis]) for axis in (0, 1) for row in range(3)]
+
+
+def _dicom_slice(values, k, spacing, position, directions):
     ct_image = "1.2.840.10008.5.1.4.1.1.2"
     instance = f"2.25.1234567890.{k + 1}"
     height, width = values.shape
@@ -100,8 +124,8 @@ def _dicom_slice(values, k, spacing):
         + _element(0x0020, 0x000D, "UI", "2.25.1234567890.100")
         + _element(0x0020, 0x000E, "UI", "2.25.1234567890.101")
         + _element(0x0020, 0x0013, "IS", str(k + 1))
-        + _element(0x0020, 0x0032, "DS", f"0\\0\\{k * spacing[2]!r}")
-        + _element(0x0020, 0x0037, "DS", "1\\0\\0\\0\\1\\0")
+        + _element(0x0020, 0x0032, "DS", "\\".join(f"{x:.10g}" for x in position))
+        + _element(0x0020, 0x0037, "DS", "\\".join(f"{x:.10g}" for x in directions))
         + _element(0x0028, 0x0002, "US", struct.pack("<H", 1))
         + _element(0x0028, 0x0004, "CS", "MONOCHROME2")
         + _element(0x0028, 0x0010, "US", struct.pack("<H", height))
@@ -132,3 +156,12 @@ def _element(group, number, representation, value):
 
 def _words(numbers):
     return " ".join(str(number) for number in numbers)
+
+
+def _triple(numbers):
+    return "(" + ",".join(repr(float(number)) for number in numbers) + ")"
+
+
+def _lengths(matrix):
+    """Of the first three columns."""
+    return [float(sum(matrix[row][axis] ** 2 for row in range(3)) ** 0.5) for axis in range(3)]

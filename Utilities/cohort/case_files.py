@@ -3,14 +3,17 @@
 
 import os
 import re
+import sys
 
 from file_lengths import FileLengthError, check_length
 from vtkmodules.vtkCommonCore import vtkOutputWindow
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
-from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkNIFTIImageReader, vtkNrrdReader
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Plugin"))
+from surfaceflattening_scans import ScanError, read_scan  # noqa: E402
 
 SURFACE_READERS = {
     ".vtk": vtkPolyDataReader,
@@ -19,15 +22,8 @@ SURFACE_READERS = {
     ".stl": vtkSTLReader,
     ".obj": vtkOBJReader,
 }
-VOLUME_READERS = {
-    ".nii": vtkNIFTIImageReader,
-    ".nii.gz": vtkNIFTIImageReader,
-    ".mha": vtkMetaImageReader,
-    ".mhd": vtkMetaImageReader,
-    ".nrrd": vtkNrrdReader,
-    ".nhdr": vtkNrrdReader,
-    ".vti": vtkXMLImageDataReader,
-}
+SCANS = (".nii", ".nii.gz", ".mha", ".mhd", ".nrrd", ".nhdr")  # which say where they lie in the patient
+VOLUMES = (*SCANS, ".vti")
 
 
 class CaseError(Exception):
@@ -76,12 +72,20 @@ def extension(path):
 
 def is_volume(path):
     """Tells by its extension whether the file is a volume. Raises CaseError if the extension is unknown."""
-    if extension(path) in VOLUME_READERS:
+    if extension(path) in VOLUMES:
         return True
     if extension(path) in SURFACE_READERS:
         return False
-    known = ", ".join([*SURFACE_READERS, *VOLUME_READERS])
+    known = ", ".join([*SURFACE_READERS, *VOLUMES])
     raise CaseError(f"unknown kind of file {extension(path) or path}: known are {known}")
+
+
+def _scan(path, warnings):
+    try:
+        return read_scan(path, warn=lambda text: warnings.append(text.removeprefix(f"{path}: ")))
+    except ScanError as error:
+        text = str(error).removeprefix(f"{path}: ")
+        raise CaseError(f"cannot be read, the file may be damaged: {text}") from None
 
 
 def read(path, warnings):
@@ -98,11 +102,14 @@ def read(path, warnings):
         raise CaseError(str(error)) from None
     except OSError as error:
         raise CaseError(f"cannot read the file: {error.strerror or error}") from None
-    reader = (VOLUME_READERS if volume else SURFACE_READERS)[extension(path)]()
     with Messages() as messages:  # readers warn of a truncated file, and go on with what was in memory
-        reader.SetFileName(path)
-        reader.Update()
-    data = reader.GetOutput()
+        if extension(path) in SCANS:
+            data = _scan(path, warnings)
+        else:
+            reader = vtkXMLImageDataReader() if volume else SURFACE_READERS[extension(path)]()
+            reader.SetFileName(path)
+            reader.Update()
+            data = reader.GetOutput()
     for text in messages.errors + messages.warnings:
         raise CaseError(f"cannot be read, the file may be damaged: {text}")
     if data is None or data.GetNumberOfPoints() == 0:

@@ -15,6 +15,7 @@ try:
         vtkConformalDiskFilter,
         vtkDistortionMetrics,
         vtkOMTAreaPreservingFilter,
+        vtkPatientSpace,
         vtkSurfaceToDiskFilter,
     )
 except ImportError as error:
@@ -76,7 +77,7 @@ def run(algorithm, warnings, announce):
 
 
 def isosurface(image, isovalue, smoothing):
-    """The steps of docs/volumes.md: cast, pad, smooth by @smoothing mm, contour."""
+    """The steps of docs/volumes.md: cast, pad, smooth by @smoothing mm, contour, move to patient space."""
     scalars = image.GetPointData().GetScalars()
     if scalars is None or scalars.GetNumberOfComponents() != 1:
         raise CaseError("the volume has no single value per voxel")
@@ -109,7 +110,12 @@ def isosurface(image, isovalue, smoothing):
     contour.SetValue(0, isovalue)
     contour.ComputeNormalsOff()
     contour.Update()
-    return contour.GetOutput()
+    if contour.GetOutput().GetFieldData().HasArray("PatientMatrix") == 0:
+        return contour.GetOutput()
+    placed = vtkPatientSpace()
+    placed.SetInputConnection(contour.GetOutputPort())
+    placed.Update()
+    return placed.GetOutput()
 
 
 def flatten(path, settings, announce=lambda stage: None):

@@ -40,7 +40,8 @@ def parsed_arguments():
     parser.add_argument("--plane-normal", type=float, nargs=3, default=[1.0, 0.0, 0.0], metavar=("X", "Y", "Z"),
                         help="with --cut plane: towards the part that is kept (default 1 0 0)")
     parser.add_argument("--plane-origin", type=float, nargs=3, metavar=("X", "Y", "Z"),
-                        help="with --cut plane (default: the centre of each surface's bounding box)")
+                        help="with --cut plane, in mm to the patient's right, front and top for a "
+                        "scan with an orientation (default: the centre of each surface's bounding box)")
     parser.add_argument("--hole-area", type=float, default=1e-3, help="with --cut hole: share of the area (default 0.001)")
     parser.add_argument("--handles", choices=HANDLES, default="remove")
     parser.add_argument("--remesh", action="store_true", help="even triangles: fewer, better shaped, faster")

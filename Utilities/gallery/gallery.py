@@ -16,6 +16,7 @@ from paraview import simple
 EXAMPLES = (
     "brain",
     "cortex",
+    "thalamus",
     "vase",
     "power_diagram",
     "chest",

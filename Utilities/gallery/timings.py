@@ -31,7 +31,7 @@ def chest_surface():
 
 def brain():
     scan = simple.OpenDataFile(os.path.join(TEMPLATES, "ch2bet.nii.gz"))
-    whole = isosurface(scan, 40, smoothing_mm=2).surface
+    whole = isosurface(scan, 40, smoothing_mm=2, patient_space=False).surface
     return simple.SurfaceToDisk(Input=whole, Cut="Plane", PlaneOrigin=[90, 0, 0], Remesh=1, TargetEdgeLength=1.87)
 
 

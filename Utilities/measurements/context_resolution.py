@@ -21,7 +21,7 @@ REGION = ["POINTS", "SaliencyRegion"]
 
 def salient_half_brain():
     scan = simple.OpenDataFile(os.path.join(TEMPLATES, "ch2bet.nii.gz"))
-    brain = isosurface(scan, 40, smoothing_mm=2).surface
+    brain = isosurface(scan, 40, smoothing_mm=2, patient_space=False).surface
     disk = simple.SurfaceToDisk(Input=brain, Cut="Plane", PlaneOrigin=[90, 0, 0])
     salient = simple.MeshSaliency(Input=disk, Percentile=95, Unit=1.5, MinimumRegionArea=30)
     salient.UpdatePipeline()

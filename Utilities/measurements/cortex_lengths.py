@@ -49,7 +49,7 @@ def isosurface_of(part):
         extent = list(scan.GetDataInformation().GetExtent())
         extent[0] = MID_PLANE
         scan = simple.ExtractSubset(Input=scan, VOI=extent)
-    return surfaceflattening_volume.isosurface(scan, ISOVALUE, smoothing_mm=SMOOTHING).surface
+    return surfaceflattening_volume.isosurface(scan, ISOVALUE, smoothing_mm=SMOOTHING, patient_space=False).surface
 
 
 def number(text):

@@ -44,7 +44,7 @@ def rows_of(name, disk):
 
 
 def table():
-    brain = isosurface(simple.OpenDataFile(SCAN), 40, smoothing_mm=2).surface
+    brain = isosurface(simple.OpenDataFile(SCAN), 40, smoothing_mm=2, patient_space=False).surface
     for remeshed in (0, 1):
         kind = "remeshed" if remeshed else "raw"
         half = simple.SurfaceToDisk(Input=brain, Cut="Plane", PlaneOrigin=MIDDLE, Remesh=remeshed)

@@ -30,7 +30,7 @@ def brain():
     scan = simple.OpenDataFile(os.path.join(TEMPLATES, "ch2bet.nii.gz"))
     coarse = simple.ExtractSubset(Input=scan, VOI=[0, 180, 0, 216, 0, 180])
     coarse.SampleRateI = coarse.SampleRateJ = coarse.SampleRateK = 2
-    return isosurface(coarse, 40, smoothing_mm=2).surface
+    return isosurface(coarse, 40, smoothing_mm=2, patient_space=False).surface
 
 
 def titled_view(layout, cell, title):

@@ -23,7 +23,7 @@ ARRAY = "AreaDistortion"
 
 def half_brain():
     scan = simple.OpenDataFile(os.path.join(TEMPLATES, "ch2bet.nii.gz"))
-    brain = isosurface(scan, 40, smoothing_mm=2).surface
+    brain = isosurface(scan, 40, smoothing_mm=2, patient_space=False).surface
     return simple.SurfaceToDisk(
         Input=brain, Cut="Plane", PlaneOrigin=[90, 0, 0], Remesh=1, TargetEdgeLength=1.2
     )

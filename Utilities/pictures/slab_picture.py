@@ -23,7 +23,7 @@ GREY = (0, 160)
 
 def slab():
     scan = simple.OpenDataFile(os.path.join(TEMPLATES, "ch2bet.nii.gz"))
-    recipe = isosurface(scan, 40, smoothing_mm=2)
+    recipe = isosurface(scan, 40, smoothing_mm=2, patient_space=False)
     disk = simple.SurfaceToDisk(
         Input=recipe.surface, Cut="Plane", PlaneOrigin=[90, 0, 0], Remesh=1, TargetEdgeLength=1.2
     )

@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Macro: shows the letters R, L, A, P, S and I around the scan or surface that is selected in the pipeline browser."""
+
+# First, for it lets Python find the modules of plugins.
+from paraview import simple  # isort: skip
+from surfaceflattening_axes import patient_axes
+
+patient_axes(simple.GetActiveSource())

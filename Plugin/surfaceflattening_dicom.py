@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A series of DICOM slices as a Scan, read by pydicom; slices that are compressed need GDCM as well.
+
+The place of a slice is that of its own header, so that a CT with a tilted gantry gets a sheared matrix, and slices
+that are missing become interpolated ones instead of a scan that is too short. Both are reported.
+"""
+
+import os
+
+import numpy as np
+from surfaceflattening_orientation import RAS_OF_LPS, Placement, fault_of
+from surfaceflattening_scans import Scan, ScanError
+
+CONVERTER = "dcm2niix (package dcm2niix) makes a NIfTI file of it, which can be read"
+
+# How far a slice may lie from its place, in shares of the distance between slices. Scanners round positions to some
+# 1e-4 mm; more than a tenth is a slice of another spacing, not rounding.
+SPACING_AGREES = 0.1
+
+# Degrees between the normal of the slices and the way from slice to slice, below which a tilt is rounding.
+LEAST_TILT = 0.1
+
+# Difference of direction cosines between slices of one stack: they are written with six digits.
+SAME_DIRECTION = 1e-4
+
+
+class DICOMScan(Scan):
+    name = "DICOM"
+
+    def __init__(self, path):
+        self._path = path
+        warnings = []
+        slices = _stack(_series(path, warnings), path, warnings)
+        self._files = [item.filename for item in slices]
+        self._places, step = _places(slices, warnings)
+        first, columns, rows = slices[0], int(slices[0].Columns), int(slices[0].Rows)
+        down, across = (float(size) for size in first.PixelSpacing)
+        x, y = _axes(first)
+        matrix = np.eye(4)
+        matrix[:3, :3] = np.column_stack([x * across, y * down, step])
+        matrix[:3, 3] = _position(first)
+        fault = fault_of(matrix)
+        if fault:
+            raise ScanError(f"{path}: the orientation of the series cannot be used, because {fault}")
+        _report_tilt(x, y, step, warnings)
+        placement = Placement(RAS_OF_LPS @ matrix, "DICOM image orientation and position", warnings)
+        shape = (columns, rows, self._places[-1] + 1)
+        super().__init__(shape, (across, down, np.linalg.norm(step)), placement)
+
+    def load(self):
+        pydicom = _pydicom()
+        stack = [self._pixels(pydicom, file) for file in self._files]
+        kind = np.result_type(*(pixels.dtype for pixels in stack))
+        # Interpolated slices of integers are rounded, as the scanner would round them.
+        volume = np.empty((self.shape[0], self.shape[1], self.shape[2]), kind, order="F")
+        for place, pixels in zip(self._places, stack):
+            volume[:, :, place] = pixels.T
+        for k, (low, high) in enumerate(zip(self._places, self._places[1:])):
+            for missing in range(low + 1, high):
+                share = (missing - low) / (high - low)
+                between = (1 - share) * stack[k].T + share * stack[k + 1].T
+                volume[:, :, missing] = between if kind.kind == "f" else np.rint(between)
+        return volume
+
+    def _pixels(self, pydicom, file):
+        item = pydicom.dcmread(file)
+        try:
+            pixels = item.pixel_array
+        except (ImportError, RuntimeError, NotImplementedError) as error:
+            raise ScanError(
+                f"{file}: its compression, {item.file_meta.TransferSyntaxUID.name}, cannot be read here "
+                f"(the package python3-gdcm brings most of them): {CONVERTER}. {error}"
+            ) from None
+        except (AttributeError, ValueError) as error:
+            raise ScanError(f"{file}: the pixels cannot be read: {error}") from None
+        if pixels.ndim != 2:
+            raise ScanError(f"{file}: an image has {pixels.ndim} dimensions, not 2: {CONVERTER}")
+        slope, intercept = float(item.get("RescaleSlope", 1)), float(item.get("RescaleIntercept", 0))
+        if slope.is_integer() and intercept.is_integer():
+            # A CT: Hounsfield units are integers.
+            return (pixels.astype(np.int32) * int(slope) + int(intercept)).astype(np.int32)
+        return (pixels * slope + intercept).astype(np.float32)
+
+
+def _pydicom():
+    try:
+        import pydicom
+    except ImportError:
+        raise ScanError(
+            "the orientation of a DICOM series is read by pydicom, which this Python does not have: install "
+            "the package python3-pydicom"
+        ) from None
+    return pydicom
+
+
+def _series(path, warnings):
+    """The headers of one series: that of the file @path, or the one with most slices in the folder."""
+    pydicom = _pydicom()
+    folder = path if os.path.isdir(path) else os.path.dirname(os.path.abspath(path))
+    series = {}
+    for name in sorted(os.listdir(folder)):
+        file = os.path.join(folder, name)
+        if not os.path.isfile(file):
+            continue
+        try:
+            item = pydicom.dcmread(file, stop_before_pixels=True)
+        except (pydicom.errors.InvalidDicomError, OSError, ValueError, KeyError):
+            continue
+        if "Rows" in item and "SeriesInstanceUID" in item:
+            series.setdefault(item.SeriesInstanceUID, []).append(item)
+    if not series:
+        raise ScanError(f"{path}: there are no DICOM images: if they have no preamble, {CONVERTER}")
+    if not os.path.isdir(path):
+        for found in series.values():
+            if any(os.path.samefile(item.filename, path) for item in found):
+                return found
+        raise ScanError(f"{path}: this is no DICOM image, nor of another format that is known by its extension")
+    found = max(series.values(), key=len)
+    if len(series) > 1:
+        warnings.append(
+            f"the folder has {len(series)} series: the longest, of {len(found)} images, is taken "
+            f"({found[0].get('SeriesDescription', found[0].SeriesInstanceUID)}); choose a file of another"
+        )
+    return found
+
+
+def _stack(images, path, warnings):
+    """The images that lie in parallel planes, sorted along their normal, one for each position."""
+    if any(int(item.get("NumberOfFrames", 1)) > 1 for item in images):
+        raise ScanError(f"{path}: these files have several frames each: {CONVERTER}")
+    placed = [item for item in images if "ImageOrientationPatient" in item and "ImagePositionPatient" in item]
+    if not placed or any("PixelSpacing" not in item for item in placed):
+        raise ScanError(f"{path}: the images do not say where they lie in the patient: {CONVERTER}")
+    first = placed[0]
+    parallel = [
+        item
+        for item in placed
+        if (item.Rows, item.Columns, list(item.PixelSpacing)) == (first.Rows, first.Columns, list(first.PixelSpacing))
+        and np.abs(np.subtract(item.ImageOrientationPatient, first.ImageOrientationPatient)).max() < SAME_DIRECTION
+    ]
+    if len(parallel) < len(images):
+        warnings.append(f"{len(images) - len(parallel)} images of another size or direction are left out")
+    normal = np.cross(*_axes(first))
+    parallel.sort(key=lambda item: (_position(item) @ normal, int(item.get("InstanceNumber", 0) or 0)))
+    stack = parallel[:1]
+    for item in parallel[1:]:
+        if (_position(item) - _position(stack[-1])) @ normal > 1e-3:  # mm; no scanner has thinner slices
+            stack.append(item)
+    if len(stack) < len(parallel):
+        warnings.append(
+            f"{len(parallel) - len(stack)} images lie where another one does, as in a series over time: the first "
+            "at each position is taken"
+        )
+    if len(stack) < 2:
+        raise ScanError(f"{path}: the series has one slice: choose the folder of a volume")
+    return stack
+
+
+def _places(slices, warnings):
+    """The index of each slice, and the way from one index to the next, in mm (LPS+)."""
+    positions = np.array([_position(item) for item in slices])
+    normal = np.cross(*_axes(slices[0]))
+    heights = (positions - positions[0]) @ normal
+    gaps = np.diff(heights)
+    spacing = np.median(gaps)
+    counts = np.maximum(np.rint(gaps / spacing), 1)
+    if (np.abs(gaps / spacing - counts) > SPACING_AGREES).any():
+        odd = int(np.argmax(np.abs(gaps / spacing - counts)))
+        raise ScanError(
+            f"{slices[odd].filename}: the distance to the next slice is {gaps[odd]:.4g} mm, where others are "
+            f"{spacing:.4g} mm apart: slices that are not evenly spaced are no volume. {CONVERTER}"
+        )
+    places = [0, *np.cumsum(counts).astype(int).tolist()]
+    if places[-1] >= len(places):
+        after = int(np.argmax(counts > 1))
+        warnings.append(
+            f"{places[-1] + 1 - len(places)} slices are missing (the first after slice {after + 1} of "
+            f"{len(slices)}): their place is filled by interpolation"
+        )
+    return places, (positions[-1] - positions[0]) / places[-1]
+
+
+def _report_tilt(x, y, step, warnings):
+    cosine = abs(step @ np.cross(x, y)) / np.linalg.norm(step)
+    tilt = np.degrees(np.arccos(min(cosine, 1.0)))
+    if tilt > LEAST_TILT:
+        warnings.append(
+            f"the gantry was tilted by {tilt:.2f} degrees: the voxels are sheared, and areas are right only after "
+            "Patient Space"
+        )
+
+
+def _axes(item):
+    cosines = np.array([float(number) for number in item.ImageOrientationPatient])
+    x, y = cosines[:3], cosines[3:]
+    return x / np.linalg.norm(x), y / np.linalg.norm(y)
+
+
+def _position(item):
+    return np.array([float(number) for number in item.ImagePositionPatient])

@@ -1,0 +1,254 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes flat maps, surfaces and point arrays as files of FreeSurfer and GIFTI.
+
+    from surfaceflattening_neuro_writers import write_cortex
+    write_cortex("lh.flat.patch.3d", flat)        # a patch of FreeSurfer, which pycortex reads, too
+    write_cortex("lh.flat.surf.gii", flat)        # a surface with the vertices of the original one
+    write_cortex("lh.distortion.shape.gii", flat, "MeanAreaDistortion")
+
+The point array VertexNumber says which vertex of the original surface a point is. Readers of this plugin write it; Flat
+Map Transfer keeps it for every vertex of the original surface.
+"""
+
+import os
+import struct
+
+import numpy as np
+from surfaceflattening_neuro import VERTEX_COUNT, VERTEX_NUMBER, CortexError, nibabel
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+ORIGINAL = "vtkOriginalPointIds"
+
+
+def write_cortex(path, data, array=None):
+    """Writes @data, vtkPolyData or a proxy of ParaView, in the format that the name of the file tells.
+
+    @array: the point array to write, for the formats of values: .shape.gii, .func.gii, .label.gii, .annot, .label,
+    and FreeSurfer's curvature, .curv. Raises CortexError.
+    """
+    data = _fetched(data)
+    if data.GetNumberOfPoints() == 0:
+        raise CortexError("there are no points to write")
+    name = os.path.basename(path)
+    if name.endswith(".patch.3d"):
+        return write_patch(path, data)
+    if name.endswith((".shape.gii", ".func.gii", ".label.gii")):
+        return _write_gifti_values(path, data, _chosen(data, array), array)
+    if name.endswith(".gii"):
+        return _write_gifti_surface(path, data)
+    if name.endswith((".annot", ".label", ".curv")):
+        return _write_freesurfer_values(path, data, _chosen(data, array), array)
+    return _write_freesurfer_surface(path, data)
+
+
+def write_patch(path, data):
+    """FreeSurfer's binary patch: -1, the number of vertices, then for each its number + 1, negative on the border, and
+    x, y, z; integers and single precision, all big-endian (mrisWritePatch in FreeSurfer's mrisurf_io.cpp).
+
+    A vertex on a cut has several places on the map, and is left out, as FreeSurfer itself does."""
+    numbers, known, kept = vertices_of_patch(data)
+    faces = _faces(data)
+    on_cut = known & ~kept
+    border = np.zeros(len(kept), bool)
+    border[border_points(faces)] = True
+    border[faces[on_cut[faces].any(axis=1)]] = True  # the neighbours of what is left out
+    rows = np.zeros(kept.sum(), dtype=[("number", ">i4"), ("position", ">f4", 3)])
+    rows["number"] = np.where(border, -(numbers + 1), numbers + 1)[kept]
+    rows["position"] = _points(data)[kept]
+    rows = rows[np.argsort(numbers[kept])]
+    with open(path, "wb") as stream:
+        stream.write(struct.pack(">2i", -1, len(rows)) + rows.tobytes())
+
+
+def vertices_of_patch(data):
+    """The vertex of the original surface that each point is, whether it is one, and whether it is that one's only
+    point. Raises CortexError if most points are no vertex of it, as after remeshing."""
+    numbers, known = _numbers(data)
+    unique, places, counts = np.unique(numbers[known], return_inverse=True, return_counts=True)
+    kept = known.copy()
+    kept[known] = counts[places] == 1
+    # Points that were added along cuts are no reason to refuse: of a surface with 400 vertices they were 60 % of all
+    # points, of a hemisphere they are some percent. Of a remeshed surface nearly all points are new.
+    if len(unique) == 0 or kept.sum() < 0.2 * len(kept):
+        raise CortexError(
+            f"{kept.sum()} of {len(kept)} points are vertices of the original surface, as it was remeshed: use the "
+            "output of Flat Map Transfer, with the original surface as its second input"
+        )
+    return numbers, known, kept
+
+
+def _numbers(data):
+    """The vertex that each point is, and whether it is one at all and not a new point."""
+    numbers, ids = (data.GetPointData().GetArray(name) for name in (VERTEX_NUMBER, ORIGINAL))
+    if not numbers and not ids:
+        raise CortexError(
+            "the points do not say which vertices of the original surface they are (VertexNumber): use the output of "
+            "Flat Map Transfer"
+        )
+    values = vtk_to_numpy(numbers or ids).astype(np.int64)
+    return values, (vtk_to_numpy(ids) >= 0 if ids else np.ones(len(values), bool)) & (values >= 0)
+
+
+def vertex_numbers(data):
+    """Which vertex of the original surface each point is. Raises CortexError if a point is none, or two are the
+    same."""
+    numbers, known = _numbers(data)
+    if not known.all() or len(np.unique(numbers)) < len(numbers):
+        raise CortexError(
+            "the points are not one vertex of the original surface each, as it was cut or remeshed: use the output of "
+            "Flat Map Transfer, with the original surface as its second input"
+        )
+    return numbers
+
+
+def border_points(faces):
+    """The ends of the edges that have one triangle."""
+    edges = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+    unique, counts = np.unique(edges, axis=0, return_counts=True)
+    return np.unique(unique[counts == 1])
+
+
+def _fetched(data):
+    if hasattr(data, "SMProxy"):
+        from paraview import servermanager
+
+        data.UpdatePipeline()
+        data = servermanager.Fetch(data)
+    if not data.IsA("vtkPolyData"):
+        raise CortexError(f"only a surface can be written, not {data.GetClassName()}")
+    return data
+
+
+def _points(data):
+    return vtk_to_numpy(data.GetPoints().GetData())
+
+
+def _faces(data):
+    cells = data.GetPolys()
+    if cells.GetNumberOfCells() == 0 or cells.IsHomogeneous() != 3:
+        raise CortexError("there are cells other than triangles: use Triangulate first")
+    return vtk_to_numpy(cells.GetConnectivityArray()).reshape(-1, 3)
+
+
+def _chosen(data, name):
+    array = data.GetPointData().GetArray(name) if name else None
+    if array is None:
+        known = [data.GetPointData().GetArrayName(k) for k in range(data.GetPointData().GetNumberOfArrays())]
+        raise CortexError(f"choose the point array to write ({', '.join(filter(None, known))}): there is no {name}")
+    return vtk_to_numpy(array)
+
+
+def _of_all_vertices(data, values, missing=0):
+    """Values of the points at the places of their vertices in the original surface, @missing at others. Without
+    vertices of an original surface, and if it is not known how many it has, the values as they are."""
+    count = data.GetFieldData().GetArray(VERTEX_COUNT)
+    if not data.GetPointData().GetArray(VERTEX_NUMBER) or not count:
+        return values
+    numbers = vertex_numbers(data)
+    whole = np.full((int(count.GetTuple1(0)), *values.shape[1:]), missing, values.dtype)
+    whole[numbers] = values
+    return whole
+
+
+def _faces_of_all_vertices(data):
+    faces = _faces(data)
+    if not data.GetPointData().GetArray(VERTEX_NUMBER) or not data.GetFieldData().GetArray(VERTEX_COUNT):
+        return faces
+    return vertex_numbers(data)[faces]
+
+
+def _names(data, array):
+    """{label: (name, (R, G, B, A))} of an array of labels, where the reader had them."""
+    field = data.GetFieldData()
+    labels, names = field.GetArray(f"{array}Labels"), field.GetAbstractArray(f"{array}Names")
+    colours = field.GetArray(f"{array}Colours")
+    found = {}
+    for k in range(labels.GetNumberOfTuples() if labels and names else 0):
+        colour = tuple(int(c) for c in colours.GetTuple(k)) if colours else (128, 128, 128, 255)
+        found[int(labels.GetTuple1(k))] = (names.GetValue(k), colour)
+    return found
+
+
+def _write_gifti_surface(path, data):
+    gifti = nibabel().gifti
+    points = _of_all_vertices(data, _points(data).astype(np.float32))
+    patient = data.GetFieldData().GetArray("InPatientSpace")
+    space = 1 if patient and patient.GetTuple1(0) and not data.GetPointData().GetArray("SurfacePoints") else 0
+    system = gifti.GiftiCoordSystem(dataspace=space, xformspace=space)
+    image = gifti.GiftiImage(
+        darrays=[
+            gifti.GiftiDataArray(
+                points, intent="NIFTI_INTENT_POINTSET", datatype="NIFTI_TYPE_FLOAT32", coordsys=system
+            ),
+            gifti.GiftiDataArray(
+                _faces_of_all_vertices(data).astype(np.int32),
+                intent="NIFTI_INTENT_TRIANGLE",
+                datatype="NIFTI_TYPE_INT32",
+            ),
+        ]
+    )
+    nibabel().save(image, path)
+
+
+def _write_gifti_values(path, data, values, name):
+    gifti = nibabel().gifti
+    labels = path.endswith(".label.gii")
+    table = gifti.GiftiLabelTable()
+    for key, (text, colour) in _names(data, name).items() if labels else ():
+        label = gifti.GiftiLabel(key, *(c / 255 for c in colour))
+        label.label = text
+        table.labels.append(label)
+    kind = (np.int32, "NIFTI_INTENT_LABEL", "NIFTI_TYPE_INT32")
+    if not labels:
+        intent = "NIFTI_INTENT_SHAPE" if path.endswith(".shape.gii") else "NIFTI_INTENT_NONE"
+        kind = (np.float32, intent, "NIFTI_TYPE_FLOAT32")
+    array = gifti.GiftiDataArray(
+        _of_all_vertices(data, values.astype(kind[0])),
+        intent=kind[1],
+        datatype=kind[2],
+        meta=gifti.GiftiMetaData({"Name": name}),
+    )
+    nibabel().save(gifti.GiftiImage(labeltable=table, darrays=[array]), path)
+
+
+def _write_freesurfer_values(path, data, values, name):
+    freesurfer = nibabel().freesurfer.io
+    if path.endswith(".curv"):
+        return freesurfer.write_morph_data(path, _of_all_vertices(data, values.astype(np.float32)))
+    if path.endswith(".label"):
+        return _write_label(path, data, values)
+    names = _names(data, name)
+    known = {label: row for label, row in names.items() if label >= 0} or {
+        int(label): (str(int(label)), (37 * int(label) % 256, 91 * int(label) % 256, 151 * int(label) % 256, 255))
+        for label in np.unique(values)
+        if label >= 0
+    }
+    labels = _of_all_vertices(data, values.astype(np.int64), -1)
+    rows = sorted(known)
+    unknown = set(np.unique(labels)) - set(rows) - {-1}
+    if unknown:
+        raise CortexError(f"the label {min(unknown)} of {name} has no name")
+    index = np.full(len(labels), -1, np.int32)
+    for k, label in enumerate(rows):
+        index[labels == label] = k
+    table = np.array([[*known[label][1][:3], 255 - known[label][1][3], 0] for label in rows], np.int32)
+    freesurfer.write_annot(path, index, table, [known[label][0].encode() for label in rows], fill_ctab=True)
+
+
+def _write_label(path, data, values):
+    """FreeSurfer's text: a comment, the number of vertices, and for each its number, x, y, z and a value."""
+    chosen = np.flatnonzero(values)
+    array = data.GetPointData().GetArray("SurfacePoints")
+    points = vtk_to_numpy(array) if array else _points(data)
+    numbers = vertex_numbers(data)
+    with open(path, "w", encoding="ascii") as stream:
+        stream.write(f"#!ascii label\n{len(chosen)}\n")
+        for k in chosen:
+            x, y, z = points[k]
+            stream.write(f"{numbers[k]} {x:.6f} {y:.6f} {z:.6f} {float(values[k]):.6f}\n")
+
+
+def _write_freesurfer_surface(path, data):
+    nibabel().freesurfer.io.write_geometry(
+        path, _of_all_vertices(data, _points(data).astype(np.float32)), _faces_of_all_vertices(data)
+    )

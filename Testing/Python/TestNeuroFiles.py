@@ -1,0 +1,258 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files of FreeSurfer and GIFTI that nibabel wrote come in to the last bit, and those that come out nibabel reads."""
+
+import os
+import struct
+import sys
+import tempfile
+
+import nibabel
+import numpy as np
+from nibabel.freesurfer import io as freesurfer
+from paraview import servermanager, simple
+from surfaceflattening_neuro import CortexError, read_cortex
+from surfaceflattening_neuro_writers import write_cortex
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+NAMES = ["unknown", "precentral", "insula"]
+TABLE = np.array([[25, 5, 25, 0, 0], [60, 20, 220, 0, 0], [255, 192, 32, 0, 0]])
+TABLE[:, 4] = TABLE[:, 0] + (TABLE[:, 1] << 8) + (TABLE[:, 2] << 16)
+INFORMATION = {
+    "head": np.array([2, 0, 20]),
+    "valid": "1  # volume info valid",
+    "filename": "orig.mgz",
+    "volume": np.array([256, 256, 256]),
+    "voxelsize": np.array([1.0, 1.0, 1.0]),
+    "xras": np.array([-1.0, 0.0, 0.0]),
+    "yras": np.array([0.0, 0.0, -1.0]),
+    "zras": np.array([0.0, 1.0, 0.0]),
+    "cras": np.array([3.5, -17.25, 21.0]),
+}
+
+
+def sphere():
+    """Points in single precision and faces of a bumpy sphere in mm."""
+    source = simple.Sphere(Radius=40, ThetaResolution=30, PhiResolution=30)
+    data = servermanager.Fetch(source)
+    points = vtk_to_numpy(data.GetPoints().GetData()).astype(np.float32)
+    points *= (1 + 0.1 * np.sin(0.2 * points[:, :1]) * np.cos(0.15 * points[:, 1:2])).astype(np.float32)
+    return points, vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3).astype(np.int32)
+
+
+def points_of(data):
+    return vtk_to_numpy(data.GetPoints().GetData())
+
+
+def faces_of(data):
+    return vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+
+
+def array(data, name):
+    return vtk_to_numpy(data.GetPointData().GetArray(name))
+
+
+def message(function, *arguments):
+    try:
+        function(*arguments)
+    except CortexError as error:
+        return str(error)
+    raise AssertionError(f"{function.__name__}{arguments}: no error")
+
+
+def matrix_of(data):
+    return np.reshape(data.GetFieldData().GetArray("PatientMatrix").GetTuple(0), (4, 4))
+
+
+class Files:
+    """What nibabel writes, and the numbers in it."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.points, self.faces = sphere()
+        random = np.random.default_rng(7)
+        count = len(self.points)
+        self.labels = random.integers(-1, 3, count)
+        self.curvature = random.normal(size=count).astype(np.float32)
+        freesurfer.write_geometry(self.path("lh.pial"), self.points, self.faces, volume_info=INFORMATION)
+        freesurfer.write_annot(self.path("lh.aparc.annot"), self.labels, TABLE, NAMES, fill_ctab=True)
+        freesurfer.write_morph_data(self.path("lh.curv"), self.curvature)
+        self.vertices = np.flatnonzero(self.labels == 1)
+        with open(self.path("lh.V1.label"), "w") as stream:
+            stream.write(f"#!ascii label\n{len(self.vertices)}\n")
+            stream.writelines(f"{v} 0.0 0.0 0.0 0.0\n" for v in self.vertices)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+
+def check_freesurfer(files):
+    path = files.path
+    overlays = [path(name) for name in ("lh.curv", "lh.aparc.annot", "lh.V1.label")]
+    data = read_cortex(path("lh.pial"), overlays)
+    assert np.array_equal(points_of(data), files.points) and np.array_equal(faces_of(data), files.faces)
+    assert np.array_equal(array(data, "curv"), files.curvature)
+    assert np.array_equal(array(data, "aparc"), files.labels)
+    assert np.array_equal(np.flatnonzero(array(data, "V1")), files.vertices)
+    names = data.GetFieldData().GetAbstractArray("aparcNames")
+    assert [names.GetValue(k) for k in range(3)] == NAMES
+    # c_ras is the way from FreeSurfer's space to the scanner's.
+    assert np.allclose(matrix_of(data)[:3, 3], INFORMATION["cras"]) and np.allclose(matrix_of(data)[:3, :3], np.eye(3))
+    assert not data.GetFieldData().GetArray("InPatientSpace")
+
+    # And back.
+    for name, chosen in (("lh.b.pial", None), ("lh.b.curv", "curv"), ("lh.b.annot", "aparc"), ("lh.b.label", "V1")):
+        write_cortex(path(name), data, chosen)
+    points, faces = freesurfer.read_geometry(path("lh.b.pial"))
+    assert np.array_equal(points, files.points) and np.array_equal(faces, files.faces)
+    assert np.array_equal(freesurfer.read_morph_data(path("lh.b.curv")), files.curvature)
+    labels, table, names = freesurfer.read_annot(path("lh.b.annot"))
+    assert np.array_equal(labels, files.labels) and np.array_equal(table, TABLE)
+    assert [name.decode() for name in names] == NAMES
+    assert np.array_equal(freesurfer.read_label(path("lh.b.label")), files.vertices)
+    # An overlay alone finds the surface of its hemisphere.
+    alone = read_cortex(path("lh.aparc.annot"))
+    assert np.array_equal(points_of(alone), files.points) and np.array_equal(array(alone, "aparc"), files.labels)
+
+
+def check_gifti(files):
+    path, gifti = files.path, nibabel.gifti
+    for encoding in ("GIFTI_ENCODING_ASCII", "GIFTI_ENCODING_B64BIN", "GIFTI_ENCODING_B64GZ"):
+        for endian in ("GIFTI_ENDIAN_LITTLE", "GIFTI_ENDIAN_BIG"):
+            if encoding == "GIFTI_ENCODING_ASCII":
+                continue  # nibabel writes six digits
+            arrays = [
+                gifti.GiftiDataArray(files.points, "NIFTI_INTENT_POINTSET", encoding=encoding, endian=endian),
+                gifti.GiftiDataArray(files.faces, "NIFTI_INTENT_TRIANGLE", encoding=encoding, endian=endian),
+            ]
+            nibabel.save(gifti.GiftiImage(darrays=arrays), path("lh.x.surf.gii"))
+            data = read_cortex(path("lh.x.surf.gii"))
+            if endian == f"GIFTI_ENDIAN_{sys.byteorder.upper()}":  # nibabel writes its own order whatever it says
+                assert np.array_equal(points_of(data), files.points), encoding
+                assert np.array_equal(faces_of(data), files.faces)
+    data = read_cortex(path("lh.pial"), [path("lh.curv"), path("lh.aparc.annot")])
+    write_cortex(path("lh.y.surf.gii"), data)
+    write_cortex(path("lh.y.shape.gii"), data, "curv")
+    write_cortex(path("lh.y.label.gii"), data, "aparc")
+    surface = nibabel.load(path("lh.y.surf.gii"))
+    assert np.array_equal(surface.agg_data("pointset"), files.points)
+    assert np.array_equal(surface.agg_data("triangle"), files.faces)
+    assert np.array_equal(nibabel.load(path("lh.y.shape.gii")).agg_data(), files.curvature)
+    labels = nibabel.load(path("lh.y.label.gii"))
+    assert np.array_equal(labels.agg_data(), files.labels)
+    assert labels.labeltable.get_labels_as_dict() == dict(enumerate(NAMES))
+    again = read_cortex(path("lh.y.surf.gii"), [path("lh.y.shape.gii"), path("lh.y.label.gii")])
+    assert np.array_equal(points_of(again), files.points)
+    assert np.array_equal(array(again, "curv"), files.curvature)
+    assert np.array_equal(array(again, "aparc"), files.labels)
+    # Data in a file of their own.
+    text = open(path("lh.y.shape.gii"), encoding="utf-8").read()
+    start, end = text.index("<Data>"), text.index("</Data>") + len("</Data>")
+    text = text[:start] + "<Data></Data>" + text[end:]
+    text = text.replace("GZipBase64Binary", "ExternalFileBinary").replace("Base64Binary", "ExternalFileBinary")
+    text = text.replace('ExternalFileName=""', 'ExternalFileName="values.bin"')
+    text = text.replace('ExternalFileOffset=""', 'ExternalFileOffset="0"')
+    open(path("lh.external.shape.gii"), "w", encoding="utf-8").write(text)
+    assert "values.bin" in message(read_cortex, path("lh.pial"), [path("lh.external.shape.gii")])
+    files.curvature.tofile(path("values.bin"))
+    data = read_cortex(path("lh.pial"), [path("lh.external.shape.gii")])
+    assert np.array_equal(array(data, "curv"), files.curvature)
+
+
+def check_bad_files(files):
+    path = files.path
+    freesurfer.write_morph_data(path("lh.short.curv"), files.curvature[:-5])
+    text = message(read_cortex, path("lh.pial"), [path("lh.short.curv")])
+    assert f"{len(files.points) - 5} values, and the surface {len(files.points)}" in text, text
+    whole = open(path("lh.pial"), "rb").read()
+    with open(path("lh.cut.pial"), "wb") as stream:
+        stream.write(whole[: len(whole) // 2])
+    assert "cut short" in message(read_cortex, path("lh.cut.pial"))
+    annotation = open(path("lh.aparc.annot"), "rb").read()
+    with open(path("lh.cut.annot"), "wb") as stream:
+        stream.write(annotation[: len(annotation) // 3])
+    assert "cut short" in message(read_cortex, path("lh.pial"), [path("lh.cut.annot")])
+    gifti = open(path("lh.y.surf.gii"), "rb").read()
+    with open(path("lh.cut.surf.gii"), "wb") as stream:
+        stream.write(gifti[: len(gifti) // 2])
+    assert "cut short" in message(read_cortex, path("lh.cut.surf.gii"))
+    with open(path("lh.nothing"), "wb") as stream:
+        stream.write(b"nothing")
+    assert "no file of FreeSurfer" in message(read_cortex, path("lh.nothing"))
+    assert "No such file" in message(read_cortex, path("lh.absent"))
+    assert "no surface" in message(read_cortex, path("rh.aparc.annot"))
+    # Scanner RAS instead of surface RAS: the footer begins with 2, 1, 20.
+    with open(path("lh.scanner.pial"), "wb") as stream:
+        stream.write(whole.replace(struct.pack(">3i", 2, 0, 20) + b"valid", struct.pack(">3i", 2, 1, 20) + b"valid"))
+    scanner = read_cortex(path("lh.scanner.pial"))
+    assert scanner.GetFieldData().GetArray("InPatientSpace").GetTuple1(0) == 1
+    # No footer: it says so.
+    freesurfer.write_geometry(path("lh.bare.pial"), files.points, files.faces)
+    said = []
+    bare = read_cortex(path("lh.bare.pial"), warn=said.append)
+    assert "c_ras" in said[0] and not bare.GetFieldData().GetArray("PatientMatrix")
+
+
+def check_quads(files):
+    """Old surfaces have quadrangles, which are two triangles each: here a cube with coordinates in hundredths."""
+    corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+    quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    three = lambda number: struct.pack(">i", number)[1:]  # noqa: E731
+    with open(files.path("lh.quad.orig"), "wb") as stream:
+        stream.write(b"\xff\xff\xff" + three(8) + three(6) + (corners * 125).astype(">i2").tobytes())
+        stream.write(b"".join(three(number) for quad in quads for number in quad))
+    data = read_cortex(files.path("lh.quad.orig"))
+    assert np.array_equal(points_of(data), corners * 1.25) and data.GetNumberOfCells() == 12
+
+
+def read_patch(path):
+    """FreeSurfer's patch by its description: see the writer."""
+    with open(path, "rb") as stream:
+        version, count = struct.unpack(">ii", stream.read(8))
+        assert version == -1
+        rows = [struct.unpack(">i3f", stream.read(16)) for _ in range(count)]
+        assert stream.read() == b""
+    numbers = np.array([row[0] for row in rows])
+    return np.abs(numbers) - 1, numbers < 0, np.array([row[1:] for row in rows], np.float32)
+
+
+def check_patch(files):
+    reader = simple.OpenDataFile(files.path("lh.pial"))
+    reader.Overlays = [files.path("lh.aparc.annot"), files.path("lh.curv")]
+    half = simple.Clip(Input=reader, ClipType="Plane")
+    half.ClipType.Origin, half.ClipType.Normal = [0, 0, 0.3], [0, 0, 1]
+    half.Crinkleclip = 1
+    surface = simple.ExtractSurface(Input=half)
+    disk = simple.SurfaceToDisk(Input=surface, Remesh=1)
+    flat = simple.OMTAreaPreserving(Input=simple.ConformalDisk(Input=disk))
+    assert "Flat Map Transfer" in message(write_cortex, files.path("lh.no.patch.3d"), flat)
+    transferred = simple.FlatMapTransfer(Input=flat, Original=surface)
+    simple.SaveData(files.path("lh.flat.patch.3d"), transferred)
+    data = servermanager.Fetch(transferred)
+    numbers, border, positions = read_patch(files.path("lh.flat.patch.3d"))
+    expected = {int(n): p for n, p in zip(array(data, "VertexNumber"), points_of(data).astype(np.float32))}
+    assert len(numbers) == len(expected) > 300
+    assert all(np.array_equal(expected[n], p) for n, p in zip(numbers, positions))
+    # The vertices lie in space where those of the file with the same numbers do.
+    back = dict(zip(array(data, "VertexNumber"), array(data, "SurfacePoints")))
+    assert all(np.array_equal(files.points[n], back[n].astype(np.float32)) for n in numbers)
+    assert 20 < border.sum() < 0.4 * len(border) and (files.points[numbers[border], 2] < 15).all()
+    write_cortex(files.path("lh.flat.surf.gii"), transferred)
+    image = nibabel.load(files.path("lh.flat.surf.gii"))
+    points, faces = image.agg_data("pointset"), image.agg_data("triangle")
+    assert len(points) == len(files.points) and len(faces) == data.GetNumberOfCells()
+    assert np.array_equal(points[numbers], positions)
+    known = {tuple(sorted(face)) for face in files.faces}
+    assert all(tuple(sorted(face)) in known for face in faces)
+    write_cortex(files.path("lh.flat.annot"), transferred, "aparc")
+    labels, _table, _names = freesurfer.read_annot(files.path("lh.flat.annot"))
+    assert np.array_equal(labels[numbers], files.labels[numbers])
+
+
+with tempfile.TemporaryDirectory() as scratch:
+    made = Files(scratch)
+    check_freesurfer(made)
+    check_gifti(made)
+    check_bad_files(made)
+    check_quads(made)
+    check_patch(made)
+    print("FreeSurfer and GIFTI: passed")
