@@ -46,9 +46,16 @@ def _save_flat_map(source, file):
     save_flat_map(source, file)
 
 
+def _switch_colours(_source):
+    from surfaceflattening_layout import switch_colours
+
+    switch_colours()
+
+
 COMMANDS = {
     "edit_cuts": _edit_cuts,
     "fill_region_factors": _fill_region_factors,
     "flatten_and_compare": _flatten_and_compare,
     "save_flat_map": _save_flat_map,
+    "switch_colours": _switch_colours,
 }

@@ -11,6 +11,11 @@
 #include <pqServerManagerModel.h>
 #include <pqUndoStack.h>
 
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkSMProxyManager.h>
+#include <vtkSMUndoElement.h>
+
 #include <QAction>
 #include <QIcon>
 #include <QMenu>
@@ -35,6 +40,10 @@ constexpr Command Commands[] = {
     "Flatten and Compare",
     ":/SurfaceFlattening/icons/FlattenAndCompare.svg",
     "Flatten the selected surface and show it, its maps and their distortion side by side" },
+  { "switch_colours",
+    "Anatomy or Distortion",
+    ":/SurfaceFlattening/icons/SwitchColours.svg",
+    "Colour the maps of the layout by their area distortion in place of their anatomy, or back" },
   { "edit_cuts",
     "Edit Cuts",
     nullptr,
@@ -66,17 +75,77 @@ QString fileFor(const Command& command)
   return path.isEmpty() ? QString() : path;
 }
 
+// paraview.simple first, for it lets Python find the modules of plugins.
+void runPython(const QByteArray& code)
+{
+  pqPVApplicationCore::instance()->pythonManager()->executeCode(
+    "from paraview import simple as _simple\n" + code + "\n");
+}
+
+constexpr const char* FlattenAndCompare =
+  "import surfaceflattening_commands\nsurfaceflattening_commands.run('flatten_and_compare')";
+
+/// Takes back a Flatten and Compare as a whole. ParaView's own record of all its proxies, views and
+/// properties cannot be undone at once: ParaView 5.11 crashes.
+class ComparisonElement : public vtkSMUndoElement
+{
+public:
+  static ComparisonElement* New();
+  vtkTypeMacro(ComparisonElement, vtkSMUndoElement);
+
+  int Undo() override
+  {
+    later("import surfaceflattening_layout\nsurfaceflattening_layout.take_back()");
+    return 1;
+  }
+
+  int Redo() override
+  {
+    later(FlattenAndCompare);
+    return 1;
+  }
+
+private:
+  // When ParaView is done with its undo.
+  static void later(const char* code)
+  {
+    QTimer::singleShot(0,
+      [code]
+      {
+        SCOPED_UNDO_EXCLUDE();
+        runPython(code);
+      });
+  }
+};
+vtkStandardNewMacro(ComparisonElement);
+
+void flattenAndCompare()
+{
+  {
+    SCOPED_UNDO_EXCLUDE();
+    runPython(FlattenAndCompare);
+  }
+  vtkNew<ComparisonElement> element;
+  element->SetSession(vtkSMProxyManager::GetProxyManager()->GetActiveSession());
+  pqScopedUndoSet undo("Flatten and Compare");
+  ADD_UNDO_ELEM(element);
+}
+
 void run(const Command& command)
 {
+  if (QString(command.Function) == "flatten_and_compare")
+  {
+    flattenAndCompare();
+    return;
+  }
   const QString file = fileFor(command);
   if (file.isNull())
   {
     return;
   }
   pqScopedUndoSet undo(command.Text);
-  pqPVApplicationCore::instance()->pythonManager()->executeCode(
-    QByteArray("import surfaceflattening_commands\nsurfaceflattening_commands.run('") +
-    command.Function + "', bytes.fromhex('" + file.toUtf8().toHex() + "').decode())\n");
+  runPython("import surfaceflattening_commands\nsurfaceflattening_commands.run('" +
+            QByteArray(command.Function) + "', bytes.fromhex('" + file.toUtf8().toHex() + "').decode())");
 }
 
 } // namespace
@@ -122,9 +191,16 @@ void FlatteningCommands::addToMenus()
   }
   for (QToolBar* bar : window->findChildren<QToolBar*>(Category))
   {
+    QAction* first = bar->actions().value(0);
     if (!bar->actions().contains(this->Actions.front()))
     {
-      bar->insertAction(bar->actions().value(0), this->Actions.front());
+      for (QAction* action : this->Actions)
+      {
+        if (!action->icon().isNull())
+        {
+          bar->insertAction(first, action);
+        }
+      }
     }
   }
 }
