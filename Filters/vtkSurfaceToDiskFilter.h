@@ -28,7 +28,8 @@
  *
  * The second output (GetCuts) is the boundary of the disk as lines on the surface, each seam once: a
  * polyline for each piece of the seams that begins and ends where seams end, branch or meet the boundary
- * of the surface before it was cut, and then the rest of the boundary. It has the point arrays of the
+ * of the surface before it was cut, then the rest of the boundary, and the edges around filled holes and
+ * caps. It has the point arrays of the
  * disk, and can be the second input of another filter, which leaves the rest of the boundary out.
  *
  * The third output (GetReport) is a vtkTable of what was changed, for readers: a row for each change, in
@@ -64,7 +65,8 @@
  *
  * Output arrays of port 1:
  * - cell `SeamId` (int): number of the piece, from 1, in the order in which the boundary of the disk
- * meets them after the start; 0 on lines that are no seam.
+ * meets them after the start; 0 on the rest of the boundary; -1 on the outlines of filled holes and caps,
+ * which are no part of the boundary.
  * - cell `Length` (double, input units): length of the line.
  *
  * Output arrays of port 2:
@@ -458,8 +460,8 @@ public:
    * input; optional). The cut runs along geodesics between the points of the lines; points closer to
    * each other than the edges of the surface are skipped, except for the ends of lines. Lines may meet
    * at points of theirs, as paths of SeamPathStarts do. A point farther from the surface than 5 % of the
-   * diagonal of its bounding box is an error. Lines whose cell array `SeamId` is 0 are left out, as the
-   * second output of this filter marks borders so.
+   * diagonal of its bounding box is an error. Lines whose cell array `SeamId` is 0 or less are left out,
+   * as the second output of this filter marks borders and caps so.
    */
   void SetSeamLinesConnection(vtkAlgorithmOutput* lines);
   void SetSeamLinesData(vtkPolyData* lines);

@@ -8,10 +8,10 @@ The menu Filters > Surface Flattening and the macros call run(): an error is one
 a traceback.
 """
 
+import sys
+
 # First, for it lets Python find the modules of plugins.
 from paraview import simple  # isort: skip
-
-from vtkmodules.vtkCommonCore import vtkOutputWindow
 
 
 def run(name, file=""):
@@ -19,7 +19,7 @@ def run(name, file=""):
     try:
         COMMANDS[name](simple.GetActiveSource(), *([file] if file else []))
     except (ValueError, RuntimeError, OSError) as error:
-        vtkOutputWindow.GetInstance().DisplayErrorText(f"{error}\n")
+        sys.stderr.write(str(error))
 
 
 def _flatten_and_compare(source):

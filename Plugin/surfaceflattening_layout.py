@@ -32,6 +32,7 @@ MEASURES = (
 ANATOMY = ("POINTS", "ScaledCurvature")
 DISTORTION = ("CELLS", "AreaDistortion")
 DISTORTION_TITLE = "surface area against map area"
+COLUMNS = ("Faces", "FacesWithin2Percent", "FlatArea", "MeanAngleError", "MeanAreaError", "Region", "SurfaceArea")
 OUTLINE_COLOUR = (0.8, 0.1, 0.1)
 MAP_COLOURS = {"conformal": (0.85, 0.45, 0.15), "area-preserving": (0.15, 0.45, 0.70)}
 DISPLACEMENT = "SurfaceDisplacement"
@@ -420,6 +421,10 @@ def _table_view(flat):
     view = simple.CreateView("SpreadSheetView", registrationName=_unused("Distortion", "views"))
     view.FieldAssociation = "Row Data"
     simple.Show(simple.OutputPort(flat, 1), view)
+    # ParaView sorts the columns by name; those that are hidden are in its list of columns.
+    columns = flat.GetDataInformation(1).GetRowDataInformation()
+    names = [columns.GetArrayInformation(k).GetName() for k in range(columns.GetNumberOfArrays())]
+    view.HiddenColumnLabels = ["Row ID", *(name for name in names if name not in COLUMNS)]
     return view
 
 

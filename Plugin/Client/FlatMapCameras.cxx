@@ -19,12 +19,11 @@
 namespace
 {
 
-constexpr const char* CameraProperties[] = { "InteractionMode",
-  "CameraPosition",
+constexpr const char* CameraModes[] = { "InteractionMode", "CameraParallelProjection" };
+constexpr const char* CameraPlaces[] = { "CameraPosition",
   "CameraFocalPoint",
   "CameraViewUp",
   "CameraParallelScale",
-  "CameraParallelProjection",
   "CenterOfRotation" };
 
 // Whether it shows a surface that was flattened to a plane of constant z.
@@ -77,9 +76,13 @@ void FlatMapCameras::update(pqRenderView* view)
     Camera camera;
     if (!is2D)
     {
-      for (const char* name : CameraProperties)
+      for (const char* name : CameraModes)
       {
-        camera.push_back(vtkSMPropertyHelper(proxy, name).GetArray<double>());
+        camera.Modes.push_back(vtkSMPropertyHelper(proxy, name).GetAsInt());
+      }
+      for (const char* name : CameraPlaces)
+      {
+        camera.Places.push_back(vtkSMPropertyHelper(proxy, name).GetArray<double>());
       }
       vtkSMPropertyHelper(proxy, "InteractionMode").Set(vtkPVRenderView::INTERACTION_MODE_2D);
       proxy->UpdateVTKObjects();
@@ -90,12 +93,16 @@ void FlatMapCameras::update(pqRenderView* view)
     return;
   }
   const Camera camera = this->Before.take(view);
-  if (is2D && !camera.empty())
+  if (is2D && !camera.Modes.empty())
   {
-    for (std::size_t i = 0; i < camera.size(); ++i)
+    for (std::size_t i = 0; i < camera.Modes.size(); ++i)
     {
-      vtkSMPropertyHelper(proxy, CameraProperties[i])
-        .Set(camera[i].data(), static_cast<unsigned int>(camera[i].size()));
+      vtkSMPropertyHelper(proxy, CameraModes[i]).Set(camera.Modes[i]);
+    }
+    for (std::size_t i = 0; i < camera.Places.size(); ++i)
+    {
+      vtkSMPropertyHelper(proxy, CameraPlaces[i])
+        .Set(camera.Places[i].data(), static_cast<unsigned int>(camera.Places[i].size()));
     }
     proxy->UpdateVTKObjects();
     view->render();

@@ -17,10 +17,14 @@ public:
   explicit FlatMapCameras(QObject* parent);
 
 private:
-  /// The values of the properties that hold a camera, in their order.
-  using Camera = std::vector<std::vector<double>>;
+  /// The values of the properties that hold a camera, in their order; none of a view that was in 2D.
+  struct Camera
+  {
+    std::vector<int> Modes;
+    std::vector<std::vector<double>> Places;
+  };
 
   void update(pqRenderView* view);
 
-  QHash<pqRenderView*, Camera> Before; ///< of views that show a flat map; empty if it was in 2D already
+  QHash<pqRenderView*, Camera> Before; ///< of views that show a flat map
 };
