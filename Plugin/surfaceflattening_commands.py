@@ -4,7 +4,7 @@
     import surfaceflattening_commands
     surfaceflattening_commands.run("flatten_and_compare")
 
-The menu Filters > Surface Flattening and the macros call run(): an error is one message in the output window, without
+The menu Filters > Surface Flattening and the macros call run(): an error is a message in the output window, without
 a traceback.
 """
 
@@ -15,7 +15,8 @@ from paraview import simple  # isort: skip
 
 
 def run(name, file=""):
-    """Runs the command for the active source, with the @file that it writes if it writes one; errors that its caller can do something about become a message."""
+    """Runs the command for the active source, with the @file that it writes if it writes one. Errors that the user can do
+    something about become a message."""
     try:
         COMMANDS[name](simple.GetActiveSource(), *([file] if file else []))
     except (ValueError, RuntimeError, OSError) as error:

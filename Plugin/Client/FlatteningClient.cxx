@@ -5,6 +5,7 @@
 #include "CutDisplays.h"
 #include "FlatMapCameras.h"
 #include "FlatteningCommands.h"
+#include "PercentBars.h"
 #include "RegionViews.h"
 
 #include <vtkPVRepresentedArrayListSettings.h>
@@ -48,6 +49,7 @@ void FlatteningClient::startup()
   new CutDisplays(this); // first, so that cameras see what is left of the cuts
   new FlatMapCameras(this);
   new FlatteningCommands(this);
+  new PercentBars(this);
   new RegionViews(this);
   new ApplyNotice(this);
 }

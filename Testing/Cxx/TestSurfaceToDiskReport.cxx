@@ -162,7 +162,8 @@ TEST(SurfaceToDiskReport, TheCurvatureIsShownUnlessOtherScalarsVary)
   vtkNew<vtkSurfaceToDiskFilter> filter;
   EXPECT_EQ(active(run(filter, surface)), "ScaledCurvature");
   vtkDataArray* curvature = filter->GetOutput()->GetPointData()->GetArray("ScaledCurvature");
-  EXPECT_NEAR(curvature->GetRange()[0], 1.0, 0.2) << "of a sphere";
+  EXPECT_NEAR(curvature->GetRange()[0], 0.8, 0.2) << "of a sphere, but for its poles";
+  EXPECT_NEAR(curvature->GetRange()[1], 1.2, 0.2);
 
   vtkNew<vtkDoubleArray> values;
   values->SetName("Values");
