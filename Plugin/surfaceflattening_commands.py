@@ -8,10 +8,10 @@ The menu Filters > Surface Flattening and the macros call run(): an error is a m
 a traceback.
 """
 
-import sys
-
 # First, for it lets Python find the modules of plugins.
 from paraview import simple  # isort: skip
+
+from vtkmodules.vtkCommonCore import vtkOutputWindow
 
 
 def run(name, file=""):
@@ -20,7 +20,7 @@ def run(name, file=""):
     try:
         COMMANDS[name](simple.GetActiveSource(), *([file] if file else []))
     except (ValueError, RuntimeError, OSError) as error:
-        sys.stderr.write(str(error))
+        vtkOutputWindow.GetInstance().DisplayErrorText(str(error))
 
 
 def _flatten_and_compare(source):

@@ -6,7 +6,8 @@ set(client_libraries
   ParaView::pqComponents
   ParaView::pqCore
   ParaView::pqPython
-  ParaView::RemotingViews)
+  ParaView::RemotingViews
+  VTK::PythonInterpreter)
 
 # surfaceflattening_find_client(<variable>)
 # Whether the plugin can have its part in the window.

@@ -13,6 +13,7 @@
 
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPythonInterpreter.h>
 #include <vtkSMProxyManager.h>
 #include <vtkSMUndoElement.h>
 
@@ -78,8 +79,8 @@ QString fileFor(const Command& command)
 // paraview.simple first, for it lets Python find the modules of plugins.
 void runPython(const QByteArray& code)
 {
-  pqPVApplicationCore::instance()->pythonManager()->executeCode(
-    "from paraview import simple as _simple\n" + code + "\n");
+  pqPVApplicationCore::instance()->pythonManager()->initializeInterpreter();
+  vtkPythonInterpreter::RunSimpleString("from paraview import simple as _simple\n" + code + "\n");
 }
 
 constexpr const char* FlattenAndCompare =

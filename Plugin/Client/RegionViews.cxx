@@ -97,8 +97,15 @@ void RegionViews::update(pqRenderView* view)
       SCOPED_UNDO_EXCLUDE();
       vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
       pqView* beside = viewBeside(view);
-      controller->Show(filter->getSourceProxy(), port->getPortNumber(), beside->getViewProxy());
-      controller->Hide(filter->getSourceProxy(), port->getPortNumber(), view->getViewProxy());
+      for (int k = 0; k < filter->getNumberOfOutputPorts(); ++k)
+      {
+        pqDataRepresentation* part = filter->getOutputPort(k)->getRepresentation(view);
+        if (part && part->isVisible())
+        {
+          controller->Show(filter->getSourceProxy(), k, beside->getViewProxy());
+          controller->Hide(filter->getSourceProxy(), k, view->getViewProxy());
+        }
+      }
       map->setVisible(true);
       beside->resetDisplay();
       view->render();
