@@ -217,10 +217,8 @@ def _surface_of(source):
             "take a Contour first (surfaceflattening_volume.isosurface does that well), of other data "
             "Extract Surface"
         )
-    if information.GetNumberOfCells() == 0 or information.GetNumberOfCells() == information.GetNumberOfVertices():
-        raise ValueError(
-            "the selected source has points but no triangles: make a surface of them first, or select another source"
-        )
+    if information.GetNumberOfCells() == 0:
+        raise ValueError("the selected source is empty: press Apply, or select another source")
     return source
 
 
