@@ -75,6 +75,7 @@ lines = vtkCellArray()
 ids = numpy.arange(2 * len(ends))
 lines.SetData(2, numpy_to_vtk(ids, deep=1, array_type=12))
 result = self.GetOutputDataObject(0)
+result.Initialize()  # it has the points and triangles of the input
 result.SetPoints(places)
 result.SetLines(lines)
 """

@@ -42,7 +42,7 @@ assert math.isclose(float(row["SurfaceArea"]), total, rel_tol=1e-8), row
 
 for source, place, error in (
     (None, path, ValueError),
-    (simple.PointSource(NumberOfPoints=0), path, ValueError),
+    (simple.ProgrammableSource(), path, ValueError),
     (measured, os.path.join(folder, "missing", "flat.vtp"), OSError),
 ):
     try:
