@@ -167,7 +167,7 @@ flattening::ChosenArray vtkAreaWeights::RequireArray(vtkPolyData* input)
   const flattening::ChosenArray chosen = flattening::chosenArray(this, input);
   if (!chosen.Array)
   {
-    throw InvalidInput("no array is chosen to take the weights from: choose a point or cell array");
+    throw InvalidInput("no array is chosen to take the weights from: choose a point or cell array, or select points and set Weights From to Selection");
   }
   return chosen;
 }

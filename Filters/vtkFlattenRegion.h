@@ -27,7 +27,7 @@
  * Output arrays of port 1:
  * - row `Measure` (string): name of the measure.
  * - row `OnSurface` (double, unit of the row): value on the surface.
- * - row `Error` (double, unit of the row): standard deviation of OnSurface, as the boundary lies
+ * - row `StandardDeviation` (double, unit of the row): standard deviation of OnSurface, as the boundary lies
  *   somewhere between points: for the area and the two lengths, it is taken as uniformly distributed
  *   within half an edge, independently at each edge; for the perimeter, it is the change if the
  *   boundary is smoothed twice as far.
@@ -146,7 +146,7 @@ public:
 
   ///@{
   /**
-   * Name of the unit of length of the input, for the table. Default: mm.
+   * Name of the unit of length of the input, for the table, where nothing else tells it. Default: empty.
    */
   vtkSetMacro(LengthUnit, std::string);
   vtkGetMacro(LengthUnit, std::string);
@@ -179,7 +179,7 @@ protected:
   bool AutomaticMargin = true;
   double Margin = 0.0;
   double LargestHoles = 0.1;
-  std::string LengthUnit = "mm";
+  std::string LengthUnit;
 
 private:
   vtkFlattenRegion(const vtkFlattenRegion&) = delete;

@@ -72,11 +72,11 @@ TransportInput readInput(vtkPolyData* map, vtkPolyData* polygon)
   return input;
 }
 
-// The weights of the points (n); empty if all are 1.
-Eigen::VectorXd readWeights(vtkPolyData* input, const char* chosen)
+// The weights of the points (n); empty if all are 1. @p inUse tells which they are.
+Eigen::VectorXd readWeights(vtkPolyData* input, const char* chosen, std::string& inUse)
 {
-  const bool isSet = chosen && *chosen;
-  const std::string name = isSet && std::string(chosen) != "None" ? chosen : DefaultWeights;
+  const bool isSet = chosen && *chosen && std::string(chosen) != "None";
+  const std::string name = isSet ? chosen : DefaultWeights;
   vtkDataArray* array = input->GetPointData()->GetArray(name.c_str());
   if (!array && !isSet)
   {
@@ -94,6 +94,9 @@ Eigen::VectorXd readWeights(vtkPolyData* input, const char* chosen)
                                    std::to_string(array->GetNumberOfComponents()) +
                                    " components, not 1: choose another array or turn UseAreaWeight off");
   }
+  double range[2];
+  array->GetRange(range);
+  inUse = name + ", " + flattening::formatted(range[0]) + " to " + flattening::formatted(range[1]);
   return flattening::toMatrix<1>(array);
 }
 
@@ -341,10 +344,11 @@ void vtkOMTAreaPreservingFilter::Execute(vtkInformationVector** inputVector,
   vtkPolyData* conformal = vtkPolyData::GetData(inputVector[0]);
   const TransportInput input = readInput(conformal, vtkPolyData::GetData(inputVector[1]));
   Eigen::VectorXd weights;
+  this->WeightsInUse = "none";
   if (this->UseAreaWeight)
   {
     const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-    weights = readWeights(conformal, chosen);
+    weights = readWeights(conformal, chosen, this->WeightsInUse);
   }
   const Placement placement = placementOf(input, this->NormalizeTo == UNIT_DOMAIN);
   flattening::AreaPreservingOptions options;
@@ -368,6 +372,7 @@ void vtkOMTAreaPreservingFilter::Execute(vtkInformationVector** inputVector,
   fillMap(output, conformal, result.Map, placed.Positions, placement);
   fillPowerDiagram(vtkPolyData::GetData(outputVector, 1), result, input.Surface.Faces, placement);
   setReport(output->GetFieldData(), result.Map);
+  flattening::setDatum(output->GetFieldData(), "WeightsInUse", this->WeightsInUse);
   if (!result.Map.Bijective)
   {
     vtkWarningMacro(

@@ -85,6 +85,7 @@
  * - `RefinementRepairs` (vtkIdType): number of triangles that were flipped on the way and were
  *   untangled.
  * - `FreeOutline` (vtkIdType): 1 if the outline is free, else 0.
+ * - `WeightsInUse` (string): name and range of the array of weights, or "none".
  * - `CornerPointIds` (vtkIdType, one tuple per corner): ids of the points in the corners of the domain,
  *   counter-clockwise; absent if there are none or the outline is free.
  *
@@ -107,6 +108,8 @@
 
 #include "SurfaceFlatteningFiltersModule.h" // for the export macro
 #include "vtkBlockwisePolyDataAlgorithm.h"
+
+#include <string>
 
 class SURFACEFLATTENINGFILTERS_EXPORT vtkOMTAreaPreservingFilter : public vtkBlockwisePolyDataAlgorithm
 {
@@ -146,15 +149,19 @@ public:
   /**
    * Whether the points have weights. If on, the input array to process 0 (SetInputArrayToProcess; by
    * default the point array `AreaWeight`) gives each point the factor by which its area grows relative
-   * to the others (dimensionless, > 0). If no array was chosen and there is no `AreaWeight`, all weights
-   * are
-   * 1. "None", which ParaView sends for no choice, asks for `AreaWeight`, whose absence is then an
-   * error. Default: on.
+   * to the others (dimensionless, > 0). If no array was chosen, or "None", which ParaView sends for no
+   * choice, and there is no `AreaWeight`, all weights are 1. An array that was chosen and is missing is
+   * an error. GetWeightsInUse and the field data tell which weights were used. Default: on.
    */
   vtkSetMacro(UseAreaWeight, bool);
   vtkGetMacro(UseAreaWeight, bool);
   vtkBooleanMacro(UseAreaWeight, bool);
   ///@}
+
+  /**
+   * The weights of the last run: the name and the range of the array, or "none".
+   */
+  const char* GetWeightsInUse() const { return this->WeightsInUse.c_str(); }
 
   ///@{
   /**
@@ -233,6 +240,7 @@ protected:
   int NormalizeTo = SURFACE_AREA;
   double Tolerance = 1e-6;
   bool UseAreaWeight = true;
+  std::string WeightsInUse = "none";
   bool FaceRefinement = true;
   double AngleWeight = 0.0;
   int PointsPerSite = 8;

@@ -4,9 +4,11 @@
 #include "Core/Base/Errors.h"
 #include "Core/Mesh/CoordinateFrame.h"
 #include "Core/Mesh/MeshMeasures.h"
+#include "Core/Regions/ScaledCurvature.h"
 #include "Internal/ChosenArray.h"
 #include "Internal/CutsOutput.h"
 #include "Internal/DiskOutput.h"
+#include "Internal/DiskReport.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/PolyDataConversion.h"
 #include "Internal/SeamLines.h"
@@ -19,6 +21,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkTable.h>
 
 #include <algorithm>
 #include <array>
@@ -39,38 +42,6 @@ using flattening::InvalidInput;
 // Coordinates with steps of a greater share of the mean edge are worth a warning. A convention: the area
 // of a face is off by about as much, a tenth of a percent.
 constexpr double CoarsestStep = 1e-3;
-
-// A hole of fewer mean triangles is worth a warning. Measured on spheres with a hole of 0.1 % of the
-// area: 31 % of the triangles keep their areas within 2 % with a hole as large as 0.7 of them, 75 % with
-// 10, 92 % with 39, and 98 % on a brain with 260.
-constexpr double FewestHoleFaces = 50.0;
-
-std::vector<std::string> warningsOf(const flattening::SurfaceToDiskReport& report)
-{
-  std::vector<std::string> warnings;
-  if (report.RemovedRegionPoints > 0)
-  {
-    warnings.push_back(
-      "the hole took " + std::to_string(report.RemovedRegionPoints) +
-      " points of the region of interest, which leaves it no other place: mark a smaller "
-      "region or lower the hole's area");
-  }
-  if (report.HoleFaces > 0.0 && report.HoleFaces < FewestHoleFaces)
-  {
-    warnings.push_back(
-      "the hole is as large as " + flattening::formatted(report.HoleFaces) +
-      " triangles only, and a flat map cannot keep the areas around so small a hole: set "
-      "Cut to Seam, or raise the hole's area, or set Remesh with a smaller edge length");
-  }
-  if (report.SeamRegionPoints > 0)
-  {
-    warnings.push_back("the cut of handles, or of a tube from end to end, runs through " +
-                       std::to_string(report.SeamRegionPoints) +
-                       " points of the region of interest: set Handles to Remove, or choose points for "
-                       "the seam, to keep it whole");
-  }
-  return warnings;
-}
 
 double meanEdge(const flattening::TriangleMesh& surface)
 {
@@ -100,7 +71,7 @@ void print(ostream& os, vtkIndent indent, const char* name, const double x[3])
 vtkSurfaceToDiskFilter::vtkSurfaceToDiskFilter()
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
 }
 
 int vtkSurfaceToDiskFilter::FillInputPortInformation(int port, vtkInformation* info)
@@ -132,6 +103,16 @@ vtkPolyData* vtkSurfaceToDiskFilter::GetCuts()
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
 }
 
+vtkTable* vtkSurfaceToDiskFilter::GetReport()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+const char* vtkSurfaceToDiskFilter::GetBlockOutputType(int port, vtkInformationVector** inputVector)
+{
+  return port == 2 ? "vtkTable" : this->Superclass::GetBlockOutputType(port, inputVector);
+}
+
 void vtkSurfaceToDiskFilter::Execute(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
@@ -156,10 +137,16 @@ void vtkSurfaceToDiskFilter::Execute(vtkInformationVector** inputVector,
   const flattening::SeamSegments seams = flattening::seamSegments(
     disk, options.SeamPoints.empty() ? std::optional<Eigen::Vector3d>() : options.SeamPoints.front());
   flattening::addSeamArrays(output, seams);
+  if (this->ScaledCurvature)
+  {
+    flattening::setScaledCurvature(
+      output, flattening::scaledCurvature(disk.Surface.Mesh, flattening::progressOf(this)));
+  }
   flattening::setCuts(vtkPolyData::GetData(outputVector, 1), output, seams);
   output->GetFieldData()->PassData(input->GetFieldData());
   flattening::setReport(output, disk.Report, input->GetNumberOfVerts() + input->GetNumberOfLines());
-  for (const std::string& warning : warningsOf(disk.Report))
+  flattening::setReportTable(vtkTable::GetData(outputVector, 2), disk.Report);
+  for (const std::string& warning : flattening::warningsOf(disk.Report))
   {
     vtkWarningMacro(<< this->GetBlockPrefix() << warning);
   }
@@ -174,6 +161,7 @@ flattening::SurfaceToDiskOptions vtkSurfaceToDiskFilter::GetOptions(vtkPolyData*
 {
   flattening::SurfaceToDiskOptions options;
   options.MergeTolerance = this->MergeTolerance;
+  options.Banks = flattening::banksOf(input);
   options.Component.By = static_cast<flattening::ComponentChoice::Rule>(this->ComponentMode);
   options.Component.Point = Eigen::Vector3d(this->ComponentPoint);
   options.Component.Index = this->ComponentIndex;
@@ -383,5 +371,6 @@ void vtkSurfaceToDiskFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Remesh: " << (this->Remesh ? "on" : "off") << "\n";
   os << indent << "TargetEdgeLength: " << this->TargetEdgeLength << "\n";
   os << indent << "RelativeEdgeLength: " << this->RelativeEdgeLength << "\n";
+  os << indent << "ScaledCurvature: " << (this->ScaledCurvature ? "on" : "off") << "\n";
   os << indent << "CountSelfIntersections: " << (this->CountSelfIntersections ? "on" : "off") << "\n";
 }

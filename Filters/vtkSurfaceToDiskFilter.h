@@ -28,8 +28,16 @@
  *
  * The second output (GetCuts) is the boundary of the disk as lines on the surface, each seam once: a
  * polyline for each piece of the seams that begins and ends where seams end, branch or meet the boundary
- * of the surface before it was cut, and then the rest of the boundary. It has the point arrays of the
+ * of the surface before it was cut, then the rest of the boundary, and the edges around filled holes and
+ * caps. It has the point arrays of the
  * disk, and can be the second input of another filter, which leaves the rest of the boundary out.
+ *
+ * The third output (GetReport) is a vtkTable of what was changed, for readers: a row for each change, in
+ * the order of the steps. The field data have the same numbers and more, for programs.
+ *
+ * A disk whose triangles all have an area keeps its points apart, so that the banks of its seams are not
+ * merged; so do the points whose array `Seam` is not 0 on any surface. A disk with that array, which an
+ * earlier filter of this class made, passes unchanged unless a cut, a point or remeshing is asked for.
  *
  * The output is a single component of genus 0 with one boundary loop, points in double precision and no
  * unused point. It keeps all point and cell arrays but the global ids. At new points, arrays of
@@ -49,13 +57,22 @@
  * - point `SeamDistance` (double, input units): distance along the seams from their start, the same on
  *   both banks; 0 elsewhere. Seams start at the boundary of the surface before it was cut or, if they do
  *   not meet it, at one of their ends: at the one nearest to the first of SeamPoints if there are such.
+ * - point `ScaledCurvature` (double, dimensionless; only with ScaledCurvature): mean curvature, averaged
+ *   over some 0.5 % of the square root of the area and scaled so that nine tenths of the area are from -1
+ *   to 1: positive on ridges, negative in furrows. The active scalars unless those of the input vary.
  * - cell `vtkOriginalCellIds` (vtkIdType): id of the input cell; -1 on filled holes and caps.
  * - cell `Filled` (unsigned char): 1 on filled holes and on the caps of removed handles, 0 elsewhere.
  *
  * Output arrays of port 1:
  * - cell `SeamId` (int): number of the piece, from 1, in the order in which the boundary of the disk
- * meets them after the start; 0 on lines that are no seam.
+ * meets them after the start; 0 on the rest of the boundary; -1 on the outlines of filled holes and caps,
+ * which are no part of the boundary.
  * - cell `Length` (double, input units): length of the line.
+ *
+ * Output arrays of port 2:
+ * - row `Amount` (double): number, or length or area in input units.
+ * - row `Change` (string): what was changed, or what the amount is.
+ * - row `Setting` (string): label in ParaView of the parameter that decides it; empty if none does.
  *
  * Field data (one tuple each unless stated otherwise):
  * - `DroppedCells` (vtkIdType): number of vertices and lines of the input.
@@ -122,8 +139,9 @@
  * several pieces or the whole surface; a boundary too long to be filled without being asked; handles if
  * HandleMode is HANDLES_ARE_ERRORS. Other sizes and places do not change the result.
  *
- * A warning is given if a hole that is cut is smaller than 50 triangles: a flat map cannot keep the
- * areas around it.
+ * A warning is given if handles are removed whose longest loop could surround 0.01 % of the area, if
+ * components are dropped with more than 0.1 % of it, and if a hole that is cut is smaller than 50
+ * triangles, as a flat map cannot keep the areas around it.
  *
  * Sources: Gueziec, Taubin, Lazarus, Horn, "Cutting and Stitching: Converting Sets of Polygons to
  * Manifold Surfaces", TVCG 2001; Liepa, "Filling Holes in Meshes", SGP 2003; Xin and Wang, "Improving
@@ -146,6 +164,8 @@
 
 #include <array>
 #include <vector>
+
+class vtkTable;
 
 namespace flattening
 {
@@ -440,8 +460,8 @@ public:
    * input; optional). The cut runs along geodesics between the points of the lines; points closer to
    * each other than the edges of the surface are skipped, except for the ends of lines. Lines may meet
    * at points of theirs, as paths of SeamPathStarts do. A point farther from the surface than 5 % of the
-   * diagonal of its bounding box is an error. Lines whose cell array `SeamId` is 0 are left out, as the
-   * second output of this filter marks borders so.
+   * diagonal of its bounding box is an error. Lines whose cell array `SeamId` is 0 or less are left out,
+   * as the second output of this filter marks borders and caps so.
    */
   void SetSeamLinesConnection(vtkAlgorithmOutput* lines);
   void SetSeamLinesData(vtkPolyData* lines);
@@ -453,6 +473,11 @@ public:
    * output then has one block for each of the input.
    */
   vtkPolyData* GetCuts();
+
+  /**
+   * The third output: the table of the changes. nullptr if the input is composite.
+   */
+  vtkTable* GetReport();
 
   ///@{
   /**
@@ -563,10 +588,22 @@ public:
   vtkBooleanMacro(CountSelfIntersections, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether the point array ScaledCurvature is added, a picture of the folds and features of the surface
+   * that can be recognised on a flat map. It becomes the active scalars unless those of the input vary.
+   * Takes less time than any other step. Default: on.
+   */
+  vtkSetMacro(ScaledCurvature, bool);
+  vtkGetMacro(ScaledCurvature, bool);
+  vtkBooleanMacro(ScaledCurvature, bool);
+  ///@}
+
 protected:
   vtkSurfaceToDiskFilter();
   ~vtkSurfaceToDiskFilter() override = default;
 
+  const char* GetBlockOutputType(int port, vtkInformationVector** inputVector) override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
@@ -598,6 +635,7 @@ protected:
   double TargetEdgeLength = 0.0;
   double RelativeEdgeLength = 0.9;
   bool CountSelfIntersections = true;
+  bool ScaledCurvature = true;
 
 private:
   flattening::SurfaceToDiskOptions GetOptions(vtkPolyData* input);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Internal/CutsOutput.h"
 
+#include "Core/Mesh/FaceSides.h"
 #include "Internal/ArrayConversion.h"
 #include "Internal/PolyDataConversion.h"
 
@@ -26,8 +27,38 @@ void addSeamArrays(vtkPolyData* disk, const SeamSegments& seams)
   addPointArray(disk, "SeamDistance", seams.Distance);
 }
 
+namespace
+{
+
+constexpr int CapId = -1; // of the outlines of caps and patches
+
+// The edges between filled faces and others, as lines of two vertices.
+std::vector<std::vector<int>> outlinesOfCaps(vtkPolyData* disk)
+{
+  std::vector<std::vector<int>> outlines;
+  vtkDataArray* filled = disk->GetCellData()->GetArray("Filled");
+  if (!filled)
+  {
+    return outlines;
+  }
+  const TriangleMesh mesh = toTriangleMesh(disk);
+  const std::vector<FaceSide> sides = sortedSides(mesh.Faces);
+  for (std::size_t s = 1; s < sides.size(); ++s)
+  {
+    if (sides[s].Edge == sides[s - 1].Edge &&
+        filled->GetTuple1(sides[s].face()) != filled->GetTuple1(sides[s - 1].face()))
+    {
+      outlines.push_back({ sides[s].From, sides[s].To });
+    }
+  }
+  return outlines;
+}
+
+} // namespace
+
 void setCuts(vtkPolyData* cuts, vtkPolyData* disk, const SeamSegments& seams)
 {
+  const std::vector<std::vector<int>> caps = outlinesOfCaps(disk);
   std::vector<const std::vector<int>*> lines;
   std::vector<int> ids;
   for (const std::vector<int>& segment : seams.Segments)
@@ -39,6 +70,11 @@ void setCuts(vtkPolyData* cuts, vtkPolyData* disk, const SeamSegments& seams)
   {
     lines.push_back(&border);
     ids.push_back(0);
+  }
+  for (const std::vector<int>& cap : caps)
+  {
+    lines.push_back(&cap);
+    ids.push_back(CapId);
   }
 
   std::map<int, vtkIdType> pointOf; // by the vertex of the disk

@@ -95,6 +95,32 @@ void setDisk(vtkPolyData* output,
   output->GetCellData()->AddArray(newArray<vtkUnsignedCharArray>("Filled", filled));
 }
 
+std::vector<char> banksOf(vtkPolyData* input)
+{
+  auto* seam = vtkUnsignedCharArray::SafeDownCast(input->GetPointData()->GetArray("Seam"));
+  if (!seam || seam->GetNumberOfComponents() != 1)
+  {
+    return {};
+  }
+  return { seam->GetPointer(0), seam->GetPointer(0) + seam->GetNumberOfTuples() };
+}
+
+void setScaledCurvature(vtkPolyData* disk, const Eigen::VectorXd& curvature)
+{
+  constexpr const char* name = "ScaledCurvature";
+  addPointArray(disk, name, curvature);
+  vtkDataArray* scalars = disk->GetPointData()->GetScalars();
+  double range[2] = { 0.0, 0.0 };
+  if (scalars)
+  {
+    scalars->GetRange(range, scalars->GetNumberOfComponents() > 1 ? -1 : 0);
+  }
+  if (!(range[0] < range[1]))
+  {
+    disk->GetPointData()->SetActiveScalars(name);
+  }
+}
+
 void setReport(vtkPolyData* output, const SurfaceToDiskReport& report, vtkIdType droppedCells)
 {
   vtkFieldData* data = output->GetFieldData();

@@ -5,6 +5,8 @@
 
 #include "Core/Disk/SurfaceToDisk.h"
 
+#include <Eigen/Core>
+
 #include <vtkType.h>
 
 #include <vector>
@@ -21,6 +23,14 @@ void setDisk(vtkPolyData* output,
   vtkPolyData* input,
   const std::vector<vtkIdType>& cellOfTriangle,
   const DiskSurface& disk);
+
+/// The flags of the points on seams that an earlier Surface To Disk cut, from the array Seam; empty if
+/// there is none.
+std::vector<char> banksOf(vtkPolyData* input);
+
+/// Adds the point array ScaledCurvature, and makes it the active scalars, which viewers show first, unless
+/// others vary over the disk. The scalars of an isosurface are its isovalue everywhere.
+void setScaledCurvature(vtkPolyData* disk, const Eigen::VectorXd& curvature);
 
 /// Adds the report to the field data of @p output, one array per value.
 /// @param droppedCells number of vertices and lines of the input.

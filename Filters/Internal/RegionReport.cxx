@@ -118,7 +118,7 @@ void fillMeasures(vtkTable* table,
   vtkNew<vtkDoubleArray> onMap;
   onMap->SetName("OnMap");
   vtkNew<vtkDoubleArray> errors;
-  errors->SetName("Error");
+  errors->SetName("StandardDeviation");
   vtkNew<vtkStringArray> units;
   units->SetName("Unit");
   const auto add =
@@ -132,7 +132,7 @@ void fillMeasures(vtkTable* table,
     setDatum(data, name, value);
   };
   const RegionExtent& extent = measures.Extent;
-  add("Area", measures.Area, measures.AreaError, measures.FlatArea, unit + "^2");
+  add("Area", measures.Area, measures.AreaError, measures.FlatArea, unit.empty() ? "" : unit + "^2");
   add("GreatestDiameter", extent.Diameter.Length, measures.LengthError, measures.FlatDiameter, unit);
   add("ExtentAcross", extent.Across.Length, measures.LengthError, measures.FlatAcross, unit);
   add("Perimeter", extent.Perimeter, extent.PerimeterError, measures.FlatPerimeter, unit);

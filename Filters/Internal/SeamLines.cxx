@@ -35,7 +35,7 @@ vtkSmartPointer<vtkCellArray> linesOfSeams(vtkPolyData* data)
   vtkNew<vtkIdList> points;
   for (vtkIdType k = 0; k < data->GetNumberOfLines(); ++k)
   {
-    if (ids->GetComponent(data->GetNumberOfVerts() + k, 0) != 0.0) // lines follow the vertices
+    if (ids->GetComponent(data->GetNumberOfVerts() + k, 0) > 0.0) // lines follow the vertices
     {
       data->GetLines()->GetCellAtId(k, points);
       seams->InsertNextCell(points);

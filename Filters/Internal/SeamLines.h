@@ -18,7 +18,7 @@ struct SeamLines
 };
 
 /// The lines of @p data. Coincident points are merged, and lines that meet at a point where no other one
-/// ends are joined. Lines whose cell array SeamId is 0 are left out.
+/// ends are joined. Lines whose cell array SeamId is 0 or less are left out.
 /// @throws InvalidInput if there is no line, or a point is not finite.
 SeamLines seamLines(vtkPolyData* data);
 

@@ -2,7 +2,7 @@
 """Macro: makes the cuts of the Surface To Disk that is selected in the pipeline browser points that can be moved."""
 
 # First, for it lets Python find the modules of plugins.
-from paraview import simple  # isort: skip
-from surfaceflattening_cuts import edit_cuts
+from paraview import simple  # isort: skip  # noqa: F401
+import surfaceflattening_commands
 
-edit_cuts(simple.GetActiveSource())
+surfaceflattening_commands.run("edit_cuts")

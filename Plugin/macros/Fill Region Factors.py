@@ -2,7 +2,7 @@
 """Macro: a row for every label in the table of the Area Weights that is selected in the pipeline browser."""
 
 # First, for it lets Python find the modules of plugins.
-from paraview import simple  # isort: skip
-from surfaceflattening_regions import fill_region_factors
+from paraview import simple  # isort: skip  # noqa: F401
+import surfaceflattening_commands
 
-fill_region_factors(simple.GetActiveSource())
+surfaceflattening_commands.run("fill_region_factors")

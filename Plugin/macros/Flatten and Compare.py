@@ -2,7 +2,7 @@
 """Macro: flattens the surface that is selected in the pipeline browser and compares the maps."""
 
 # First, for it lets Python find the modules of plugins.
-from paraview import simple  # isort: skip
-from surfaceflattening_layout import flatten_and_compare
+from paraview import simple  # isort: skip  # noqa: F401
+import surfaceflattening_commands
 
-flatten_and_compare(simple.GetActiveSource())
+surfaceflattening_commands.run("flatten_and_compare")

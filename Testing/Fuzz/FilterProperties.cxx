@@ -100,7 +100,8 @@ std::vector<Property> surfaceToDisk()
     flag("Remesh", &F::SetRemesh),
     number("TargetEdgeLength", Kind::Length, 0.03, 1, &F::SetTargetEdgeLength),
     number("RelativeEdgeLength", Kind::Magnitude, 0.3, 3, &F::SetRelativeEdgeLength),
-    flag("CountSelfIntersections", &F::SetCountSelfIntersections) };
+    flag("CountSelfIntersections", &F::SetCountSelfIntersections),
+    flag("ScaledCurvature", &F::SetScaledCurvature) };
 }
 
 std::vector<Property> conformalDisk()

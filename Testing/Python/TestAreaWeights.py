@@ -121,10 +121,25 @@ assert "AreaWeight" not in arrays and "ConformalFactor" in arrays, arrays
 without = OMTAreaPreserving(Input=bare, UseAreaWeight=1)
 assert without.AreaWeightArray[1] == "None", without.AreaWeightArray
 without.UpdatePipeline()
-assert without.GetDataInformation().GetNumberOfPoints() == 0
-without.UseAreaWeight = 0
-without.UpdatePipeline()
 assert without.GetDataInformation().GetNumberOfPoints() == bare.GetDataInformation().GetNumberOfPoints()
+
+
+def weights_in_use(proxy):
+    proxy.UpdatePropertyInformation()
+    field = servermanager.Fetch(proxy).GetFieldData().GetAbstractArray("WeightsInUse").GetValue(0)
+    assert proxy.WeightsInUse == field, (proxy.WeightsInUse, field)
+    return field
+
+
+assert weights_in_use(without) == "none"
+assert weights_in_use(area_preserving) == "AreaWeight, 1 to 4"
+assert weights_in_use(kept) == "none"
+automatic = OMTAreaPreserving(Input=disk)  # with all defaults, the array is used because it is there
+automatic.UpdatePipeline()
+assert weights_in_use(automatic) == "AreaWeight, 1 to 4"
+without.AreaWeightArray = ["POINTS", "AreaWeight"]  # asked for by name, and missing
+without.UpdatePipeline()
+assert without.GetDataInformation().GetNumberOfPoints() == 0
 
 # --- After a change of the factor, from the map before -----------------------------------------------------------
 conformal = ConformalDisk(Input=labelled)

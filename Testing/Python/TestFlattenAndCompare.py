@@ -1,10 +1,33 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flatten and Compare: the layout, one colour scale, linked selections and the morph."""
+"""Flatten and Compare: the layout, its colours and outlines, linked and measured selections, the morph; the same again, its
+undo, and bad input, after which nothing is left."""
 
 import math
 
 from paraview import servermanager, simple
-from surfaceflattening_layout import COLOURED_BY, COLOUR_RANGE, flatten_and_compare
+from surfaceflattening_layout import (
+    ANATOMY,
+    DISTORTION,
+    flatten_and_compare,
+    measured_errors,
+    nice_length,
+    switch_colours,
+    take_back,
+)
+from surfaceflattening_outlines import label_array, label_outlines
+from surfaceflattening_selection import measure_selection, percent
+
+
+def expect_refusal(source, word):
+    """An error with the word, and as many proxies as before."""
+    before = len(simple.GetSources()), len(simple.GetLayouts()), len(simple.GetViews())
+    try:
+        flatten_and_compare(source)
+        raise AssertionError(f"no error that says {word}")
+    except (ValueError, RuntimeError) as error:
+        assert word in str(error), error
+    assert before == (len(simple.GetSources()), len(simple.GetLayouts()), len(simple.GetViews())), before
+
 
 try:
     flatten_and_compare()
@@ -12,12 +35,33 @@ try:
 except ValueError as error:
     assert "pipeline browser" in str(error), error
 image = simple.Wavelet()
-try:
-    flatten_and_compare(image)
-    raise AssertionError("an image is no surface")
-except ValueError as error:
-    assert "Contour" in str(error), error
-simple.Delete(image)
+expect_refusal(image, "Contour")
+cloud = simple.PointSource(NumberOfPoints=100)
+expect_refusal(cloud, "Surface To Disk has no output")  # a message says that there are no triangles
+strip = simple.ProgrammableSource(  # a Moebius strip: the first of the filters fails
+    Script="""
+import math
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+points, cells = vtkPoints(), vtkCellArray()
+n = 40
+for i in range(n):
+    a = 2 * math.pi * i / n
+    for s in (-0.3, 0.3):
+        r = 1 + s * math.cos(a / 2)
+        points.InsertNextPoint(r * math.cos(a), r * math.sin(a), s * math.sin(a / 2))
+for i in range(n):
+    a, b = 2 * i, 2 * i + 1
+    c, d = (2 * i + 2, 2 * i + 3) if i + 1 < n else (1, 0)
+    for ids in ((a, b, c), (b, d, c)):
+        cells.InsertNextCell(3, ids)
+self.GetOutputDataObject(0).SetPoints(points)
+self.GetOutputDataObject(0).SetPolys(cells)
+"""
+)
+expect_refusal(strip, "Surface To Disk has no output")
+for source in (image, cloud, strip):
+    simple.Delete(source)
 
 RADIUS = 10.0
 sphere = simple.Sphere(ThetaResolution=48, PhiResolution=24, Radius=RADIUS, EndPhi=90.0, Center=[30, 40, 50])
@@ -29,13 +73,40 @@ kinds = sorted(view.GetXMLName() for view in views)
 assert kinds == 3 * ["RenderView"] + ["SpreadSheetView"] + 2 * ["XYBarChartView"], kinds
 assert len(simple.GetLayouts()) == 1
 
-# One colour scale, centred on zero, for all three views.
-colours = simple.GetColorTransferFunction(COLOURED_BY)
-assert (colours.RGBPoints[0], colours.RGBPoints[-4]) == COLOUR_RANGE, list(colours.RGBPoints)
+# The anatomy in all three views, by one fixed grey scale; switched to the distortion, which is centred on zero.
+def coloured_by():
+    maps = [comparison.morph, comparison.conformal, comparison.area_preserving]
+    return [
+        tuple(display.ColorArrayName)
+        for view in views
+        if view.GetXMLName() == "RenderView"
+        for display in view.Representations
+        if getattr(display, "Input", None) in maps
+    ]
+
+
+def colour_range(array):
+    points = simple.GetColorTransferFunction(array).RGBPoints
+    return points[0], points[-4]
+
+
+assert coloured_by() == 3 * [ANATOMY], coloured_by()
+assert colour_range(ANATOMY[1]) == (-1.5, 1.5), colour_range(ANATOMY[1])
+switch_colours(views[0])
+assert coloured_by() == 3 * [DISTORTION], coloured_by()
+low, high = colour_range(DISTORTION[1])
+assert math.isclose(low, math.log(2 / 3), rel_tol=1e-5) and math.isclose(high, math.log(1.5), rel_tol=1e-5)
+annotations = list(simple.GetColorTransferFunction(DISTORTION[1]).Annotations)
+for value, words in zip(annotations[::2], annotations[1::2]):
+    assert math.isclose(100 * (math.exp(float(value)) - 1), float(words.split()[0]), abs_tol=0.5), words
+switch_colours(views[0])
+assert coloured_by() == 3 * [ANATOMY], coloured_by()
+assert percent(181.2) == "181 %" and percent(0.2345) == "0.23 %", percent(181.2)
+assert "e+" not in measured_errors(comparison.conformal), measured_errors(comparison.conformal)
+assert [nice_length(x) for x in (0.3, 7.0, 99.0, 1.0)] == [0.2, 5.0, 50.0, 1.0]
 for view in views:
-    if view.GetXMLName() == "RenderView":
-        tables = [r.LookupTable for r in view.Representations if r.GetProperty("LookupTable")]
-        assert any(t is not None and t.SMProxy == colours.SMProxy for t in tables)
+    if view.GetXMLName() == "XYBarChartView":
+        assert view.BottomAxisLabels[-1] == "\N{GREATER-THAN OR EQUAL TO} 1.5", list(view.BottomAxisLabels)
 
 # A hemisphere: 2 pi r^2 in space and on the disk; the conformal map does not keep that.
 figure = {
@@ -79,3 +150,81 @@ for source in sources:
     counts = [selected(other) for other in sources]
     assert counts == [12, 12, 12], counts
     ids = ids[:-2] + [0, 100 + len(ids)]
+
+
+# What is selected is measured. A fifth of the hemisphere, by its cells, on the surface and on the map.
+def select(source, ids, kind):
+    selection = servermanager.sources.IDSelectionSource(IDs=[k for i in ids for k in (0, i)], FieldType=kind)
+    appended = servermanager.filters.AppendSelections(
+        Input=[selection], SelectionNames=["s0"], Expression="s0"
+    )
+    source.SMProxy.SetSelectionInput(0, appended.SMProxy, 0)
+
+
+measured = comparison.area_preserving
+data = servermanager.Fetch(measured)
+total = comparison.area_preserving.FieldData["SurfaceArea"].GetRange()[0]
+select(comparison.morph, range(data.GetNumberOfCells()), "CELL")
+whole = measure_selection(measured)
+assert whole.faces == data.GetNumberOfCells()
+assert math.isclose(whole.surface_area, total, rel_tol=1e-9), (whole.surface_area, total)
+flat_area = measured.FieldData["FlatArea"].GetRange()[0]  # of a polygon in the disk
+assert math.isclose(whole.flat_area, flat_area, rel_tol=1e-9), (whole.flat_area, flat_area)
+assert math.isclose(whole.extent[0], 2 * RADIUS, rel_tol=0.01), whole.extent
+assert math.isclose(whole.centroid[2], 50 + RADIUS / 2, rel_tol=0.01), whole.centroid
+mean = measured.FieldData["AreaWeightedMeanAreaError"].GetRange()[0]
+assert math.isclose(whole.area_error, mean, rel_tol=1e-3), (whole.area_error, mean)
+select(comparison.morph, range(data.GetNumberOfPoints()), "POINT")
+points = measure_selection(measured)
+assert math.isclose(points.surface_area, total, rel_tol=1e-9), points
+select(comparison.conformal, range(0, data.GetNumberOfCells(), 5), "CELL")
+part = measure_selection(measured)
+assert part.faces == -(-data.GetNumberOfCells() // 5), part
+text = simple.FindSource("Selection")
+assert f"{part.surface_area:.1f} on the surface" in text.Text, text.Text
+select(comparison.morph, [3], "POINT")  # a triangle counts as a third
+corner = measure_selection(measured)
+touching = [
+    data.GetCell(c).ComputeArea()
+    for c in range(data.GetNumberOfCells())
+    if 3 in [data.GetCell(c).GetPointId(k) for k in range(3)]
+]
+assert math.isclose(corner.flat_area, sum(touching) / 3, rel_tol=1e-6), (corner, sum(touching))
+assert f"Selection: {len(touching)} triangles" in text.Text, text.Text
+
+# Outlines of labels on cells and on points: the equator between two halves, 2 pi r / 2 long on the surface.
+for association, attribute in (("CELLS", "Cell Data"), ("POINTS", "Point Data")):
+    labelled = simple.ProgrammableFilter(
+        Input=sphere,
+        Script=f"""
+import numpy
+at = inputs[0].Points[:, 0]
+if {association == 'CELLS'}:
+    faces = inputs[0].Polygons.reshape(-1, 4)[:, 1:]
+    at = at[faces].mean(axis=1)
+output.{'CellData' if association == 'CELLS' else 'PointData'}.append((at > 30.0).astype(numpy.int32), "Side")
+""",
+    )
+    labelled.UpdatePipeline()
+    assert label_array(labelled) == (association, "Side"), label_array(labelled)
+    outlines = label_outlines(labelled, association, "Side")
+    lengths = simple.IntegrateVariables(Input=outlines)
+    lengths.UpdatePipeline()
+    length = servermanager.Fetch(lengths).GetCellData().GetArray("Length").GetTuple1(0)
+    assert math.isclose(length, math.pi * RADIUS, rel_tol=0.1), length
+assert label_array(sphere) is None
+
+# Again, with its own names, and with outlines; then taken back.
+names = set(simple.GetSources())
+again = flatten_and_compare(labelled)
+added = set(simple.GetSources()) - names
+assert ("Surface to disk 2" in {name for name, _ in added}) and len(simple.GetLayouts()) == 2, added
+assert any(name.startswith("Outlines of Side") for name, _ in added), added
+assert not {name for name, _ in names} & {name for name, _ in added}, "a name twice"
+again_on_disk = flatten_and_compare(again.disk)  # a disk passes unchanged
+counts = [p.GetDataInformation().GetNumberOfPoints() for p in (again.disk, again_on_disk.disk)]
+assert counts[0] == counts[1], counts
+take_back()
+take_back()
+assert set(simple.GetSources()) == names, set(simple.GetSources()) ^ names
+assert len(simple.GetLayouts()) == 1

@@ -7,7 +7,7 @@ import tempfile
 
 from ImageBaseline import expect_baseline, expect_not_baseline
 from paraview import simple
-from surfaceflattening_layout import COLOUR_RANGE, COLOURED_BY, flatten_and_compare
+from surfaceflattening_layout import ANATOMY, flatten_and_compare
 
 NAME = "FlattenAndCompare"
 SIZE = [600, 400]
@@ -42,10 +42,10 @@ conformal, transported = (
 )
 assert conformal < 20 < 80 < transported, (conformal, transported)
 
-colours = simple.GetColorTransferFunction(COLOURED_BY)
-colours.RescaleTransferFunction(*(3 * value for value in COLOUR_RANGE))
+colours = simple.GetColorTransferFunction(ANATOMY[1])
+colours.RescaleTransferFunction(-4.5, 4.5)
 expect_not_baseline(screenshot("range"), NAME, "another range of colours")
-colours.RescaleTransferFunction(*COLOUR_RANGE)
+colours.RescaleTransferFunction(-1.5, 1.5)
 
 exchanged = [view for view in views if view.GetXMLName() == "RenderView"][1:]
 comparison.layout.SwapCells(*(comparison.layout.GetViewLocation(view) for view in exchanged))

@@ -230,5 +230,8 @@ looped = Calculator(
 )
 assert figure(disk(looped, CountSelfIntersections=1), "SelfIntersectionsBefore") > 40
 assert figure(disk(looped, CountSelfIntersections=0), "SelfIntersectionsBefore") == 0
+for switch in (0, 1):
+    has_curvature = disk(looped, ScaledCurvature=switch).GetPointData().HasArray("ScaledCurvature")
+    assert bool(has_curvature) == bool(switch), switch
 
 assert tested == set(proxy.ListProperties()), tested ^ set(proxy.ListProperties())

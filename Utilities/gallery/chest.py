@@ -103,7 +103,8 @@ def make(path):
     measures = servermanager.Fetch(measured, idx=1)
     for k in range(measures.GetNumberOfRows()):
         name, value, error, on_map, unit = (
-            measures.GetValueByName(k, column) for column in ("Measure", "OnSurface", "Error", "OnMap", "Unit")
+            measures.GetValueByName(k, column)
+            for column in ("Measure", "OnSurface", "StandardDeviation", "OnMap", "Unit")
         )
         lines.append(
             f"| {name.ToString()}, by *Flatten Region* ({unit.ToString().replace('^2', '²')}) "

@@ -190,7 +190,8 @@ def report(regions, count, region, conformal):
     lines += ["", "| of the polyp's region | on the surface | error | on the map |", "|---|---|---|---|"]
     for k in range(measures.GetNumberOfRows()):
         name, value, error, on_map, unit = (
-            measures.GetValueByName(k, column) for column in ("Measure", "OnSurface", "Error", "OnMap", "Unit")
+            measures.GetValueByName(k, column)
+            for column in ("Measure", "OnSurface", "StandardDeviation", "OnMap", "Unit")
         )
         lines.append(
             f"| {name.ToString()} ({unit.ToString().replace('^2', '²')}) | {value.ToDouble():.2f} "

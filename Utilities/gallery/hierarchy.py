@@ -123,8 +123,8 @@ def make(path):
         "",
         "In the GUI: *File > Open* `gallery-output/branches.vtp`, `nodes.vtp` and `branches_mesh.vtp`, each with *Apply*. *Filters > Common > Calculator*: "
         f"`{' + '.join(f'(mag(coords) < {radius})' for radius in RADII)}`, *Apply*: the labels 0 to 3. *Area Weights*: *Weights From* Label Table, *Weight "
-        "Array* `Result`, *Macros > Fill Region Factors*; click the row of label 0 and press *-*: the surroundings make room; double-click the other factors and type 2, 4 and 8; *Factor Meaning* "
-        "Magnification, *Apply*. *Conformal Disk*: *Use Boundary Point*, *Boundary Point* 1 0 0, *Apply*. *OMT Area Preserving*: check *Use Area Weight*, uncheck *Face Refinement*, "
+        "Array* `Result`, *Filters > Surface Flattening > Fill Region Factors*; click the row of label 0 and press *-*: the surroundings make room; double-click the other factors and type 2, 4 and 8; *Factor Meaning* "
+        "Magnification, *Apply*. *Conformal Disk*: *Use Boundary Point*, *Boundary Point* 1 0 0, *Apply*. *OMT Area Preserving*: uncheck *Face Refinement*, "
         "*Apply*. *Planar Warp*: *Carried*, *branches.vtp*, *OK*, *Apply*. Click *Area-Preserving Disk* in the *Pipeline Browser*; *Planar Warp* again for *nodes.vtp*. "
-        "[area_weights.md](area_weights.md#in-the-gui) says where the macro is, should it not be listed.",
+        "[area_weights.md](area_weights.md#in-the-gui) shows more of such tables.",
     ]

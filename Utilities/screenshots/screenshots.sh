@@ -16,7 +16,7 @@ window_process=
 trap 'kill $window_process $server 2>/dev/null || true; rm -rf "$scratch"' EXIT
 while [ ! -s "$scratch/display" ]; do sleep 0.1; done
 DISPLAY=:$(cat "$scratch/display")
-export DISPLAY PV_PLUGIN_PATH=$plugins PV_MACRO_PATH=$plugins/SurfaceFlattening/macros
+export DISPLAY PV_PLUGIN_PATH=$plugins
 export LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb
 
 still_screen() { # waits until the screen has been the same for five seconds

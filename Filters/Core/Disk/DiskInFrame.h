@@ -5,6 +5,10 @@
 #include "Disk/SurfaceToDiskOptions.h"
 #include "Mesh/CoordinateFrame.h"
 
+#include <Eigen/Core>
+
+#include <sstream>
+
 namespace flattening
 {
 
@@ -13,5 +17,16 @@ SurfaceToDiskOptions normalised(const SurfaceToDiskOptions& options, const Coord
 
 /// Turns the coordinates, lengths and areas of a disk that was made in the frame into input units.
 void restoreUnits(DiskSurface& disk, const CoordinateFrame& frame);
+
+/// Throws the error again with the units of the frame, in which its lengths and places are.
+template <typename Error>
+[[noreturn]] void throwInUnits(const Error& error, const CoordinateFrame& frame)
+{
+  std::ostringstream message;
+  message << error.what() << " (lengths here are in units of " << frame.restoredLength(1.0)
+          << ", places are relative to " << frame.restoredPoint(Eigen::Vector3d::Zero()).transpose()
+          << ")";
+  throw Error(message.str());
+}
 
 } // namespace flattening

@@ -32,6 +32,12 @@ namespace
 // tenths of its disk. With fewer, the flat map leaves more of the disk empty.
 constexpr int LeastBoundaryVertices = 8;
 
+// A seam of fewer mean edges that is also shorter than this share of the square root of the area is an
+// error, if it opens a closed surface. A convention: two clicks at one place give such a seam; on a coarse
+// surface a few edges can be long.
+constexpr double FewestSeamEdges = 5.0;
+constexpr double ShortestOpening = 0.05;
+
 // The longest relief of a surface that is to fill a disk, in square roots of the area: the boundary, of
 // two sides of the relief, is then as long as the circumference of a disk of that area. Derived: the
 // disk presses a longer boundary together. Measured on a brain of 130,504 points: 2, 5 and 9 branches,
@@ -72,6 +78,19 @@ int countOnSeam(const std::vector<char>& flags, const CutSurface& cut)
     count += flags[v] && cut.OnSeam[v] ? 1 : 0;
   }
   return count;
+}
+
+// @throws InvalidInput if the seam that is to open a closed surface has only a few edges.
+void requireLongSeam(const TriangleMesh& mesh, double length)
+{
+  const double edge = meanEdgeLength(mesh);
+  const double size = std::sqrt(faceAreas(mesh.Vertices, mesh.Faces).sum());
+  if (length < FewestSeamEdges * edge && length < ShortestOpening * size)
+  {
+    throw InvalidInput("the seam is " + formatted(length) + " long, " + formatted(length / edge) +
+                       " edges of the surface, and a map cannot spread a whole surface from so short a "
+                       "cut: choose points that are farther apart, as two clicks at one place are not");
+  }
 }
 
 class Opening
@@ -220,7 +239,12 @@ private:
     {
       seam.Points = placeSeam(this->mesh(), this->avoided(), subrange(progress, 0.0, 0.4));
     }
-    CutSurface cut = cutGeodesicSeam(this->mesh(), seam, subrange(progress, 0.4, 1.0)).Cut;
+    SeamOpenedSurface opened = cutGeodesicSeam(this->mesh(), seam, subrange(progress, 0.4, 1.0));
+    if (this->isClosed())
+    {
+      requireLongSeam(this->mesh(), opened.Length);
+    }
+    CutSurface cut = std::move(opened.Cut);
     if (this->isTube() && !this->Options.RegionOfInterest.empty())
     {
       const std::vector<char> region = flagsOf(cut.Surface.Vertices, this->avoided(), false);

@@ -4,6 +4,7 @@
 #include "Base/Errors.h"
 #include "Disk/DiskInFrame.h"
 #include "Disk/DiskOpening.h"
+#include "Disk/GivenDisk.h"
 #include "Disk/LabelCut.h"
 #include "Disk/TubeSeam.h"
 #include "Mesh/CoordinateFrame.h"
@@ -20,7 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -60,6 +60,29 @@ public:
   }
 
   DiskSurface make(const TriangleMesh& soup, const ProgressCallback& progress)
+  {
+    if (passesUnchanged(soup, this->Options))
+    {
+      this->Disk = givenDisk(soup, this->Options);
+    }
+    else
+    {
+      this->makeDisk(soup, progress);
+    }
+    report(progress, 0.95, "checking the disk");
+    this->measure();
+    report(progress, 0.98, "looking for self-intersections");
+    if (this->Options.CountSelfIntersections)
+    {
+      this->Report.SelfIntersections =
+        countSelfIntersections(this->mesh(), subrange(progress, 0.98, 1.0));
+    }
+    report(progress, 1.0, "done");
+    return std::move(this->Disk);
+  }
+
+private:
+  void makeDisk(const TriangleMesh& soup, const ProgressCallback& progress)
   {
     report(progress, 0.0, "repairing");
     this->repair(soup);
@@ -104,19 +127,8 @@ public:
     {
       follow(this->Disk.Surface, withoutSmallAngles(this->mesh(), slivers::DiskAngle));
     }
-    report(progress, 0.95, "checking the disk");
-    this->measure();
-    report(progress, 0.98, "looking for self-intersections");
-    if (this->Options.CountSelfIntersections)
-    {
-      this->Report.SelfIntersections =
-        countSelfIntersections(this->mesh(), subrange(progress, 0.98, 1.0));
-    }
-    report(progress, 1.0, "done");
-    return std::move(this->Disk);
   }
 
-private:
   const TriangleMesh& mesh() const { return this->Disk.Surface.Mesh; }
   double area() const { return faceAreas(this->mesh().Vertices, this->mesh().Faces).sum(); }
 
@@ -130,7 +142,8 @@ private:
 
   void repair(const TriangleMesh& soup)
   {
-    RepairedSurface repaired = repairTriangleSoup(soup, this->Options.MergeTolerance);
+    RepairedSurface repaired = repairTriangleSoup(
+      soup, this->Options.MergeTolerance, pointsKeptApart(soup, this->Options));
     this->Report.Repair = repaired.Report;
     this->Disk.Surface = std::move(repaired.Surface);
     this->Reversed = std::move(repaired.Reversed);
@@ -341,17 +354,6 @@ private:
   int BorderOfLabel = -1; // a vertex on the border of the label that was removed
   bool Pierced = false;   // whether a patch or a cap intersects other faces
 };
-
-// Errors name lengths and places in the frame.
-template <typename Error>
-[[noreturn]] void throwInUnits(const Error& error, const CoordinateFrame& frame)
-{
-  std::ostringstream message;
-  message << error.what() << " (lengths here are in units of " << frame.restoredLength(1.0)
-          << ", places are relative to " << frame.restoredPoint(Eigen::Vector3d::Zero()).transpose()
-          << ")";
-  throw Error(message.str());
-}
 
 DiskSurface diskInFrame(const TriangleMesh& soup,
   const SurfaceToDiskOptions& options,

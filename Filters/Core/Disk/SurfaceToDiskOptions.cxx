@@ -38,6 +38,12 @@ void requireValid(const SurfaceToDiskOptions& options, const TriangleMesh& soup)
     throw InvalidInput("the region of interest has " + std::to_string(options.RegionOfInterest.size()) +
                        " values for " + std::to_string(soup.vertexCount()) + " points");
   }
+  if (!options.Banks.empty() && options.Banks.size() != static_cast<std::size_t>(soup.vertexCount()))
+  {
+    throw InvalidInput("the banks of seams have " + std::to_string(options.Banks.size()) +
+                       " flags for " + std::to_string(soup.vertexCount()) +
+                       " points: pass one flag per point");
+  }
   if (options.Cut == CutMode::Label &&
       options.Labelled.size() != static_cast<std::size_t>(soup.faceCount()))
   {

@@ -55,6 +55,10 @@ struct SurfaceToDiskOptions
   /// Points within this distance of each other are merged (input units, >= 0); 0: only points that
   /// coincide exactly.
   double MergeTolerance = 0.0;
+  /// One flag per point of the input: not 0 on the banks of a seam that was cut before. They are never
+  /// merged, and a disk with these flags, of which some or none are set, passes unchanged
+  /// (passesUnchanged). Empty: no seam is known.
+  std::vector<char> Banks;
   ComponentChoice Component;
   BoundaryChoice Boundary;
   /// Whether spikes, pits and fins of one voxel are flattened (flattenSpikesAndFins). Ignored if handles

@@ -37,9 +37,19 @@ int dropDuplicates(FaceList& list)
 }
 
 // The faces between representatives of coincident points; counts the points merged and unused.
-FaceList mergedFaces(const TriangleMesh& soup, double tolerance, RepairReport& report)
+FaceList mergedFaces(const TriangleMesh& soup,
+  double tolerance,
+  const std::vector<char>& keptApart,
+  RepairReport& report)
 {
-  const std::vector<int> representative = coincidentPoints(soup.Vertices, tolerance);
+  std::vector<int> representative = coincidentPoints(soup.Vertices, tolerance);
+  for (std::size_t v = 0; v < keptApart.size(); ++v)
+  {
+    if (keptApart[v] || keptApart[representative[v]])
+    {
+      representative[v] = static_cast<int>(v);
+    }
+  }
   std::vector<char> used(soup.vertexCount(), 0);
   FaceList list;
   list.Faces.resize(soup.faceCount());
@@ -105,18 +115,23 @@ void requireUsableFaces(const TriangleMesh& soup)
   }
 }
 
-RepairedSurface repairTriangleSoup(const TriangleMesh& soup, double tolerance)
+RepairedSurface repairTriangleSoup(const TriangleMesh& soup,
+  double tolerance,
+  const std::vector<char>& keptApart)
 {
   requireUsableFaces(soup);
   RepairedSurface repaired;
   RepairReport& report = repaired.Report;
-  FaceList list = mergedFaces(soup, tolerance, report);
+  FaceList list = mergedFaces(soup, tolerance, keptApart, report);
   report.DegenerateFaces = list.dropIf([&list](std::size_t f) { return repeatsVertex(list.Faces[f]); });
   const RemovedSlivers removed = removeNeedlesAndCaps(soup.Vertices, list);
   report.MergedPoints += removed.JoinedVertices;
   report.DegenerateFaces += removed.Faces;
   report.DuplicateFaces = dropDuplicates(list);
-  report.ClosedTJunctions = closeTJunctions(soup.Vertices, list, tolerance);
+  if (keptApart.empty() || std::count(keptApart.begin(), keptApart.end(), 0) > 0)
+  {
+    report.ClosedTJunctions = closeTJunctions(soup.Vertices, list, tolerance);
+  }
   if (list.Faces.empty())
   {
     throw InvalidInput("the surface has zero area: all of its " + std::to_string(soup.faceCount()) +

@@ -35,7 +35,12 @@ void requireUsableFaces(const TriangleMesh& soup);
 /// Merges coincident points (see coincidentPoints for @p tolerance, in input units), removes needles and
 /// caps (removeNeedlesAndCaps) and duplicate faces, closes T-junctions (closeTJunctions), and makes the
 /// rest an oriented manifold (orientConsistently).
+/// @param keptApart  one flag per point: not 0 where it is not merged with points that coincide with it,
+/// as on the banks of a seam; empty: every point may be merged. If all points are kept apart, no
+/// T-junction is closed either.
 /// @throws InvalidInput as requireUsableFaces does, and if no face has an area.
-RepairedSurface repairTriangleSoup(const TriangleMesh& soup, double tolerance = 0.0);
+RepairedSurface repairTriangleSoup(const TriangleMesh& soup,
+  double tolerance = 0.0,
+  const std::vector<char>& keptApart = {});
 
 } // namespace flattening

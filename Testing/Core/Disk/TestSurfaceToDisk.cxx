@@ -336,6 +336,13 @@ TEST(SurfaceToDisk, CutsAlongASeamOrAPlane)
   EXPECT_NEAR(seam.Report.SurfaceArea, totalArea(closed), 1e-12 * totalArea(closed));
   EXPECT_EQ(seam.Report.RemovedArea, 0.0);
 
+  // Two clicks at one place: the edges are 0.07 long.
+  options.SeamPoints = { { 1, 0, 0 }, { 0.995, 0.1, 0 } };
+  const std::string message = messageOf<InvalidInput>([&] { surfaceToDisk(closed, options); });
+  EXPECT_TRUE(contains(message, "edges of the surface")) << message;
+  options.SeamPoints = { { 1, 0, 0 }, { 0.9, 0.43, 0 } };
+  EXPECT_NEAR(surfaceToDisk(closed, options).Report.SeamLength, 0.45, 0.02);
+
   options.Cut = CutMode::Plane;
   options.Plane.Origin = { 0, 0, 0.5 };
   options.Plane.Normal = { 0, 0, 3 };

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "FlatteningClient.h"
+
+#include "ApplyNotice.h"
+#include "CutDisplays.h"
+#include "FlatMapCameras.h"
+#include "FlatteningCommands.h"
+#include "PercentBars.h"
+#include "RegionViews.h"
+
+#include <vtkPVRepresentedArrayListSettings.h>
+#include <vtkSMProxyManager.h>
+
+#include <string>
+
+namespace
+{
+
+// The values that report what a filter did have names that describe, and there are some eighty of them:
+// "Colour by" does not offer what has one value for the whole surface.
+constexpr const char* ReportNames =
+  "^(Dropped.*|MergedPoints|UnusedPoints|ClosedCracks|SplitPoints|Components|ReorientedFaces|Removed.*|"
+  "LeftFolded|Fold.*|Filled(Holes|Area)|Genus|Handle.*|Remesh.*|Hole.*|SeamLength|ChosenCut|ReasonOf.*|"
+  "Relief.*|SeamRegionPoints|Boundary.*|SurfaceArea|FlatArea|SmallestAngle|SelfIntersections.*|Flipped"
+  "Faces|DegenerateFaces|FacesWithin.*|RootMeanSquareStretch|Mean.*(Error|Distortion|Magnitude|StretchL2|"
+  "Dirichlet)|AreaWeightedMean.*|P9[59].*|Max.*|SD.*|StandardError.*|RingDistanceError|LengthScale|"
+  "Bijective|Method.*|.*Seconds|.*Iterations|Untangle.*|Newton.*|Refine.*)$";
+
+void hideReports()
+{
+  vtkPVRepresentedArrayListSettings* settings = vtkPVRepresentedArrayListSettings::GetInstance();
+  const int count = settings->GetNumberOfFilterExpressions();
+  for (int i = 0; i < count; ++i)
+  {
+    if (std::string(settings->GetFilterExpression(i)) == ReportNames)
+    {
+      return;
+    }
+  }
+  settings->SetNumberOfFilterExpressions(count + 1);
+  settings->SetFilterExpression(count, ReportNames);
+}
+
+} // namespace
+
+void FlatteningClient::startup()
+{
+  hideReports();
+  new CutDisplays(this); // first, so that cameras see what is left of the cuts
+  new FlatMapCameras(this);
+  new FlatteningCommands(this);
+  new PercentBars(this);
+  new RegionViews(this);
+  new ApplyNotice(this);
+}

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The commands of the plugin for the source that is selected in the pipeline browser.
+
+    import surfaceflattening_commands
+    surfaceflattening_commands.run("flatten_and_compare")
+
+The menu Filters > Surface Flattening and the macros call run(): an error is a message in the output window, without
+a traceback.
+"""
+
+# First, for it lets Python find the modules of plugins.
+from paraview import simple  # isort: skip
+
+from vtkmodules.vtkCommonCore import vtkOutputWindow
+
+
+def run(name, file=""):
+    """Runs the command for the active source, with the @file that it writes if it writes one. Errors that the user can do
+    something about become a message."""
+    try:
+        COMMANDS[name](simple.GetActiveSource(), *([file] if file else []))
+    except (ValueError, RuntimeError, OSError) as error:
+        vtkOutputWindow.GetInstance().DisplayErrorText(str(error))
+
+
+def _flatten_and_compare(source):
+    from surfaceflattening_layout import flatten_and_compare
+
+    flatten_and_compare(source)
+
+
+def _edit_cuts(source):
+    from surfaceflattening_cuts import edit_cuts
+
+    edit_cuts(source)
+
+
+def _fill_region_factors(source):
+    from surfaceflattening_regions import fill_region_factors
+
+    fill_region_factors(source)
+
+
+def _save_flat_map(source, file):
+    from surfaceflattening_files import save_flat_map
+
+    save_flat_map(source, file)
+
+
+def _switch_colours(_source):
+    from surfaceflattening_layout import switch_colours
+
+    switch_colours()
+
+
+COMMANDS = {
+    "edit_cuts": _edit_cuts,
+    "fill_region_factors": _fill_region_factors,
+    "flatten_and_compare": _flatten_and_compare,
+    "save_flat_map": _save_flat_map,
+    "switch_colours": _switch_colours,
+}
