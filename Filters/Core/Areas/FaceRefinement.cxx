@@ -58,11 +58,12 @@ public:
     : Surface(surface)
     , Map(map)
     , IsRough(options.IsRough)
+    , AsksForAreas(options.AngleWeight == 0.0)
     , FacesOf(surface.Faces, surface.vertexCount())
     , Dofs(surface.vertexCount(), map.Domain, map.Loop, map.Corners)
     , Targets(positiveTargets(faceTargets, map.Domain->area()))
     , Terms(surface, map.Loop, map.Domain->perimeter(), shapeWeight(options))
-    , Rounds(surface, this->Terms, this->FacesOf, this->Dofs, map.Start)
+    , Rounds(surface, this->Terms, this->FacesOf, this->Dofs, map.Start, this->AsksForAreas)
     , OnBoundary(surface.vertexCount(), 0)
   {
     for (const int v : map.Loop)
@@ -121,7 +122,11 @@ private:
         ? resolvableAreas(this->Surface.Faces, this->Map.Conformal, this->Map.Positions, this->Targets)
         : this->Targets,
       RefinementRounds::FlippingEpsilon);
-    this->Rounds.run(map, FirstStageRounds, this->IsRough ? Until::Roughly : Until::Enough, progress);
+    this->Rounds.lowerDistortion(map, subrange(progress, 0.0, 0.2));
+    this->Rounds.run(map,
+      FirstStageRounds,
+      this->IsRough ? Until::Roughly : Until::Enough,
+      subrange(progress, 0.2, 1.0));
   }
 
   void secondStage(DomainMap& map, const ProgressCallback& progress)
@@ -134,7 +139,11 @@ private:
     }
     if (!this->Rounds.run(map, SecondStageRounds, Until::Enough, subrange(progress, 0.3, 0.8)))
     {
-      this->Rounds.balance(map, FinalRegionTolerance, subrange(progress, 0.8, 1.0));
+      this->Rounds.balance(map, FinalRegionTolerance, subrange(progress, 0.8, 0.9));
+    }
+    if (this->Map.Start == RefinementStart::Transport && this->AsksForAreas)
+    {
+      this->Rounds.polish(map, subrange(progress, 0.9, 1.0));
     }
   }
 
@@ -207,23 +216,16 @@ private:
   void startOver(DomainMap& map, const ProgressCallback& progress)
   {
     const DomainMap conformal = this->mapTo(this->Map.OnDomain);
-    const DomainMap transported = this->mapTo(this->Map.Positions);
+    DomainMap transported = this->mapTo(this->Map.Positions);
     const double turn = this->Dofs.domain().perimeter();
     const double apart = transported.BoundaryParameters[0] - conformal.BoundaryParameters[0];
-    const double shift = -turn * std::round(apart / turn);
+    transported.BoundaryParameters.array() -= turn * std::round(apart / turn);
     double fraction = 0.0;
     for (const double share : StartShares)
     {
       const double begin = fraction;
       fraction += 1.0 / std::size(StartShares);
-      DomainMap between;
-      between.Positions = (1.0 - share) * conformal.Positions + share * transported.Positions;
-      between.BoundaryParameters = (1.0 - share) * conformal.BoundaryParameters.array() +
-                                   share * (transported.BoundaryParameters.array() + shift);
-      for (std::size_t k = 0; k < this->Map.Loop.size(); ++k)
-      {
-        between.Positions.row(this->Map.Loop[k]) = this->Dofs.domain().at(between.BoundaryParameters[k]);
-      }
+      DomainMap between = this->Dofs.between(conformal, transported, share);
       if (this->untangleIn(PatchSizes::Large, between, subrange(progress, begin, fraction)))
       {
         map = std::move(between);
@@ -236,6 +238,7 @@ private:
   const TriangleMesh& Surface;
   const TransportedMap& Map;
   bool IsRough;
+  bool AsksForAreas;
   VertexFaces FacesOf;
   DegreesOfFreedom Dofs;
   Eigen::VectorXd Targets;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "AnalyticSurfaces.h"
 #include "Areas/RefinementEnergy.h"
+#include "Areas/TargetAreas.h"
 #include "Mesh/MeshTopology.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ protected:
     , Energy(Terms, FacesOf, Dofs)
   {
     const Eigen::VectorXd areas = faceAreas(Mesh.Vertices, Mesh.Faces);
-    this->Energy.setTargets(areas * (EIGEN_PI / areas.sum()));
+    this->Energy.setTargets(areas * (EIGEN_PI / areas.sum()), areaWeights(areas));
     this->Energy.setEpsilon(0.1);
     this->Map.Positions = Mesh.Vertices.leftCols<2>();
     for (Eigen::Index i = 0; i < this->Map.Positions.size(); ++i)
