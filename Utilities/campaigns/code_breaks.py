@@ -149,7 +149,7 @@ BREAKS = [
     at("Transport/TransportInterpolation.cxx", "map.Slope = spread.inverse() * moments;", ""),
     at("Transport/DomainPolygon.cxx", "convex.area() / EIGEN_PI", "convex.area()"),
     # --- Areas
-    at("Areas/FaceAreaEnergy.cxx", "2.0 * (r - 1.0)", "(r - 1.0)"),
+    at("Areas/FaceAreaEnergy.cxx", "2.0 * w * (r - 1.0)", "w * (r - 1.0)"),
     at("Areas/FaceAreaEnergy.cxx", "s / chiOfQ.Root", "-s / chiOfQ.Root"),
     at(
         "Areas/RefinementEnergy.cxx",
