@@ -28,7 +28,7 @@ struct AreaPreservingOptions
   /// How many neighbouring vertices share one site of the transport, >= 1; fewer where the mesh has few
   /// vertices. The refinement corrects areas within small regions, and the transport has to get right
   /// the areas of large ones only. Without refinement every vertex is a site, as with 1.
-  int VerticesPerSite = 8;
+  int VerticesPerSite = 16;
 };
 
 /// An area-preserving map to a domain of area pi, and how it was found.
