@@ -57,7 +57,8 @@ Eigen::Matrix4d positivePart(const Eigen::Matrix4d& matrix)
 DeformationEnergy::DeformationEnergy(const DeformationLattice& lattice,
   const RefinementTerms& terms,
   const Points2& positions,
-  const Eigen::VectorXd& targets)
+  const Eigen::VectorXd& targets,
+  Shapes shapes)
   : Lattice(lattice)
 {
   this->addSquares();
@@ -78,7 +79,11 @@ DeformationEnergy::DeformationEnergy(const DeformationLattice& lattice,
     }
     const double twiceArea = cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double weight = largest > 0.0 ? terms.ShapeWeights[face] / largest * targets[face] : 0.0;
-    if (shape.trace() > 0.0 && twiceArea > 0.0)
+    if (shapes == Shapes::OfMap)
+    {
+      square.Shape += 0.5 * weight * Eigen::Matrix2d::Identity();
+    }
+    else if (shape.trace() > 0.0 && twiceArea > 0.0)
     {
       square.Shape += weight / std::min(shape.trace(), LogarithmEnd * twiceArea) * shape;
     }

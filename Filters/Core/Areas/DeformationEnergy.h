@@ -31,12 +31,20 @@ namespace flattening
 class DeformationEnergy
 {
 public:
+  /// Which shapes the faces should have.
+  enum class Shapes
+  {
+    OfSurface, ///< those of the surface
+    OfMap      ///< those of the map: phi is that of similar faces, and nothing moves but for areas
+  };
+
   /// Sums up the faces of @p terms at @p positions (n x 2, in the box of @p lattice), all of them
   /// positive, with the target areas @p targets (m, > 0). @p lattice must live as long as this does.
   DeformationEnergy(const DeformationLattice& lattice,
     const RefinementTerms& terms,
     const Points2& positions,
-    const Eigen::VectorXd& targets);
+    const Eigen::VectorXd& targets,
+    Shapes shapes = Shapes::OfSurface);
 
   /// A point of the map on the boundary of a domain.
   struct BoundaryPoint

@@ -30,7 +30,7 @@ constexpr int MoreRounds = 4;
 constexpr int LeastFirstStages = 2;
 constexpr int MostFirstStages = 16;
 constexpr double GreatestLeft = 0.8;
-// The region error above which the refinement ends with a step of the whole mesh
+// The region error above which the refinement ends with deformations of the domain
 // (RefinementRounds::balance): regions are what people measure. With it the errors of the demo's regions
 // are 0.04 %.
 constexpr double FinalRegionTolerance = 2e-4;
@@ -132,18 +132,26 @@ private:
   void secondStage(DomainMap& map, const ProgressCallback& progress)
   {
     this->Rounds.setStage(this->Targets, 0.0);
+    const Points2 before = map.Positions;
     if (this->Map.Start == RefinementStart::WarmStart)
     {
-      // Areas are off by little but everywhere, which steps of the whole mesh correct at once.
-      this->Rounds.balance(map, FinalRegionTolerance, subrange(progress, 0.0, 0.3));
+      // Areas are off by little but everywhere, which deformations of the domain correct at once. The
+      // shapes of the map before are not the best ones for the new areas.
+      if (!this->Rounds.areBalanced(map, FinalRegionTolerance))
+      {
+        this->Rounds.lowerDistortion(map, subrange(progress, 0.0, 0.2));
+      }
+      this->Rounds.balance(map, FinalRegionTolerance, subrange(progress, 0.2, 0.3));
     }
     if (!this->Rounds.run(map, SecondStageRounds, Until::Enough, subrange(progress, 0.3, 0.8)))
     {
-      this->Rounds.balance(map, FinalRegionTolerance, subrange(progress, 0.8, 0.9));
+      this->Rounds.balance(map, FinalRegionTolerance, subrange(progress, 0.8, 0.85));
     }
-    if (this->Map.Start == RefinementStart::Transport && this->AsksForAreas)
+    const bool isSame = this->Map.Start == RefinementStart::WarmStart && map.Positions == before;
+    if (this->AsksForAreas && !isSame)
     {
-      this->Rounds.polish(map, subrange(progress, 0.9, 1.0));
+      this->Rounds.polish(map, subrange(progress, 0.85, 0.95));
+      this->Rounds.balance(map, FinalRegionTolerance, subrange(progress, 0.95, 1.0));
     }
   }
 

@@ -35,8 +35,10 @@ constexpr int MostIdleRounds = 2;
 // steps a hemisphere in a quadrilateral 30 times as long as wide keeps up to 2.6 % of its faces wrong,
 // depending on the last bits.
 constexpr double LeastWholeProgress = 0.1;
-// The same after a warm start and for a rough map: rounds that bring little are not worth the wait for a
-// small change, or for a map that is deformed afterwards.
+// The same for a rough map, and after a warm start once at most GreatestQuickShare of the faces are off:
+// rounds that bring little are not worth the wait for a map that is deformed afterwards, or for a small
+// change.
+constexpr double GreatestQuickShare = 0.005;
 constexpr double LeastQuickProgress = 0.2;
 constexpr int MostIdleQuickRounds = 1;
 // The least area ratio of a face in the sum of errors. A guard: the logarithm of a flipped face's ratio
@@ -53,14 +55,14 @@ constexpr int RoundsPerBalance = 2;
 // costs a tenth of a round; with more weight each brings less, with less the rounds have to correct
 // more.
 constexpr double ShapingAreaWeight = 10.0;
+constexpr double WarmShapingAreaWeight = 300.0; // areas are nearly right, and few rounds follow
 constexpr int MostShapingDeformations = 20;
 constexpr double LeastShapingGain = 0.01;
-// In deformations that set the areas of regions right, the weight of areas makes the energy of the worst
-// region BalancingEnergy, but it is at most GreatestBalancingWeight; and how many follow each other.
-// Choices by trial: with more weight Newton's steps get short, with less shapes keep areas from their
-// targets. Later ones correct what the first leaves, because faces do not bend.
-constexpr double BalancingEnergy = 0.25;
-constexpr double GreatestBalancingWeight = 1e4;
+// The weight of areas in deformations that set the areas of regions right and keep the shapes of the
+// map, and how many follow each other. A choice: with less the shapes keep areas from their targets,
+// with more Newton's steps get short. Later ones correct what the first leaves, because faces do not
+// bend.
+constexpr double BalancingAreaWeight = 100.0;
 constexpr int MostBalances = 2;
 // The shares of a deformation to try, and the share of all faces that one may flip where they are free
 // to. Guards: one that flips more bends thin faces, and the rounds take longer than without it.
@@ -157,7 +159,10 @@ double RefinementRounds::imbalance(const DomainMap& map)
 // Deforms the domain smoothly. Returns false if it must not be: if the boundary is free, or angles are
 // asked for, or the mesh is no larger than a patch, or thin faces would flip, now or earlier in the
 // stage.
-bool RefinementRounds::deform(DomainMap& map, double areaWeight, const ProgressCallback& progress)
+bool RefinementRounds::deform(DomainMap& map,
+  DeformationEnergy::Shapes shapes,
+  double areaWeight,
+  const ProgressCallback& progress)
 {
   if (this->Dofs.loop().empty() || !this->AsksForAreas || this->FlipsIfDeformed ||
       this->Surface.vertexCount() <= RefinementPatches::LargestPatch)
@@ -170,7 +175,7 @@ bool RefinementRounds::deform(DomainMap& map, double areaWeight, const ProgressC
   const double mostNew = this->Epsilon > 0.0 ? MostNewlyFlipped * this->Surface.faceCount() : 0.0;
   const double mostFlipped = countFlipped(map) + mostNew;
   const DomainMap deformed =
-    smoothlyDeformed(this->Terms, this->Dofs, map, this->Energy.targets(), areaWeight, progress);
+    smoothlyDeformed(this->Terms, this->Dofs, map, this->Energy.targets(), shapes, areaWeight, progress);
   for (const double share : DeformationShares)
   {
     DomainMap next = this->Dofs.between(map, deformed, share);
@@ -186,12 +191,16 @@ bool RefinementRounds::deform(DomainMap& map, double areaWeight, const ProgressC
 
 void RefinementRounds::lowerDistortion(DomainMap& map, const ProgressCallback& progress)
 {
+  const bool isWarm = this->Start == RefinementStart::WarmStart;
   double before = std::numeric_limits<double>::infinity();
   for (int k = 0; k < MostShapingDeformations; ++k)
   {
     const double begin = static_cast<double>(k) / MostShapingDeformations;
     const double end = begin + 1.0 / MostShapingDeformations;
-    if (!this->deform(map, ShapingAreaWeight, subrange(progress, begin, end)))
+    if (!this->deform(map,
+          DeformationEnergy::Shapes::OfSurface,
+          isWarm ? WarmShapingAreaWeight : ShapingAreaWeight,
+          subrange(progress, begin, end)))
     {
       return;
     }
@@ -206,16 +215,11 @@ void RefinementRounds::lowerDistortion(DomainMap& map, const ProgressCallback& p
 
 void RefinementRounds::balance(DomainMap& map, double tolerance, const ProgressCallback& progress)
 {
-  for (int k = 0; k < MostBalances; ++k)
+  for (int k = 0; k < MostBalances && this->imbalance(map) >= tolerance; ++k)
   {
-    const double imbalance = this->imbalance(map);
-    if (imbalance < tolerance)
-    {
-      return;
-    }
     const double begin = static_cast<double>(k) / MostBalances;
-    const double weight = std::min(GreatestBalancingWeight, BalancingEnergy / (imbalance * imbalance));
-    if (!this->deform(map, weight, subrange(progress, begin, begin + 1.0 / MostBalances)))
+    const ProgressCallback part = subrange(progress, begin, begin + 1.0 / MostBalances);
+    if (!this->deform(map, DeformationEnergy::Shapes::OfMap, BalancingAreaWeight, part))
     {
       this->descend(map, progress);
       return;
@@ -238,7 +242,7 @@ void RefinementRounds::polish(DomainMap& map, const ProgressCallback& progress)
 {
   RefinementPatches::Pass pass = this->pass(map);
   pass.ShapeFactor = PolishingShapeFactor;
-  pass.SkipsRight = false;
+  pass.SkipsRight = this->Start == RefinementStart::WarmStart;
   this->Patches.run(pass, map, progress);
   ++this->Count;
 }
@@ -273,8 +277,6 @@ double RefinementRounds::descend(DomainMap& map, const ProgressCallback& progres
 
 bool RefinementRounds::run(DomainMap& map, int most, Until until, const ProgressCallback& progress)
 {
-  const bool isQuick = this->Start == RefinementStart::WarmStart || until == Until::Roughly;
-  const int mostIdle = isQuick ? MostIdleQuickRounds : MostIdleRounds;
   WrongFaces before = this->wrongFaces(map);
   int idle = 0;
   for (int round = 0; round < most && (before.Share > EnoughShare || until == Until::AllRounds); ++round)
@@ -297,15 +299,19 @@ bool RefinementRounds::run(DomainMap& map, int most, Until until, const Progress
     pass.ShapeFactor = this->Count <= this->LastShapeRound ? FirstShapeFactor : 1.0;
     const int patches = this->Patches.run(pass, map, subrange(progress, middle, end));
     const WrongFaces next = this->wrongFaces(map);
+    const bool isQuick =
+      until == Until::Roughly ||
+      (this->Start == RefinementStart::WarmStart && next.Share <= GreatestQuickShare);
+    const int mostIdle = isQuick ? MostIdleQuickRounds : MostIdleRounds;
     const double leastProgress = isWhole   ? LeastWholeProgress
                                  : isQuick ? LeastQuickProgress
                                            : LeastProgress;
     const bool isIdle = next.Share > (1.0 - leastProgress) * before.Share &&
                         next.Distance > (1.0 - leastProgress) * before.Distance;
     idle = isIdle ? idle + 1 : 0;
-    if (patches == 0 || (until != Until::AllRounds && idle == mostIdle))
+    if (patches == 0 || (until != Until::AllRounds && idle >= mostIdle))
     {
-      return isWhole && idle == mostIdle;
+      return isWhole && idle >= mostIdle;
     }
     before = next;
   }

@@ -3,6 +3,7 @@
 /// farther than a patch reaches.
 #pragma once
 
+#include "Areas/DeformationEnergy.h"
 #include "Areas/DegreesOfFreedom.h"
 #include "Areas/RefinementDescent.h"
 #include "Areas/RefinementEnergy.h"
@@ -63,6 +64,10 @@ public:
   /// nothing if the boundary is free, angles are asked for, or thin faces would flip. @throws Cancelled.
   void lowerDistortion(DomainMap& map, const ProgressCallback& progress);
 
+  /// Whether the areas of all regions of the size of a patch are off by less than the share @p
+  /// tolerance.
+  bool areBalanced(const DomainMap& map, double tolerance) { return this->imbalance(map) < tolerance; }
+
   /// Deforms the domain, or makes steps of the whole mesh where it cannot be deformed, if the area of a
   /// region of the size of a patch is off by more than the share @p tolerance.
   /// @throws Cancelled, ConvergenceError.
@@ -72,8 +77,9 @@ public:
   /// less than the share @p leastGain. @throws Cancelled, ConvergenceError.
   void settle(DomainMap& map, double leastGain, int most, const ProgressCallback& progress);
 
-  /// A last round in all patches, in which shapes hardly count: the areas of the faces come nearer to
-  /// their targets than in rounds that end with the tolerance. @throws Cancelled, ConvergenceError.
+  /// A last round, with shapes at half their weight: the areas of the faces come nearer to their targets
+  /// than in rounds that end with the tolerance, and those that balance() has left off come right. It
+  /// takes all patches or, after a warm start, those that need it. @throws Cancelled, ConvergenceError.
   void polish(DomainMap& map, const ProgressCallback& progress);
 
   int count() const { return this->Count; } ///< number of rounds so far
@@ -82,7 +88,10 @@ private:
   struct WrongFaces;
   WrongFaces wrongFaces(const DomainMap& map);
   double imbalance(const DomainMap& map);
-  bool deform(DomainMap& map, double areaWeight, const ProgressCallback& progress);
+  bool deform(DomainMap& map,
+    DeformationEnergy::Shapes shapes,
+    double areaWeight,
+    const ProgressCallback& progress);
   RefinementPatches::Pass pass(const DomainMap& map);
   double descend(DomainMap& map, const ProgressCallback& progress);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Areas/SmoothDeformation.h"
 
-#include "Areas/DeformationEnergy.h"
 #include "Areas/DeformationLattice.h"
 #include "Base/SparseFactorization.h"
 
@@ -22,10 +21,12 @@ constexpr int LatticeSquares = 40;
 // takes part. A choice: any share of more than a square of the lattice gives about the same map.
 constexpr double LatticeMargin = 0.1;
 // In a domain, whose outside takes no part: the margin in squares of the lattice, so that all nodes that
-// move the map belong to it, and the vertices of a large map per square of the lattice's box, so that
-// squares are smaller than the patches of the refinement.
+// move the map belong to it, and the least and greatest number of vertices per square of the lattice's
+// box. With fewer the faces of small maps are bent, with more the squares of large maps are larger than
+// the patches of the refinement.
 constexpr double DomainMargin = 1.5;
-constexpr double VerticesPerSquare = 600.0;
+constexpr double LeastPerSquare = 16.0;
+constexpr double GreatestPerSquare = 600.0;
 // Weights of the areas before the last one. With that one alone, steps that keep all areas would be
 // short.
 constexpr double FirstAreaWeights[] = { 3.0, 30.0 };
@@ -138,6 +139,7 @@ DomainMap smoothlyDeformed(const RefinementTerms& terms,
   const DegreesOfFreedom& dofs,
   const DomainMap& map,
   const Eigen::VectorXd& targets,
+  DeformationEnergy::Shapes shapes,
   double areaWeight,
   const ProgressCallback& progress)
 {
@@ -145,9 +147,10 @@ DomainMap smoothlyDeformed(const RefinementTerms& terms,
   const ConvexDomain& domain = dofs.domain();
   const int count = static_cast<int>(loop.size());
   const int n = static_cast<int>(map.Positions.rows());
-  const int squares = std::max(LatticeSquares, static_cast<int>(std::sqrt(n / VerticesPerSquare)));
+  const double finest = std::min<double>(LatticeSquares, std::sqrt(n / LeastPerSquare));
+  const int squares = static_cast<int>(std::max(finest, std::sqrt(n / GreatestPerSquare)));
   const DeformationLattice lattice = latticeAround(map.Positions, DomainMargin / squares, squares);
-  DeformationEnergy energy(lattice, terms, map.Positions, targets);
+  DeformationEnergy energy(lattice, terms, map.Positions, targets, shapes);
   std::vector<DeformationEnergy::BoundaryPoint> points;
   for (int k = 0; k < count; ++k)
   {

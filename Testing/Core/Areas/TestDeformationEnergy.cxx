@@ -174,8 +174,8 @@ TEST_F(DeformationEnergyOfAMap, GradientOfKeptPointsIsThatOfDifferences)
   }
 }
 
-// The paraboloid's map to the disk has half of the area that it should have at the rim. With
-// growing weights of areas, deformations in the disk give rings and sectors the areas that they should
+// The paraboloid's map to the disk has half of the area that it should have at the rim. Deformations
+// in the disk that keep shapes where areas allow it give rings and sectors the areas that they should
 // have.
 TEST_F(DeformationEnergyOfAMap, DeformationInADiskSetsTheAreasOfRegionsRight)
 {
@@ -208,9 +208,10 @@ TEST_F(DeformationEnergyOfAMap, DeformationInADiskSetsTheAreasOfRegionsRight)
     return (has.array() / wants.array() - 1.0).abs().maxCoeff();
   };
   DomainMap deformed = map;
-  for (const double weight : { 10.0, 100.0, 1e3, 1e4 })
+  for (int k = 0; k < 3; ++k)
   {
-    deformed = smoothlyDeformed(this->Terms, dofs, deformed, targets, weight);
+    deformed =
+      smoothlyDeformed(this->Terms, dofs, deformed, targets, DeformationEnergy::Shapes::OfMap, 1e3);
   }
   EXPECT_GT(worstRegion(map), 0.1);
   EXPECT_LT(worstRegion(deformed), 2e-3);

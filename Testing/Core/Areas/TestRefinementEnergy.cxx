@@ -115,4 +115,16 @@ TEST_F(RefinementEnergyOfAMap, HessianStartsAnewEveryTime)
   EXPECT_EQ((first - second).norm(), 0.0);
 }
 
+// Five faces of a mean target of 0.62: those below half of it count as if they were so large, up to 20
+// times their own area.
+TEST(AreaWeights, LetSmallFacesCountLikeLargerOnes)
+{
+  Eigen::VectorXd targets(5);
+  targets << 1.0, 1.0, 1.0, 0.1, 0.001;
+  Eigen::VectorXd expected(5);
+  expected << 1.0, 1.0, 1.0, 3.101, 20.0;
+  EXPECT_LT((areaWeights(targets) - expected).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((areaWeights(1e-9 * targets) - expected).cwiseAbs().maxCoeff(), 1e-12);
+}
+
 } // namespace
