@@ -199,7 +199,7 @@ public:
    * on: the transport then has to correct areas over whole regions only. On surfaces of less than some
    * thousand points it is reduced. 1 makes every point a site, as without refinement, where this setting
    * is ignored. The points of a site share its power cell, its weight and, in proportion to their target
-   * areas, the area of the cell. Range [1, 1000]. Default: 8.
+   * areas, the area of the cell. Range [1, 1000]. Default: 16.
    */
   vtkSetClampMacro(PointsPerSite, int, 1, 1000);
   vtkGetMacro(PointsPerSite, int);
@@ -243,7 +243,7 @@ protected:
   std::string WeightsInUse = "none";
   bool FaceRefinement = true;
   double AngleWeight = 0.0;
-  int PointsPerSite = 8;
+  int PointsPerSite = 16;
   bool FixCorners = false;
   bool FreeOutline = false;
 

@@ -83,7 +83,7 @@ assert OutputPort(area_preserving, 1).GetDataInformation().GetNumberOfCells() ==
 
 area_preserving.PointsPerSite = 1
 assert fetch(area_preserving, 1).GetNumberOfCells() == flat.GetNumberOfPoints()
-area_preserving.PointsPerSite = 8
+area_preserving.PointsPerSite = 16
 
 measured = fetch(metrics)
 assert measured.GetNumberOfCells() == cells

@@ -149,7 +149,7 @@ BREAKS = [
     at("Transport/TransportInterpolation.cxx", "map.Slope = spread.inverse() * moments;", ""),
     at("Transport/DomainPolygon.cxx", "convex.area() / EIGEN_PI", "convex.area()"),
     # --- Areas
-    at("Areas/FaceAreaEnergy.cxx", "2.0 * (r - 1.0)", "(r - 1.0)"),
+    at("Areas/FaceAreaEnergy.cxx", "2.0 * w * (r - 1.0)", "w * (r - 1.0)"),
     at("Areas/FaceAreaEnergy.cxx", "s / chiOfQ.Root", "-s / chiOfQ.Root"),
     at(
         "Areas/RefinementEnergy.cxx",
@@ -163,6 +163,10 @@ BREAKS = [
         "weights[mesh.Faces(f, 0)] + weights[mesh.Faces(f, 1)] + weights[mesh.Faces(f, 2)]",
         "3.0 * weights[mesh.Faces(f, 0)]",
     ),
+    at("Areas/TargetAreas.cxx", "counted / targets.array()", "targets.array() / counted"),
+    at("Areas/DeformationEnergy.cxx", "place - this->Domain->at(parameter)", "this->Domain->at(parameter) - place"),
+    at("Areas/SmoothDeformation.cxx", "way - turn * std::round(way / turn)", "way"),
+    at("Areas/DeformationEnergy.cxx", "if (kept.Point.Stays)", "if (!kept.Point.Stays)"),
     at("Areas/TargetAreas.cxx", "EIGEN_PI / areas.sum()", "2.0 * EIGEN_PI / areas.sum()"),
     at(
         "Areas/WarmStart.cxx",

@@ -3,6 +3,7 @@
 /// conformal map (paper, section 4).
 #pragma once
 
+#include "Areas/DomainTarget.h"
 #include "Areas/FaceRefinement.h"
 #include "Areas/TargetAreas.h"
 #include "Areas/WarmStart.h"
@@ -28,7 +29,7 @@ struct AreaPreservingOptions
   /// How many neighbouring vertices share one site of the transport, >= 1; fewer where the mesh has few
   /// vertices. The refinement corrects areas within small regions, and the transport has to get right
   /// the areas of large ones only. Without refinement every vertex is a site, as with 1.
-  int VerticesPerSite = 8;
+  int VerticesPerSite = 16;
 };
 
 /// An area-preserving map to a domain of area pi, and how it was found.
@@ -88,15 +89,6 @@ AreaPreservingResult areaPreservingRectangleMap(const TriangleMesh& mesh,
   const Eigen::VectorXd& weights = {},
   const AreaPreservingOptions& options = {},
   const ProgressCallback& progress = {});
-
-/// A convex polygon that a surface is mapped to.
-struct PolygonTarget
-{
-  Points2 Corners; ///< k x 2, counter-clockwise, with area pi and its centroid at 0 (DomainPolygon.h)
-  /// Whether a boundary vertex stays in each corner: the one whose power cell contains the corner.
-  /// Otherwise the boundary edges across the corners cut these off.
-  bool FixCorners = false;
-};
 
 /// The same to a convex polygon, from a map @p conformal to another domain @p source, the unit disk or a
 /// rectangle of area pi around the origin. The sites are the points of that map scaled into the largest

@@ -29,8 +29,12 @@ constexpr double BackgroundWeight = 1e-3;
 // stretched ever more, while areas are lost there; with the ratio alone a few faces in protrusions count
 // for more than all others.
 constexpr double LogarithmEnd = 6.0;
-// Small squares of one task of a thread. It fixes the order of summation, and with it the last bits.
-constexpr int SquaresPerTask = 512;
+// The weight of squared distances from the boundary of a domain of area pi. A choice: so large that they
+// are far smaller than the faces beside the boundary, and small enough to solve for in doubles.
+constexpr double KeepingWeight = 1e6;
+// Squares of the lattice of one task of a thread. It fixes the order of summation, and with it the last
+// bits.
+constexpr int SquaresPerTask = 128;
 
 // The derivative of det F by F.
 Eigen::Matrix2d cofactors(const Eigen::Matrix2d& f)
@@ -53,7 +57,8 @@ Eigen::Matrix4d positivePart(const Eigen::Matrix4d& matrix)
 DeformationEnergy::DeformationEnergy(const DeformationLattice& lattice,
   const RefinementTerms& terms,
   const Points2& positions,
-  const Eigen::VectorXd& targets)
+  const Eigen::VectorXd& targets,
+  Shapes shapes)
   : Lattice(lattice)
 {
   this->addSquares();
@@ -74,7 +79,11 @@ DeformationEnergy::DeformationEnergy(const DeformationLattice& lattice,
     }
     const double twiceArea = cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double weight = largest > 0.0 ? terms.ShapeWeights[face] / largest * targets[face] : 0.0;
-    if (shape.trace() > 0.0)
+    if (shapes == Shapes::OfMap)
+    {
+      square.Shape += 0.5 * weight * Eigen::Matrix2d::Identity();
+    }
+    else if (shape.trace() > 0.0 && twiceArea > 0.0)
     {
       square.Shape += weight / std::min(shape.trace(), LogarithmEnd * twiceArea) * shape;
     }
@@ -83,20 +92,35 @@ DeformationEnergy::DeformationEnergy(const DeformationLattice& lattice,
   }
   for (Square& square : this->Squares)
   {
+    square.Target = square.Ratio > 0.0 ? square.Target : 0.0; // no faces, or flipped ones
     square.Ratio = square.Target > 0.0 ? square.Ratio / square.Target : 1.0;
+  }
+}
+
+void DeformationEnergy::keepOnBoundary(const ConvexDomain& domain,
+  const std::vector<BoundaryPoint>& points)
+{
+  this->Domain = &domain;
+  this->Kept.resize(this->Squares.size() / (Divisions * Divisions));
+  for (const BoundaryPoint& point : points)
+  {
+    this->Kept[this->squareOf(point.Place) / (Divisions * Divisions)].push_back(
+      { point, this->Lattice.influenceOn(point.Place) });
   }
 }
 
 void DeformationEnergy::addSquares()
 {
   const double side = this->Lattice.side() / Divisions;
-  for (int row = 0; row < Divisions * this->Lattice.rows(); ++row)
+  const Eigen::Matrix2d shape = 0.5 * BackgroundWeight * side * side * Eigen::Matrix2d::Identity();
+  for (int square = 0; square < this->Lattice.rows() * this->Lattice.columns(); ++square)
   {
-    for (int column = 0; column < Divisions * this->Lattice.columns(); ++column)
+    for (int part = 0; part < Divisions * Divisions; ++part)
     {
+      const int column = Divisions * (square % this->Lattice.columns()) + part % Divisions;
+      const int row = Divisions * (square / this->Lattice.columns()) + part / Divisions;
       const Eigen::Vector2d centre =
         this->Lattice.origin() + side * Eigen::Vector2d(column + 0.5, row + 0.5);
-      const Eigen::Matrix2d shape = 0.5 * BackgroundWeight * side * side * Eigen::Matrix2d::Identity();
       this->Squares.push_back({ this->Lattice.influenceOn(centre), shape, 0.0, 0.0 });
     }
   }
@@ -105,11 +129,12 @@ void DeformationEnergy::addSquares()
 std::size_t DeformationEnergy::squareOf(const Eigen::Vector2d& point) const
 {
   const Eigen::Vector2d offset = Divisions * (point - this->Lattice.origin()) / this->Lattice.side();
-  const int columns = Divisions * this->Lattice.columns();
-  const int rows = Divisions * this->Lattice.rows();
-  const int column = std::clamp(static_cast<int>(offset.x()), 0, columns - 1);
-  const int row = std::clamp(static_cast<int>(offset.y()), 0, rows - 1);
-  return static_cast<std::size_t>(row) * columns + column;
+  const int column =
+    std::clamp(static_cast<int>(offset.x()), 0, Divisions * this->Lattice.columns() - 1);
+  const int row = std::clamp(static_cast<int>(offset.y()), 0, Divisions * this->Lattice.rows() - 1);
+  const int square = row / Divisions * this->Lattice.columns() + column / Divisions;
+  const int part = row % Divisions * Divisions + column % Divisions;
+  return static_cast<std::size_t>(square) * (Divisions * Divisions) + part;
 }
 
 Eigen::Matrix2d DeformationEnergy::derivativeOf(const Square& square, const Points2& displacements)
@@ -134,21 +159,61 @@ double DeformationEnergy::energyOf(const Square& square, const Eigen::Matrix2d& 
   return (f * square.Shape * f.transpose()).trace() / det + this->AreaWeight * square.Target * off * off;
 }
 
+// The part of the way of a point that leaves the boundary, and the projection of the way on it.
+struct DeformationEnergy::WayOff
+{
+  Eigen::Vector2d Way;
+  Eigen::Matrix2d Projection;
+};
+
+DeformationEnergy::WayOff DeformationEnergy::wayOff(const KeptPoint& kept,
+  const Points2& displacements) const
+{
+  Eigen::Vector2d way = Eigen::Vector2d::Zero();
+  for (int k = 0; k < 9; ++k)
+  {
+    way += kept.Influence.Weights[k] * displacements.row(kept.Influence.Nodes[k]).transpose();
+  }
+  if (kept.Point.Stays)
+  {
+    return { way, Eigen::Matrix2d::Identity() };
+  }
+  const Eigen::Vector2d place = kept.Point.Place + way;
+  const double parameter = this->Domain->parameterOf(place);
+  const Eigen::Vector2d tangent = this->Domain->tangentAt(parameter);
+  const Eigen::Matrix2d projection = Eigen::Matrix2d::Identity() - tangent * tangent.transpose();
+  return { projection * (place - this->Domain->at(parameter)), projection };
+}
+
+double DeformationEnergy::energyOf(const KeptPoint& kept, const Points2& displacements) const
+{
+  return KeepingWeight * kept.Point.Length * this->wayOff(kept, displacements).Way.squaredNorm();
+}
+
 double DeformationEnergy::value(const Points2& displacements) const
 {
-  const int count = static_cast<int>(this->Squares.size());
+  constexpr int parts = Divisions * Divisions;
+  const int count = static_cast<int>(this->Squares.size()) / parts;
   const int tasks = (count + SquaresPerTask - 1) / SquaresPerTask;
-  std::vector<double> parts(tasks, 0.0);
+  std::vector<double> sums(tasks, 0.0);
   tbb::parallel_for(0,
     tasks,
     [&](int task)
     {
       for (int s = task * SquaresPerTask; s < std::min(count, (task + 1) * SquaresPerTask); ++s)
       {
-        parts[task] += this->energyOf(this->Squares[s], derivativeOf(this->Squares[s], displacements));
+        for (int part = s * parts; part < (s + 1) * parts; ++part)
+        {
+          const Square& square = this->Squares[part];
+          sums[task] += this->energyOf(square, derivativeOf(square, displacements));
+        }
+        for (std::size_t k = 0; !this->Kept.empty() && k < this->Kept[s].size(); ++k)
+        {
+          sums[task] += this->energyOf(this->Kept[s][k], displacements);
+        }
       }
     });
-  return std::accumulate(parts.begin(), parts.end(), 0.0);
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 struct DeformationEnergy::SquareTerm
@@ -189,46 +254,90 @@ DeformationEnergy::SquareTerm DeformationEnergy::term(const Square& square,
   return { this->energyOf(square, f), byX / det + slope * byDet, positivePart(second) };
 }
 
-double DeformationEnergy::derivatives(const Points2& displacements,
-  Eigen::VectorXd& gradient,
-  SparseMatrix& hessian) const
+struct DeformationEnergy::NodeTerm
 {
-  const int count = static_cast<int>(this->Squares.size());
-  std::vector<SquareTerm> terms(count);
+  double Energy = 0.0;
+  Eigen::Matrix<double, 18, 1> Slope = Eigen::Matrix<double, 18, 1>::Zero(); // x and y of each node
+  Eigen::Matrix<double, 18, 18> Curvature = Eigen::Matrix<double, 18, 18>::Zero();
+};
+
+void DeformationEnergy::addTo(NodeTerm& sum, const Square& square, const Points2& displacements) const
+{
+  const SquareTerm term = this->term(square, displacements);
+  Eigen::Matrix<double, 4, 18> ofNodes = Eigen::Matrix<double, 4, 18>::Zero();
+  for (int k = 0; k < 18; ++k)
+  {
+    ofNodes(k % 2, k) = square.Influence.Gradients[k / 2].x();
+    ofNodes(2 + k % 2, k) = square.Influence.Gradients[k / 2].y();
+  }
+  sum.Energy += term.Energy;
+  sum.Slope += ofNodes.transpose() * Eigen::Map<const Eigen::Vector4d>(term.Slope.data());
+  sum.Curvature += ofNodes.transpose() * term.Curvature * ofNodes;
+}
+
+void DeformationEnergy::addTo(NodeTerm& sum, const KeptPoint& kept, const Points2& displacements) const
+{
+  const WayOff off = this->wayOff(kept, displacements);
+  const double weight = 2.0 * KeepingWeight * kept.Point.Length;
+  sum.Energy += this->energyOf(kept, displacements);
+  for (int a = 0; a < 9; ++a)
+  {
+    const double share = weight * kept.Influence.Weights[a];
+    sum.Slope.segment<2>(2 * a) += share * off.Way;
+    for (int b = 0; b < 9; ++b)
+    {
+      sum.Curvature.block<2, 2>(2 * a, 2 * b) += share * kept.Influence.Weights[b] * off.Projection;
+    }
+  }
+}
+
+std::vector<DeformationEnergy::NodeTerm> DeformationEnergy::nodeTerms(const Points2& displacements) const
+{
+  constexpr int parts = Divisions * Divisions;
+  const int count = static_cast<int>(this->Squares.size()) / parts;
+  std::vector<NodeTerm> terms(count);
   tbb::parallel_for(tbb::blocked_range<int>(0, count, SquaresPerTask),
     [&](const tbb::blocked_range<int>& range)
     {
       for (int s = range.begin(); s < range.end(); ++s)
       {
-        terms[s] = this->term(this->Squares[s], displacements);
+        for (int part = s * parts; part < (s + 1) * parts; ++part)
+        {
+          this->addTo(terms[s], this->Squares[part], displacements);
+        }
+        for (std::size_t k = 0; !this->Kept.empty() && k < this->Kept[s].size(); ++k)
+        {
+          this->addTo(terms[s], this->Kept[s][k], displacements);
+        }
       }
     });
+  return terms;
+}
+
+double DeformationEnergy::derivatives(const Points2& displacements,
+  Eigen::VectorXd& gradient,
+  SparseMatrix& hessian) const
+{
+  const std::vector<NodeTerm> terms = this->nodeTerms(displacements);
   const int dofs = 2 * this->Lattice.nodeCount();
   double sum = 0.0;
   gradient.setZero(dofs);
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(this->Squares.size() * 171);
-  for (int s = 0; s < count; ++s)
+  entries.reserve(terms.size() * 171);
+  for (std::size_t s = 0; s < terms.size(); ++s)
   {
-    const DeformationLattice::Influence& influence = this->Squares[s].Influence;
+    const std::array<int, 9>& nodes = this->Squares[s * Divisions * Divisions].Influence.Nodes;
     sum += terms[s].Energy;
-    Eigen::Matrix<double, 4, 18> ofNodes = Eigen::Matrix<double, 4, 18>::Zero();
-    std::array<int, 18> rows;
-    for (int k = 0; k < 18; ++k)
-    {
-      rows[k] = 2 * influence.Nodes[k / 2] + k % 2;
-      ofNodes(k % 2, k) = influence.Gradients[k / 2].x();
-      ofNodes(2 + k % 2, k) = influence.Gradients[k / 2].y();
-      gradient[rows[k]] += terms[s].Slope.row(k % 2).dot(influence.Gradients[k / 2]);
-    }
-    const Eigen::Matrix<double, 18, 18> block = ofNodes.transpose() * terms[s].Curvature * ofNodes;
     for (int c = 0; c < 18; ++c)
     {
+      const int column = 2 * nodes[c / 2] + c % 2;
+      gradient[column] += terms[s].Slope[c];
       for (int r = 0; r < 18; ++r)
       {
-        if (rows[r] >= rows[c])
+        const int row = 2 * nodes[r / 2] + r % 2;
+        if (row >= column)
         {
-          entries.emplace_back(rows[r], rows[c], block(r, c));
+          entries.emplace_back(row, column, terms[s].Curvature(r, c));
         }
       }
     }

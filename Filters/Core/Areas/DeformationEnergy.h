@@ -5,6 +5,7 @@
 #include "Areas/DeformationLattice.h"
 #include "Areas/RefinementTerms.h"
 #include "Base/SparseFactorization.h"
+#include "Transport/ConvexDomain.h"
 
 #include <Eigen/Core>
 
@@ -30,12 +31,31 @@ namespace flattening
 class DeformationEnergy
 {
 public:
+  /// Which shapes the faces should have.
+  enum class Shapes
+  {
+    OfSurface, ///< those of the surface
+    OfMap      ///< those of the map: phi is that of similar faces, and nothing moves but for areas
+  };
+
   /// Sums up the faces of @p terms at @p positions (n x 2, in the box of @p lattice), all of them
   /// positive, with the target areas @p targets (m, > 0). @p lattice must live as long as this does.
   DeformationEnergy(const DeformationLattice& lattice,
     const RefinementTerms& terms,
     const Points2& positions,
-    const Eigen::VectorXd& targets);
+    const Eigen::VectorXd& targets,
+    Shapes shapes = Shapes::OfSurface);
+
+  /// A point of the map on the boundary of a domain.
+  struct BoundaryPoint
+  {
+    Eigen::Vector2d Place;
+    double Length; ///< of the boundary that it stands for
+    bool Stays;    ///< whether it may not slide along the boundary
+  };
+  /// Keeps @p points on the boundary of @p domain, which must live as long as this does: their squared
+  /// distances from it count with a large weight.
+  void keepOnBoundary(const ConvexDomain& domain, const std::vector<BoundaryPoint>& points);
 
   /// Sets W, > 0.
   void setAreaWeight(double weight) { this->AreaWeight = weight; }
@@ -57,15 +77,29 @@ private:
     double Target;                           // sum of the faces' targets
     double Ratio;                            // flat area of the faces over their targets
   };
+  struct KeptPoint // on the boundary of the domain
+  {
+    BoundaryPoint Point;
+    DeformationLattice::Influence Influence;
+  };
   struct SquareTerm;
+  struct WayOff;   // of a kept point
+  struct NodeTerm; // of the nodes that move a square of the lattice
   void addSquares();
   std::size_t squareOf(const Eigen::Vector2d& point) const;
   static Eigen::Matrix2d derivativeOf(const Square& square, const Points2& displacements);
   double energyOf(const Square& square, const Eigen::Matrix2d& f) const;
   SquareTerm term(const Square& square, const Points2& displacements) const;
+  double energyOf(const KeptPoint& kept, const Points2& displacements) const;
+  WayOff wayOff(const KeptPoint& kept, const Points2& displacements) const;
+  void addTo(NodeTerm& sum, const Square& square, const Points2& displacements) const;
+  void addTo(NodeTerm& sum, const KeptPoint& kept, const Points2& displacements) const;
+  std::vector<NodeTerm> nodeTerms(const Points2& displacements) const;
 
   const DeformationLattice& Lattice;
-  std::vector<Square> Squares; // row by row
+  std::vector<Square> Squares; // by squares of the lattice, row by row
+  const ConvexDomain* Domain = nullptr;
+  std::vector<std::vector<KeptPoint>> Kept; // per square of the lattice, or empty
   double AreaWeight = 1.0;
 };
 

@@ -106,4 +106,16 @@ DomainMap DegreesOfFreedom::moved(const DomainMap& map, const Eigen::VectorXd& s
   return result;
 }
 
+DomainMap DegreesOfFreedom::between(const DomainMap& from, const DomainMap& to, double share) const
+{
+  DomainMap result;
+  result.Positions = (1.0 - share) * from.Positions + share * to.Positions;
+  result.BoundaryParameters = (1.0 - share) * from.BoundaryParameters + share * to.BoundaryParameters;
+  for (std::size_t k = 0; k < this->Loop.size(); ++k)
+  {
+    result.Positions.row(this->Loop[k]) = this->Domain->at(result.BoundaryParameters[k]);
+  }
+  return result;
+}
+
 } // namespace flattening

@@ -56,6 +56,10 @@ public:
   /// @p map moved by @p length times @p step (count()).
   DomainMap moved(const DomainMap& map, const Eigen::VectorXd& step, double length) const;
 
+  /// The map with the share @p share of the way from one map to another, along the boundary where they
+  /// are on it.
+  DomainMap between(const DomainMap& from, const DomainMap& to, double share) const;
+
 private:
   void number(const std::vector<char>& stays);
 

@@ -20,7 +20,7 @@ constexpr double LeastDirichlet = 1e-12;
 FaceAreaEnergy::Value FaceAreaEnergy::value(double area,
   double target,
   double dirichlet,
-  double shapeWeight) const
+  const Weights& weights) const
 {
   Value result;
   const double r = area / target;
@@ -34,19 +34,20 @@ FaceAreaEnergy::Value FaceAreaEnergy::value(double area,
   const double byLog = 1.0 / root; // derivative of log chi by r
   const double chiByR = chi * byLog;
   const double chiByRR = 0.5 * this->Epsilon * this->Epsilon * byLog * byLog * byLog;
-  const double s = shapeWeight;
+  const double w = weights.Area;
+  const double s = weights.Shape;
   // Smoothed like r, so that a face does not gain by shrinking to a point.
   const double q = std::max(dirichlet / target, LeastDirichlet);
   const SmoothPositivePart chiOfQ = smoothPositivePart(q, this->Epsilon);
 
   const double shape = s > 0.0 ? s * (std::log(chiOfQ.Value) - logChi) : 0.0;
-  result.Energy = target * ((r - 1.0) * (r - 1.0) + FlipWeight * (chi - 1.0 - logChi) + shape);
-  result.ByArea = 2.0 * (r - 1.0) + FlipWeight * (chiByR - byLog) - s * byLog;
+  result.Energy = target * (w * (r - 1.0) * (r - 1.0) + FlipWeight * (chi - 1.0 - logChi) + shape);
+  result.ByArea = 2.0 * w * (r - 1.0) + FlipWeight * (chiByR - byLog) - s * byLog;
   result.ByDirichlet = s / chiOfQ.Root;
   // Minus the logarithm is concave where the face is flipped; only positive curvature counts.
   const double logCurvature = r * byLog * byLog * byLog;
   const double flipCurvature = std::max(0.0, chiByRR + logCurvature);
-  result.Curvature = (2.0 + FlipWeight * flipCurvature + s * std::max(0.0, logCurvature)) / target;
+  result.Curvature = (2.0 * w + FlipWeight * flipCurvature + s * std::max(0.0, logCurvature)) / target;
   return result;
 }
 

@@ -30,7 +30,7 @@ constexpr int MoreRounds = 4;
 constexpr int LeastFirstStages = 2;
 constexpr int MostFirstStages = 16;
 constexpr double GreatestLeft = 0.8;
-// The region error above which the refinement ends with a step of the whole mesh
+// The region error above which the refinement ends with deformations of the domain
 // (RefinementRounds::balance): regions are what people measure. With it the errors of the demo's regions
 // are 0.04 %.
 constexpr double FinalRegionTolerance = 2e-4;
@@ -58,11 +58,12 @@ public:
     : Surface(surface)
     , Map(map)
     , IsRough(options.IsRough)
+    , AsksForAreas(options.AngleWeight == 0.0)
     , FacesOf(surface.Faces, surface.vertexCount())
     , Dofs(surface.vertexCount(), map.Domain, map.Loop, map.Corners)
     , Targets(positiveTargets(faceTargets, map.Domain->area()))
     , Terms(surface, map.Loop, map.Domain->perimeter(), shapeWeight(options))
-    , Rounds(surface, this->Terms, this->FacesOf, this->Dofs, map.Start)
+    , Rounds(surface, this->Terms, this->FacesOf, this->Dofs, map.Start, this->AsksForAreas)
     , OnBoundary(surface.vertexCount(), 0)
   {
     for (const int v : map.Loop)
@@ -121,20 +122,36 @@ private:
         ? resolvableAreas(this->Surface.Faces, this->Map.Conformal, this->Map.Positions, this->Targets)
         : this->Targets,
       RefinementRounds::FlippingEpsilon);
-    this->Rounds.run(map, FirstStageRounds, this->IsRough ? Until::Roughly : Until::Enough, progress);
+    this->Rounds.lowerDistortion(map, subrange(progress, 0.0, 0.2));
+    this->Rounds.run(map,
+      FirstStageRounds,
+      this->IsRough ? Until::Roughly : Until::Enough,
+      subrange(progress, 0.2, 1.0));
   }
 
   void secondStage(DomainMap& map, const ProgressCallback& progress)
   {
     this->Rounds.setStage(this->Targets, 0.0);
+    const Points2 before = map.Positions;
     if (this->Map.Start == RefinementStart::WarmStart)
     {
-      // Areas are off by little but everywhere, which steps of the whole mesh correct at once.
-      this->Rounds.balance(map, FinalRegionTolerance, subrange(progress, 0.0, 0.3));
+      // Areas are off by little but everywhere, which deformations of the domain correct at once. The
+      // shapes of the map before are not the best ones for the new areas.
+      if (!this->Rounds.areBalanced(map, FinalRegionTolerance))
+      {
+        this->Rounds.lowerDistortion(map, subrange(progress, 0.0, 0.2));
+      }
+      this->Rounds.balance(map, FinalRegionTolerance, subrange(progress, 0.2, 0.3));
     }
     if (!this->Rounds.run(map, SecondStageRounds, Until::Enough, subrange(progress, 0.3, 0.8)))
     {
-      this->Rounds.balance(map, FinalRegionTolerance, subrange(progress, 0.8, 1.0));
+      this->Rounds.balance(map, FinalRegionTolerance, subrange(progress, 0.8, 0.85));
+    }
+    const bool isSame = this->Map.Start == RefinementStart::WarmStart && map.Positions == before;
+    if (this->AsksForAreas && !isSame)
+    {
+      this->Rounds.polish(map, subrange(progress, 0.85, 0.95));
+      this->Rounds.balance(map, FinalRegionTolerance, subrange(progress, 0.95, 1.0));
     }
   }
 
@@ -207,23 +224,16 @@ private:
   void startOver(DomainMap& map, const ProgressCallback& progress)
   {
     const DomainMap conformal = this->mapTo(this->Map.OnDomain);
-    const DomainMap transported = this->mapTo(this->Map.Positions);
+    DomainMap transported = this->mapTo(this->Map.Positions);
     const double turn = this->Dofs.domain().perimeter();
     const double apart = transported.BoundaryParameters[0] - conformal.BoundaryParameters[0];
-    const double shift = -turn * std::round(apart / turn);
+    transported.BoundaryParameters.array() -= turn * std::round(apart / turn);
     double fraction = 0.0;
     for (const double share : StartShares)
     {
       const double begin = fraction;
       fraction += 1.0 / std::size(StartShares);
-      DomainMap between;
-      between.Positions = (1.0 - share) * conformal.Positions + share * transported.Positions;
-      between.BoundaryParameters = (1.0 - share) * conformal.BoundaryParameters.array() +
-                                   share * (transported.BoundaryParameters.array() + shift);
-      for (std::size_t k = 0; k < this->Map.Loop.size(); ++k)
-      {
-        between.Positions.row(this->Map.Loop[k]) = this->Dofs.domain().at(between.BoundaryParameters[k]);
-      }
+      DomainMap between = this->Dofs.between(conformal, transported, share);
       if (this->untangleIn(PatchSizes::Large, between, subrange(progress, begin, fraction)))
       {
         map = std::move(between);
@@ -236,6 +246,7 @@ private:
   const TriangleMesh& Surface;
   const TransportedMap& Map;
   bool IsRough;
+  bool AsksForAreas;
   VertexFaces FacesOf;
   DegreesOfFreedom Dofs;
   Eigen::VectorXd Targets;

@@ -5,11 +5,11 @@
 #include "Areas/RefinementPatches.h"
 #include "Areas/RefinementRounds.h"
 #include "Areas/RefinementTerms.h"
+#include "Areas/ShapeDistortion.h"
 #include "Areas/SmoothDeformation.h"
 #include "Areas/TargetAreas.h"
 #include "Mesh/FaceOrientation.h"
 #include "Mesh/OutlineCrossings.h"
-#include "Mesh/PlaneVectors.h"
 #include "Mesh/VertexFaces.h"
 #include "Untangling/MapUntangling.h"
 #include "Untangling/TargetTriangles.h"
@@ -70,7 +70,7 @@ public:
     , Dofs(surface.vertexCount())
     , Targets(positiveTargets(faceTargets, area))
     , Terms(surface, loop, 1.0, shapeWeight)
-    , Rounds(surface, this->Terms, this->FacesOf, this->Dofs, RefinementStart::Transport)
+    , Rounds(surface, this->Terms, this->FacesOf, this->Dofs, RefinementStart::Transport, true)
     , OnBoundary(surface.vertexCount(), 0)
     , Map{ positions, {} }
   {
@@ -251,26 +251,7 @@ private:
     return fixed;
   }
 
-  // The mean over the area of the logarithm of the ratio of Dirichlet energy to area; 0 if all shapes
-  // are kept.
-  double distortion() const
-  {
-    double sum = 0.0;
-    for (int f = 0; f < this->Surface.faceCount(); ++f)
-    {
-      Eigen::Vector2d sides[3];
-      double dirichlet = 0.0;
-      for (int k = 0; k < 3; ++k)
-      {
-        sides[k] = this->Map.Positions.row(this->Surface.Faces(f, (k + 2) % 3)) -
-                   this->Map.Positions.row(this->Surface.Faces(f, (k + 1) % 3));
-        dirichlet += 0.25 * this->Terms.Cotangents(f, k) * sides[k].squaredNorm();
-      }
-      const double area = 0.5 * cross(sides[0], sides[1]);
-      sum += dirichlet > area ? this->Targets[f] * std::log(dirichlet / area) : 0.0;
-    }
-    return sum / this->Area;
-  }
+  double distortion() const { return shapeDistortion(this->Terms, this->Map.Positions, this->Targets); }
 
   double covered() const { return signedFaceAreas(this->Map.Positions, this->Surface.Faces).sum(); }
 

@@ -117,8 +117,10 @@ int RefinementEnergy::cornerOf(int vertex, int face) const
 
 FaceAreaEnergy::Value RefinementEnergy::faceValue(const FlatFace& flat, int face) const
 {
-  return this->Energy.value(
-    flat.Area, this->Scale * this->Targets[face], flat.Dirichlet, this->Terms.ShapeWeights[face]);
+  return this->Energy.value(flat.Area,
+    this->Scale * this->Targets[face],
+    flat.Dirichlet,
+    { this->AreaWeights[face], this->Terms.ShapeWeights[face] });
 }
 
 RefinementEnergy::GapTerm RefinementEnergy::gapTerm(const DomainMap& map, const BoundaryGap& gap) const

@@ -26,8 +26,13 @@ public:
     const VertexFaces& facesOf,
     const DegreesOfFreedom& dofs);
 
-  /// Sets the target areas (m, > 0), up to a common factor; see setEnclosed().
-  void setTargets(const Eigen::VectorXd& targets) { this->Targets = targets; }
+  /// Sets the target areas (m, > 0), up to a common factor; see setEnclosed(). @p areaWeights (m, > 0)
+  /// are those of FaceAreaEnergy.
+  void setTargets(const Eigen::VectorXd& targets, const Eigen::VectorXd& areaWeights)
+  {
+    this->Targets = targets;
+    this->AreaWeights = areaWeights;
+  }
   /// Sets epsilon of FaceAreaEnergy, >= 0; with 0 the energy of flipped faces is infinite.
   void setEpsilon(double epsilon);
   /// Scales the targets to the area that the boundary of @p map encloses.
@@ -77,6 +82,7 @@ private:
   const DegreesOfFreedom& Dofs;
   FaceAreaEnergy Energy;
   Eigen::VectorXd Targets;
+  Eigen::VectorXd AreaWeights;
   double Scale = 1.0;
   std::vector<FaceAreaEnergy::Value> Values; // of the last gradient
   SparseMatrix Hessian;

@@ -61,7 +61,7 @@ public:
   // Returns whether the patch needed it.
   bool refine(const DomainMap& before, DomainMap& after)
   {
-    if (this->Free == 0 || this->offShare(before) <= EnoughPatchShare)
+    if (this->Free == 0 || (this->ThePass.SkipsRight && this->offShare(before) <= EnoughPatchShare))
     {
       return false;
     }
@@ -102,7 +102,7 @@ private:
     const RefinementTerms terms = this->terms(members);
     const VertexFaces facesOf(terms.Faces, static_cast<int>(this->Vertices.size()));
     RefinementEnergy energy(terms, facesOf, dofs);
-    energy.setTargets(this->ThePass.Targets(this->Rows));
+    energy.setTargets(this->ThePass.Targets(this->Rows), this->ThePass.AreaWeights(this->Rows));
     energy.setEpsilon(this->ThePass.Epsilon);
     RefinementDescent descent(energy, dofs, terms, SparseCholesky::Kernel::Entries);
     descent.keepOrientation(this->ThePass.KeepsOrientation);

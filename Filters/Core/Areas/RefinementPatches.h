@@ -35,12 +35,14 @@ public:
   struct Pass
   {
     Eigen::VectorXd Targets;      ///< per face (m), with the area that the boundary encloses as sum
+    Eigen::VectorXd AreaWeights;  ///< per face (m), see FaceAreaEnergy
     double Epsilon = 0.0;         ///< see FaceAreaEnergy
     double ShapeFactor = 1.0;     ///< factor of the terms' shape weights
     bool KeepsOrientation = true; ///< whether faces may not flip (RefinementDescent)
+    bool SkipsRight = true;       ///< whether patches are left out in which few faces are not right
   };
 
-  /// Minimises the energy in the patches where too many faces are not right; returns their number.
+  /// Minimises the energy in the patches, and returns how many they were.
   int run(const Pass& pass, DomainMap& map, const ProgressCallback& progress);
 
 private:

@@ -3,6 +3,7 @@
 /// farther than a patch reaches.
 #pragma once
 
+#include "Areas/DeformationEnergy.h"
 #include "Areas/DegreesOfFreedom.h"
 #include "Areas/RefinementDescent.h"
 #include "Areas/RefinementEnergy.h"
@@ -37,12 +38,14 @@ public:
   static constexpr double FlippingEpsilon = 0.1;
 
   /// From the transport on, shapes count more in the first rounds. After a warm start they do not, and
-  /// the rounds end earlier. The arguments must live as long as this does.
+  /// the rounds end earlier. @p asksForAreas: whether shapes count only as far as areas leave them free.
+  /// The other arguments must live as long as this does.
   RefinementRounds(const TriangleMesh& surface,
     const RefinementTerms& terms,
     const VertexFaces& facesOf,
     const DegreesOfFreedom& dofs,
-    RefinementStart start);
+    RefinementStart start,
+    bool asksForAreas);
 
   /// @p targets (m, > 0): the areas of the faces, with the domain's area as their sum. @p epsilon >= 0,
   /// see FaceAreaEnergy: with 0 faces do not flip, and all of them must be positive at the start.
@@ -57,13 +60,27 @@ public:
   /// brought too little. @throws Cancelled, ConvergenceError.
   bool run(DomainMap& map, int most, Until until, const ProgressCallback& progress);
 
-  /// Makes steps of the whole mesh if the area of a region of the size of a patch is off by more than
-  /// the share @p tolerance. @throws Cancelled, ConvergenceError.
+  /// Deforms the domain smoothly until that hardly lowers the distortion of shapes any more. Does
+  /// nothing if the boundary is free, angles are asked for, or thin faces would flip. @throws Cancelled.
+  void lowerDistortion(DomainMap& map, const ProgressCallback& progress);
+
+  /// Whether the areas of all regions of the size of a patch are off by less than the share @p
+  /// tolerance.
+  bool areBalanced(const DomainMap& map, double tolerance) { return this->imbalance(map) < tolerance; }
+
+  /// Deforms the domain, or makes steps of the whole mesh where it cannot be deformed, if the area of a
+  /// region of the size of a patch is off by more than the share @p tolerance.
+  /// @throws Cancelled, ConvergenceError.
   void balance(DomainMap& map, double tolerance, const ProgressCallback& progress);
 
   /// Makes steps of the whole mesh, at most @p most rounds of them, until a round lowers the energy by
   /// less than the share @p leastGain. @throws Cancelled, ConvergenceError.
   void settle(DomainMap& map, double leastGain, int most, const ProgressCallback& progress);
+
+  /// A last round, with shapes at half their weight: the areas of the faces come nearer to their targets
+  /// than in rounds that end with the tolerance, and those that balance() has left off come right. It
+  /// takes all patches or, after a warm start, those that need it. @throws Cancelled, ConvergenceError.
+  void polish(DomainMap& map, const ProgressCallback& progress);
 
   int count() const { return this->Count; } ///< number of rounds so far
 
@@ -71,6 +88,11 @@ private:
   struct WrongFaces;
   WrongFaces wrongFaces(const DomainMap& map);
   double imbalance(const DomainMap& map);
+  bool deform(DomainMap& map,
+    DeformationEnergy::Shapes shapes,
+    double areaWeight,
+    const ProgressCallback& progress);
+  RefinementPatches::Pass pass(const DomainMap& map);
   double descend(DomainMap& map, const ProgressCallback& progress);
 
   const TriangleMesh& Surface;
@@ -80,7 +102,10 @@ private:
   RefinementPatches Patches;
   std::optional<RefinementDescent> Descent; // of the whole mesh
   RefinementStart Start;
+  bool AsksForAreas;
+  Eigen::VectorXd AreaWeights;
   double Epsilon = 0.0;
+  bool FlipsIfDeformed = false; // in this stage
   int Count = 0;
   int LastShapeRound;
 };

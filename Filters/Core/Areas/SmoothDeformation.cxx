@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Areas/SmoothDeformation.h"
 
-#include "Areas/DeformationEnergy.h"
 #include "Areas/DeformationLattice.h"
 #include "Base/SparseFactorization.h"
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace flattening
 {
@@ -19,6 +20,13 @@ constexpr int LatticeSquares = 40;
 // The box is larger than the map by this share of its longer side everywhere: the plane around the map
 // takes part. A choice: any share of more than a square of the lattice gives about the same map.
 constexpr double LatticeMargin = 0.1;
+// In a domain, whose outside takes no part: the margin in squares of the lattice, so that all nodes that
+// move the map belong to it, and the least and greatest number of vertices per square of the lattice's
+// box. With fewer the faces of small maps are bent, with more the squares of large maps are larger than
+// the patches of the refinement.
+constexpr double DomainMargin = 1.5;
+constexpr double LeastPerSquare = 16.0;
+constexpr double GreatestPerSquare = 600.0;
 // Weights of the areas before the last one. With that one alone, steps that keep all areas would be
 // short.
 constexpr double FirstAreaWeights[] = { 3.0, 30.0 };
@@ -34,13 +42,13 @@ constexpr double DecreaseShare = 1e-4;
 // depend on where the map lies and how it is turned.
 constexpr double RelativeDamping = 1e-8;
 
-DeformationLattice latticeAround(const Points2& positions)
+DeformationLattice latticeAround(const Points2& positions, double shareOfMargin, int squares)
 {
   Eigen::AlignedBox2d box(
     positions.colwise().minCoeff().transpose(), positions.colwise().maxCoeff().transpose());
-  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(LatticeMargin * box.sizes().maxCoeff());
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(shareOfMargin * box.sizes().maxCoeff());
   box = Eigen::AlignedBox2d(box.min() - margin, box.max() + margin);
-  return { box, LatticeSquares };
+  return { box, squares };
 }
 
 // Newton's method for the displacements of a lattice's nodes.
@@ -58,7 +66,7 @@ public:
   {
     for (int step = 0; step < MostSteps; ++step)
     {
-      report(progress, static_cast<double>(step) / MostSteps, "Free outline: deformation");
+      report(progress, static_cast<double>(step) / MostSteps, "Smooth deformation");
       if (!this->makeStep())
       {
         return;
@@ -112,7 +120,7 @@ Points2 smoothlyDeformed(const RefinementTerms& terms,
   double areaWeight,
   const ProgressCallback& progress)
 {
-  const DeformationLattice lattice = latticeAround(positions);
+  const DeformationLattice lattice = latticeAround(positions, LatticeMargin, LatticeSquares);
   DeformationEnergy energy(lattice, terms, positions, targets);
   DeformationDescent descent(lattice, energy);
   double begin = 0.0;
@@ -125,6 +133,51 @@ Points2 smoothlyDeformed(const RefinementTerms& terms,
   energy.setAreaWeight(areaWeight);
   descent.descend(subrange(progress, begin, 1.0));
   return lattice.moved(positions, descent.displacements());
+}
+
+DomainMap smoothlyDeformed(const RefinementTerms& terms,
+  const DegreesOfFreedom& dofs,
+  const DomainMap& map,
+  const Eigen::VectorXd& targets,
+  DeformationEnergy::Shapes shapes,
+  double areaWeight,
+  const ProgressCallback& progress)
+{
+  const std::vector<int>& loop = dofs.loop();
+  const ConvexDomain& domain = dofs.domain();
+  const int count = static_cast<int>(loop.size());
+  const int n = static_cast<int>(map.Positions.rows());
+  const double finest = std::min<double>(LatticeSquares, std::sqrt(n / LeastPerSquare));
+  const int squares = static_cast<int>(std::max(finest, std::sqrt(n / GreatestPerSquare)));
+  const DeformationLattice lattice = latticeAround(map.Positions, DomainMargin / squares, squares);
+  DeformationEnergy energy(lattice, terms, map.Positions, targets, shapes);
+  std::vector<DeformationEnergy::BoundaryPoint> points;
+  for (int k = 0; k < count; ++k)
+  {
+    const int next = (k + 1) % count;
+    const double turn = next == 0 ? domain.perimeter() : 0.0;
+    const double length = map.BoundaryParameters[next] + turn - map.BoundaryParameters[k];
+    points.push_back({ map.Positions.row(loop[k]), length, dofs.countOf(loop[k]) == 0 });
+  }
+  energy.keepOnBoundary(domain, points);
+  energy.setAreaWeight(areaWeight);
+  DeformationDescent descent(lattice, energy);
+  descent.descend(progress);
+  DomainMap moved{ lattice.moved(map.Positions, descent.displacements()), map.BoundaryParameters };
+  for (int k = 0; k < count; ++k)
+  {
+    auto place = moved.Positions.row(loop[k]);
+    if (points[k].Stays)
+    {
+      place = map.Positions.row(loop[k]);
+      continue;
+    }
+    const double way = domain.parameterOf(place) - domain.parameterOf(map.Positions.row(loop[k]));
+    const double turn = domain.perimeter();
+    moved.BoundaryParameters[k] += way - turn * std::round(way / turn);
+    place = domain.at(moved.BoundaryParameters[k]);
+  }
+  return moved;
 }
 
 } // namespace flattening

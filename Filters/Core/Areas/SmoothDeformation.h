@@ -2,6 +2,8 @@
 /// A smooth deformation of the plane that lowers the distortion of the shapes of a flat map.
 #pragma once
 
+#include "Areas/DeformationEnergy.h"
+#include "Areas/DegreesOfFreedom.h"
 #include "Areas/RefinementTerms.h"
 #include "Base/Progress.h"
 #include "Mesh/TriangleMesh.h"
@@ -20,6 +22,17 @@ namespace flattening
 Points2 smoothlyDeformed(const RefinementTerms& terms,
   const Points2& positions,
   const Eigen::VectorXd& targets,
+  double areaWeight,
+  const ProgressCallback& progress = {});
+
+/// The same for a map to a convex domain: the boundary vertices slide along its boundary, and those that
+/// stay (@p dofs) do so. Faces of @p map may be flipped; these count for nothing. @p shapes are those
+/// that faces should have.
+DomainMap smoothlyDeformed(const RefinementTerms& terms,
+  const DegreesOfFreedom& dofs,
+  const DomainMap& map,
+  const Eigen::VectorXd& targets,
+  DeformationEnergy::Shapes shapes,
   double areaWeight,
   const ProgressCallback& progress = {});
 

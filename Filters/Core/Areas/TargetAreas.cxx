@@ -24,6 +24,12 @@ constexpr double LargestShare = 0.3;
 // would divide by 0.
 constexpr double LeastTarget = 1e-6;
 
+// The area, in mean targets, that smaller faces count like, and the greatest factor of a face. Choices
+// by trial: without the first the refinement of an isosurface takes three times as many rounds and ends
+// with four times as many faces off by more than 2 %; with a larger factor angles suffer around slivers.
+constexpr double CountedArea = 0.5;
+constexpr double GreatestCountFactor = 20.0;
+
 double longestSide(const FaceMatrix& faces, const Points2& positions, Eigen::Index face)
 {
   double longest = 0.0;
@@ -132,6 +138,12 @@ Eigen::VectorXd positiveTargets(const Eigen::VectorXd& targets, double area)
 {
   const Eigen::VectorXd positive = targets.cwiseMax(LeastTarget * targets.mean());
   return positive * (area / positive.sum());
+}
+
+Eigen::VectorXd areaWeights(const Eigen::VectorXd& targets)
+{
+  const double counted = CountedArea * targets.mean();
+  return (counted / targets.array()).max(1.0).min(GreatestCountFactor);
 }
 
 double shareOfWrongFaces(const Points2& positions,

@@ -2,12 +2,17 @@
 #include "AnalyticSurfaces.h"
 #include "Areas/DeformationEnergy.h"
 #include "Areas/DeformationLattice.h"
+#include "Areas/DegreesOfFreedom.h"
 #include "Areas/RefinementTerms.h"
+#include "Areas/SmoothDeformation.h"
 #include "Mesh/MeshTopology.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <vector>
 
 namespace
 {
@@ -141,6 +146,83 @@ TEST_F(DeformationEnergyOfAMap, IsInfiniteWhereThePlaneFolds)
   Points2 folded = Points2::Zero(this->Lattice.nodeCount(), 2);
   folded(this->Lattice.nodeCount() / 2, 0) = 10.0;
   EXPECT_TRUE(std::isinf(this->Energy.value(folded)));
+}
+
+// Points on the circle that must stay on it, and one that must stay where it is.
+TEST_F(DeformationEnergyOfAMap, GradientOfKeptPointsIsThatOfDifferences)
+{
+  const UnitDisk disk;
+  std::vector<DeformationEnergy::BoundaryPoint> points;
+  for (int k = 0; k < 12; ++k)
+  {
+    points.push_back({ disk.at(0.5 * k), 0.5, k == 3 });
+  }
+  const Points2 at = this->displacements(0.03, 1);
+  const double before = this->Energy.value(at);
+  this->Energy.keepOnBoundary(disk, points);
+  Eigen::VectorXd gradient;
+  SparseMatrix hessian;
+  const double value = this->Energy.derivatives(at, gradient, hessian);
+  EXPECT_GT(value, 2.0 * before);
+  EXPECT_NEAR(value, this->Energy.value(at), 1e-12 * value);
+  for (int seed = 2; seed < 8; ++seed)
+  {
+    const Points2 step = this->displacements(1e-7, seed);
+    const double difference = 0.5 * (this->Energy.value(at + step) - this->Energy.value(at - step));
+    const double slope = gradient.dot(Eigen::Map<const Eigen::VectorXd>(step.data(), step.size()));
+    EXPECT_NEAR(slope, difference, 1e-5 * std::abs(difference) + 1e-9);
+  }
+}
+
+// The paraboloid's map to the disk has half of the area that it should have at the rim. Deformations
+// in the disk that keep shapes where areas allow it give rings and sectors the areas that they should
+// have.
+TEST_F(DeformationEnergyOfAMap, DeformationInADiskSetsTheAreasOfRegionsRight)
+{
+  const std::vector<int> loop = requireDisk(this->Mesh);
+  const auto disk = std::make_shared<UnitDisk>();
+  const DegreesOfFreedom dofs(this->Mesh.vertexCount(), disk, loop, { 5 });
+  DomainMap map{ this->Positions, {} };
+  for (const int v : loop)
+  {
+    map.Positions.row(v).normalize();
+  }
+  map.BoundaryParameters = disk->parametersOf(map.Positions, loop);
+  const Eigen::VectorXd areas = signedFaceAreas(map.Positions, this->Mesh.Faces);
+  const Eigen::VectorXd targets = this->Targets * (areas.sum() / this->Targets.sum());
+  const auto worstRegion = [&](const DomainMap& flat)
+  {
+    constexpr int regions = 12; // three rings of four sectors each
+    Eigen::VectorXd has = Eigen::VectorXd::Zero(regions);
+    Eigen::VectorXd wants = has;
+    const Eigen::VectorXd now = signedFaceAreas(flat.Positions, this->Mesh.Faces);
+    for (int f = 0; f < this->Mesh.faceCount(); ++f)
+    {
+      const Eigen::RowVector2d centre =
+        this->Positions(this->Mesh.Faces.row(f), Eigen::all).colwise().mean();
+      const int ring = std::min(2, static_cast<int>(3.0 * centre.norm()));
+      const int region = 4 * ring + 2 * (centre.x() > 0.0 ? 1 : 0) + (centre.y() > 0.0 ? 1 : 0);
+      has[region] += now[f];
+      wants[region] += targets[f];
+    }
+    return (has.array() / wants.array() - 1.0).abs().maxCoeff();
+  };
+  DomainMap deformed = map;
+  for (int k = 0; k < 3; ++k)
+  {
+    deformed =
+      smoothlyDeformed(this->Terms, dofs, deformed, targets, DeformationEnergy::Shapes::OfMap, 1e3);
+  }
+  EXPECT_GT(worstRegion(map), 0.1);
+  EXPECT_LT(worstRegion(deformed), 2e-3);
+  EXPECT_GT(signedFaceAreas(deformed.Positions, this->Mesh.Faces).minCoeff(), 0.0);
+  EXPECT_TRUE(disk->areInOrder(deformed.BoundaryParameters));
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    const Eigen::Vector2d place = deformed.Positions.row(loop[k]);
+    EXPECT_LT((place - disk->at(deformed.BoundaryParameters[k])).norm(), 1e-15);
+  }
+  EXPECT_EQ(deformed.Positions.row(loop[5]), map.Positions.row(loop[5]));
 }
 
 } // namespace

@@ -12,7 +12,7 @@ using namespace flattening;
 
 TEST(FaceAreaEnergy, VanishesForASimilarTriangleOfTheTargetArea)
 {
-  const auto value = FaceAreaEnergy(0.0).value(0.7, 0.7, 0.7, 0.01);
+  const auto value = FaceAreaEnergy(0.0).value(0.7, 0.7, 0.7, { 3.0, 0.01 });
   EXPECT_NEAR(value.Energy, 0.0, 1e-16);
   // Growing it as it is gains nothing either: the derivatives by both measures of its size cancel.
   EXPECT_NEAR(value.ByArea + value.ByDirichlet, 0.0, 1e-16);
@@ -20,9 +20,9 @@ TEST(FaceAreaEnergy, VanishesForASimilarTriangleOfTheTargetArea)
 
 TEST(FaceAreaEnergy, IsInfiniteForAFlippedFaceUnlessEpsilonIsPositive)
 {
-  EXPECT_TRUE(std::isinf(FaceAreaEnergy(0.0).value(-0.1, 1.0, 1.0, 0.0).Energy));
-  EXPECT_TRUE(std::isinf(FaceAreaEnergy(0.0).value(0.0, 1.0, 1.0, 0.0).Energy));
-  EXPECT_TRUE(std::isfinite(FaceAreaEnergy(0.1).value(-50.0, 1.0, 50.0, 0.01).Energy));
+  EXPECT_TRUE(std::isinf(FaceAreaEnergy(0.0).value(-0.1, 1.0, 1.0, { 1.0, 0.0 }).Energy));
+  EXPECT_TRUE(std::isinf(FaceAreaEnergy(0.0).value(0.0, 1.0, 1.0, { 1.0, 0.0 }).Energy));
+  EXPECT_TRUE(std::isfinite(FaceAreaEnergy(0.1).value(-50.0, 1.0, 50.0, { 1.0, 0.01 }).Energy));
 }
 
 // However much shape counts: the logarithms of both its sizes are smoothed alike.
@@ -32,7 +32,8 @@ TEST(FaceAreaEnergy, AFaceDoesNotGainByShrinkingToAPoint)
   {
     for (const double size : { 1e-2, 1e-4, 1e-8, 0.0 })
     {
-      EXPECT_GT(FaceAreaEnergy(0.1).value(size, 1.0, size, shape).Energy, 0.9) << shape << " " << size;
+      EXPECT_GT(FaceAreaEnergy(0.1).value(size, 1.0, size, { 1.0, shape }).Energy, 0.9)
+        << shape << " " << size;
     }
   }
 }
@@ -40,7 +41,7 @@ TEST(FaceAreaEnergy, AFaceDoesNotGainByShrinkingToAPoint)
 TEST(FaceAreaEnergy, DerivativesMatchDifferences)
 {
   constexpr double target = 0.3;
-  constexpr double shape = 0.02;
+  constexpr FaceAreaEnergy::Weights weights{ 5.0, 0.02 };
   constexpr double step = 1e-5;
   for (const double epsilon : { 0.0, 0.1 })
   {
@@ -52,8 +53,8 @@ TEST(FaceAreaEnergy, DerivativesMatchDifferences)
         continue;
       }
       const double dirichlet = std::abs(area) + 0.1;
-      const auto at = [&](double a, double q) { return energy.value(a, target, q, shape).Energy; };
-      const auto value = energy.value(area, target, dirichlet, shape);
+      const auto at = [&](double a, double q) { return energy.value(a, target, q, weights).Energy; };
+      const auto value = energy.value(area, target, dirichlet, weights);
       const double up = at(area + step, dirichlet);
       const double down = at(area - step, dirichlet);
       EXPECT_NEAR(value.ByArea, (up - down) / (2.0 * step), 1e-6 * (1.0 + std::abs(value.ByArea)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "AnalyticSurfaces.h"
 #include "Areas/RefinementEnergy.h"
+#include "Areas/TargetAreas.h"
 #include "Mesh/MeshTopology.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ protected:
     , Energy(Terms, FacesOf, Dofs)
   {
     const Eigen::VectorXd areas = faceAreas(Mesh.Vertices, Mesh.Faces);
-    this->Energy.setTargets(areas * (EIGEN_PI / areas.sum()));
+    this->Energy.setTargets(areas * (EIGEN_PI / areas.sum()), areaWeights(areas));
     this->Energy.setEpsilon(0.1);
     this->Map.Positions = Mesh.Vertices.leftCols<2>();
     for (Eigen::Index i = 0; i < this->Map.Positions.size(); ++i)
@@ -112,6 +113,18 @@ TEST_F(RefinementEnergyOfAMap, HessianStartsAnewEveryTime)
   const SparseMatrix first = this->Energy.hessian(this->Map);
   const SparseMatrix second = this->Energy.hessian(this->Map);
   EXPECT_EQ((first - second).norm(), 0.0);
+}
+
+// Five faces of a mean target of 0.62: those below half of it count as if they were so large, up to 20
+// times their own area.
+TEST(AreaWeights, LetSmallFacesCountLikeLargerOnes)
+{
+  Eigen::VectorXd targets(5);
+  targets << 1.0, 1.0, 1.0, 0.1, 0.001;
+  Eigen::VectorXd expected(5);
+  expected << 1.0, 1.0, 1.0, 3.101, 20.0;
+  EXPECT_LT((areaWeights(targets) - expected).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((areaWeights(1e-9 * targets) - expected).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 } // namespace

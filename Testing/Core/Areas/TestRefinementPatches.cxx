@@ -2,6 +2,7 @@
 #include "AnalyticSurfaces.h"
 #include "Areas/RefinementEnergy.h"
 #include "Areas/RefinementPatches.h"
+#include "Areas/TargetAreas.h"
 #include "Mesh/FaceOrientation.h"
 #include "Mesh/MeshTopology.h"
 
@@ -49,6 +50,7 @@ protected:
       }
     }
     this->Pass.Targets = signedFaceAreas(this->Exact.Positions, Mesh.Faces);
+    this->Pass.AreaWeights = areaWeights(this->Pass.Targets);
     this->Pass.Epsilon = 0.0;
     this->Pass.KeepsOrientation = true;
   }
