@@ -23,12 +23,11 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr double FewestHoleFaces = 50.0;
 
 // A handle whose loop could surround more than this share of the surface is no noise. A convention, a
-// hundredth of the surface's size: the loops of noise on scans of heads and brains are up to 10 mm long
-// and surround 2e-5; the loop around a zygomatic arch is 43 mm long and surrounds 3e-4.
+// hundredth of the surface's size: it lies between the loops of noise on scans of heads, which are some
+// millimetres long, and the loop around a zygomatic arch, of 43 mm.
 constexpr double SmallestHandle = 1e-4;
 
-// Dropped components with more than this share of the area of the surface are no noise. A convention:
-// the fragments of noise around a smoothed scan have some 1e-4 together.
+// Dropped components with more than this share of the area of the surface are no noise. A convention.
 constexpr double SmallestDropped = 1e-3;
 
 double longestLoop(const SurfaceToDiskReport& report)

@@ -21,16 +21,17 @@
 namespace
 {
 
-// Seconds of one core for each face of the input, with two cores at work, as measured on whole brains
-// and heads of 270,000 and 420,000 faces. Surfaces with long protrusions take up to four times as long.
+// Seconds for each face of the input, about: those of a processor on brains of 131 thousand to 2.1
+// million faces (Utilities/measurements/free_outline.py and the tables of docs/benchmarks.md). Surfaces
+// with long protrusions take longer.
 struct Cost
 {
   const char* Filter;
   double SecondsPerFace;
 };
 constexpr Cost Costs[] = { { "SurfaceToDisk", 2.5e-5 },
-  { "ConformalDisk", 2.0e-5 },
-  { "OMTAreaPreserving", 1.5e-4 },
+  { "ConformalDisk", 1.0e-5 },
+  { "OMTAreaPreserving", 3.0e-5 },
   { "DistortionMetrics", 2.0e-6 } };
 
 QString duration(double seconds)
