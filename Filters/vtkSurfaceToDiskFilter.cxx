@@ -131,16 +131,18 @@ void vtkSurfaceToDiskFilter::Execute(vtkInformationVector** inputVector,
     options.Labelled = flattening::labelledTriangles(
       triangles, flattening::chosenArray(this, input, "the array of labels", 1), this->CutLabel);
   }
+  const flattening::ProgressCallback progress = flattening::progressOf(this);
+  const double diskEnd = this->ScaledCurvature ? 0.95 : 1.0;
   const flattening::DiskSurface disk =
-    flattening::surfaceToDisk(surface, options, flattening::progressOf(this));
+    flattening::surfaceToDisk(surface, options, flattening::subrange(progress, 0.0, diskEnd));
   flattening::setDisk(output, input, cells, disk);
   const flattening::SeamSegments seams = flattening::seamSegments(
     disk, options.SeamPoints.empty() ? std::optional<Eigen::Vector3d>() : options.SeamPoints.front());
   flattening::addSeamArrays(output, seams);
   if (this->ScaledCurvature)
   {
-    flattening::setScaledCurvature(
-      output, flattening::scaledCurvature(disk.Surface.Mesh, flattening::progressOf(this)));
+    flattening::setScaledCurvature(output,
+      flattening::scaledCurvature(disk.Surface.Mesh, flattening::subrange(progress, diskEnd, 1.0)));
   }
   flattening::setCuts(vtkPolyData::GetData(outputVector, 1), output, seams);
   output->GetFieldData()->PassData(input->GetFieldData());

@@ -163,7 +163,7 @@ BREAKS = [
         "weights[mesh.Faces(f, 0)] + weights[mesh.Faces(f, 1)] + weights[mesh.Faces(f, 2)]",
         "3.0 * weights[mesh.Faces(f, 0)]",
     ),
-    at("Areas/TargetAreas.cxx", "counted / targets.array()", "targets.array() / counted"),
+    at("Areas/TargetAreas.cxx", "counted / areas.array()", "areas.array() / counted"),
     at("Areas/DeformationEnergy.cxx", "place - this->Domain->at(parameter)", "this->Domain->at(parameter) - place"),
     at("Areas/SmoothDeformation.cxx", "way - turn * std::round(way / turn)", "way"),
     at("Areas/DeformationEnergy.cxx", "if (kept.Point.Stays)", "if (!kept.Point.Stays)"),

@@ -94,13 +94,13 @@ RefinementRounds::RefinementRounds(const TriangleMesh& surface,
   , Patches(terms, facesOf, dofs)
   , Start(start)
   , AsksForAreas(asksForAreas)
+  , AreaWeights(areaWeights(faceAreas(surface.Vertices, surface.Faces)))
   , LastShapeRound(start == RefinementStart::WarmStart ? 0 : FirstShapeRounds)
 {
 }
 
 void RefinementRounds::setStage(const Eigen::VectorXd& targets, double epsilon)
 {
-  this->AreaWeights = areaWeights(targets);
   this->Energy.setTargets(targets, this->AreaWeights);
   this->Energy.setEpsilon(epsilon);
   this->Epsilon = epsilon;
@@ -225,6 +225,11 @@ void RefinementRounds::balance(DomainMap& map, double tolerance, const ProgressC
       return;
     }
   }
+  if (this->imbalance(map) >= std::max(tolerance, RegionTolerance))
+  {
+    this->descend(
+      map, progress); // regions smaller than the deformation's squares, as small weights make
+  }
 }
 
 RefinementPatches::Pass RefinementRounds::pass(const DomainMap& map)
@@ -299,9 +304,8 @@ bool RefinementRounds::run(DomainMap& map, int most, Until until, const Progress
     pass.ShapeFactor = this->Count <= this->LastShapeRound ? FirstShapeFactor : 1.0;
     const int patches = this->Patches.run(pass, map, subrange(progress, middle, end));
     const WrongFaces next = this->wrongFaces(map);
-    const bool isQuick =
-      until == Until::Roughly ||
-      (this->Start == RefinementStart::WarmStart && next.Share <= GreatestQuickShare);
+    const bool isQuick = until == Until::Roughly ||
+                         (this->Start == RefinementStart::WarmStart && next.Share <= GreatestQuickShare);
     const int mostIdle = isQuick ? MostIdleQuickRounds : MostIdleRounds;
     const double leastProgress = isWhole   ? LeastWholeProgress
                                  : isQuick ? LeastQuickProgress

@@ -24,7 +24,7 @@ constexpr double LargestShare = 0.3;
 // would divide by 0.
 constexpr double LeastTarget = 1e-6;
 
-// The area, in mean targets, that smaller faces count like, and the greatest factor of a face. Choices
+// The area, in mean areas, that smaller faces count like, and the greatest factor of a face. Choices
 // by trial: without the first the refinement of an isosurface takes three times as many rounds and ends
 // with four times as many faces off by more than 2 %; with a larger factor angles suffer around slivers.
 constexpr double CountedArea = 0.5;
@@ -140,10 +140,10 @@ Eigen::VectorXd positiveTargets(const Eigen::VectorXd& targets, double area)
   return positive * (area / positive.sum());
 }
 
-Eigen::VectorXd areaWeights(const Eigen::VectorXd& targets)
+Eigen::VectorXd areaWeights(const Eigen::VectorXd& areas)
 {
-  const double counted = CountedArea * targets.mean();
-  return (counted / targets.array()).max(1.0).min(GreatestCountFactor);
+  const double counted = CountedArea * areas.mean();
+  return (counted / areas.array()).max(1.0).min(GreatestCountFactor);
 }
 
 double shareOfWrongFaces(const Points2& positions,

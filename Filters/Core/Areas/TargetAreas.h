@@ -35,10 +35,11 @@ Eigen::VectorXd resolvableAreas(const FaceMatrix& faces,
 Eigen::VectorXd positiveTargets(const Eigen::VectorXd& targets, double area);
 
 /// How much the relative area error of each face counts in the refinement energy, against its target
-/// area (m, >= 1): that of a face smaller than half of the mean target (> 0) counts as if it were so
-/// large, up to 20 times its own. The shapes of large faces around a small one pull at its corners; with
-/// weights of 1, one in a hundred faces of an isosurface is off by more than 2 % at the minimum.
-Eigen::VectorXd areaWeights(const Eigen::VectorXd& targets);
+/// area (m, >= 1), from the areas of the faces on the surface (m, >= 0): that of a face smaller than
+/// half of their mean counts as if it were so large, up to 20 times its own. The shapes of large faces
+/// around a small one pull at its corners; with weights of 1, one in a hundred faces of an isosurface is
+/// off by more than 2 % at the minimum.
+Eigen::VectorXd areaWeights(const Eigen::VectorXd& areas);
 
 /// The share of the faces whose flat area, as a part of the whole map, differs from their target (m, >
 /// 0) by more than @p tolerance of it.
