@@ -230,7 +230,7 @@ class ScanReader(VTKPythonAlgorithmBase):
     def __init__(self):
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkImageData")
         self._path, self._patient_space, self._volume = None, True, 0
-        self._scan, self._warned = None, None
+        self._scan, self._image, self._warned = None, None, None
 
     def SetFileName(self, path):
         self._set("_path", path)
@@ -244,34 +244,40 @@ class ScanReader(VTKPythonAlgorithmBase):
     def _set(self, name, value):
         if getattr(self, name) != value:
             setattr(self, name, value)
-            self._scan = None
+            self._image = None
             self.Modified()
+
+    def _load(self):
+        """The image is read when its information is asked for: filters that follow have to know the type of its
+        values before they run. The output shares its memory."""
+        if self._image is None:
+            self._scan = scan_of(self._path, self._volume)
+            self._image = image_of(self._scan, self._patient_space)
 
     def RequestInformation(self, _request, _inputs, outputs):
         def header():
-            self._scan = scan_of(self._path, self._volume)
-            shape, sizes = np.array(self._scan.shape), self._scan.sizes
-            if self._patient_space and self._scan.placement.matrix is not None:
-                order, _flips = orientation.nearest_ras(self._scan.placement.matrix)
-                shape, sizes = shape[order], orientation.voxel_sizes(self._scan.placement.matrix)[order]
+            self._load()
             information = outputs.GetInformationObject(0)
-            extent = [bound for n in shape for bound in (0, int(n) - 1)]
-            information.Set(vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT(), extent, 6)
-            information.Set(vtkDataObject.SPACING(), [float(size) for size in sizes], 3)
+            scalars = self._image.GetPointData().GetScalars()
+            information.Set(vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT(), self._image.GetExtent(), 6)
+            information.Set(vtkDataObject.SPACING(), self._image.GetSpacing(), 3)
             information.Set(vtkDataObject.ORIGIN(), [0.0, 0.0, 0.0], 3)
             information.Set(vtkAlgorithm.CAN_PRODUCE_SUB_EXTENT(), 1)
+            vtkDataObject.SetPointDataActiveScalarInfo(
+                information, scalars.GetDataType(), scalars.GetNumberOfComponents()
+            )
 
         return self._attempt(header)
 
     def RequestData(self, _request, _inputs, outputs):
         def data():
-            if self._scan is None:
-                self._scan = scan_of(self._path, self._volume)
+            self._load()
             if self._warned != (self._path, self._volume):
                 self._warned = (self._path, self._volume)
                 for warning in self._scan.placement.warnings:
                     vtkOutputWindow.GetInstance().DisplayWarningText(f"{self._path}: {warning}\n")
-            image = image_of(self._scan, self._patient_space)
+            image = vtkImageData()
+            image.ShallowCopy(self._image)
             # Processes that share a volume want a part of it each.
             image.Crop(outputs.GetInformationObject(0).Get(vtkStreamingDemandDrivenPipeline.UPDATE_EXTENT()))
             vtkImageData.GetData(outputs, 0).ShallowCopy(image)
@@ -283,6 +289,6 @@ class ScanReader(VTKPythonAlgorithmBase):
             step()
             return 1
         except (ScanError, OSError, MemoryError) as error:
-            self._scan = None
+            self._image = None
             vtkOutputWindow.GetInstance().DisplayErrorText(f"{error}\n")
             return 0
