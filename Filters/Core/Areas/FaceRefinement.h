@@ -60,13 +60,14 @@ struct FaceRefinementResult
 };
 
 /// Minimises the energy (RefinementEnergy) in patches of the mesh (RefinementPatches), and where whole
-/// regions have too much or too little area, by steps of the whole mesh as well (RefinementDescent). In
-/// the first stage faces are free to flip, which converges fast. Then the few flipped faces are
-/// untangled (untangleMap); the second stage ends every step before a face flips. If not all of the
-/// flipped faces can be untangled, the refinement tries maps between TransportedMap::OnDomain and the
-/// transported map, those nearest to the transported map first. The second stage then starts from the
-/// first of them in which all flipped faces can be untangled (docs/mathematics.md, "From cells to
-/// faces"). If there is none, the second stage does not take place, and faces remain flipped.
+/// regions have too much or too little area, by smooth deformations of the domain (smoothlyDeformed) or,
+/// where these would flip faces, by steps of the whole mesh (RefinementDescent). In the first stage
+/// faces are free to flip, which converges fast. Then the few flipped faces are untangled (untangleMap);
+/// the second stage ends every step before a face flips. If not all of the flipped faces can be
+/// untangled, the refinement tries maps between TransportedMap::OnDomain and the transported map, those
+/// nearest to the transported map first. The second stage then starts from the first of them in which
+/// all flipped faces can be untangled (docs/mathematics.md, "From cells to faces"). If there is none,
+/// the second stage does not take place, and faces remain flipped.
 /// @p faceTargets (m, >= 0) are the areas that the faces should have, up to a common factor. See
 /// measureDistortion() for the errors that are left.
 /// @throws InvalidInput if AngleWeight is out of its range, ConvergenceError, Cancelled.

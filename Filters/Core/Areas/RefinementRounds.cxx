@@ -62,8 +62,11 @@ constexpr double LeastShapingGain = 0.01;
 // map, and how many follow each other. A choice: with less the shapes keep areas from their targets,
 // with more Newton's steps get short. Later ones correct what the first leaves, because faces do not
 // bend.
-constexpr double BalancingAreaWeight = 100.0;
+constexpr double BalancingAreaWeight = 1000.0;
 constexpr int MostBalances = 2;
+// Deformations that leave a larger share of the region error are of no use, and steps of the whole mesh
+// follow. A choice: mostly a tenth is left.
+constexpr double LeastBalanceShare = 0.5;
 // The shares of a deformation to try, and the share of all faces that one may flip where they are free
 // to. Guards: one that flips more bends thin faces, and the rounds take longer than without it.
 constexpr double DeformationShares[] = { 1.0, 0.5, 0.25 };
@@ -215,7 +218,9 @@ void RefinementRounds::lowerDistortion(DomainMap& map, const ProgressCallback& p
 
 void RefinementRounds::balance(DomainMap& map, double tolerance, const ProgressCallback& progress)
 {
-  for (int k = 0; k < MostBalances && this->imbalance(map) >= tolerance; ++k)
+  const double first = this->imbalance(map);
+  double now = first;
+  for (int k = 0; k < MostBalances && now >= tolerance; ++k)
   {
     const double begin = static_cast<double>(k) / MostBalances;
     const ProgressCallback part = subrange(progress, begin, begin + 1.0 / MostBalances);
@@ -224,8 +229,9 @@ void RefinementRounds::balance(DomainMap& map, double tolerance, const ProgressC
       this->descend(map, progress);
       return;
     }
+    now = this->imbalance(map);
   }
-  if (this->imbalance(map) >= std::max(tolerance, RegionTolerance))
+  if (now >= std::max(tolerance, RegionTolerance) && now > LeastBalanceShare * first)
   {
     this->descend(
       map, progress); // regions smaller than the deformation's squares, as small weights make

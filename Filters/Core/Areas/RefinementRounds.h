@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Rounds of face refinement: passes over the patches, and steps of the whole mesh where area must move
-/// farther than a patch reaches.
+/// Rounds of face refinement: passes over the patches, and deformations of the domain or steps of the
+/// whole mesh where area must move farther than a patch reaches.
 #pragma once
 
 #include "Areas/DeformationEnergy.h"
