@@ -20,7 +20,7 @@ from surfaceflattening_neuro_writers import write_cortex
 from surfaceflattening_region_table import region_table, write_csv
 from surfaceflattening_volume import _filter
 
-# What atlases call the part of the surface that is no cortex: Desikan-Killiany, Destrieux, HCP, and Yeo.
+# Names that atlases give to the part of the surface that is no cortex: Desikan-Killiany, Destrieux, HCP, and Yeo.
 NO_CORTEX = ("unknown", "corpuscallosum", "medial_wall", "medialwall", "???", "freesurfer_defined_medial_wall")
 UNLABELLED = -1
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Where data lie in the patient, by the field data that the readers of scans write.
+/// The place of data in the patient, from the field data that the readers of scans write.
 #pragma once
 
 #include <Eigen/Geometry>

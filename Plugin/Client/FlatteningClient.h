@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the plugin does in ParaView's window; ParaView makes one when it loads the plugin.
+/// The plugin's part in ParaView's window. ParaView makes one object of it when it loads the plugin.
 #pragma once
 
 #include <QObject>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Where an area-preserving map goes: a convex domain, and the vertices on its boundary.
+/// The target of an area-preserving map: a convex domain, and the vertices on its boundary.
 #pragma once
 
 #include "Mesh/TriangleMesh.h"

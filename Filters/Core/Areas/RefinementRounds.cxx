@@ -71,8 +71,9 @@ constexpr double LeastBalanceShare = 0.5;
 // to. Guards: one that flips more bends thin faces, and the rounds take longer than without it.
 constexpr double DeformationShares[] = { 1.0, 0.5, 0.25 };
 constexpr double MostNewlyFlipped = 1e-4;
-// The factor of the shape weights in the last round. A compromise: with 1 the mean area error of a
-// remeshed surface is 0.02 % larger, with 0.1 the angle error is 0.3 degrees larger.
+// The factor of the shape weights in the last round. A compromise: on half a brain, remeshed, the mean
+// area error is 0.22, 0.21 and 0.20 % with 1, 0.5 and 0.1, and the angle error 11.1, 11.2 and 11.4
+// degrees.
 constexpr double PolishingShapeFactor = 0.5;
 
 } // namespace
@@ -233,8 +234,8 @@ void RefinementRounds::balance(DomainMap& map, double tolerance, const ProgressC
   }
   if (now >= std::max(tolerance, RegionTolerance) && now > LeastBalanceShare * first)
   {
-    this->descend(
-      map, progress); // regions smaller than the deformation's squares, as small weights make
+    // Small area weights make regions that are smaller than the squares of a deformation.
+    this->descend(map, progress);
   }
 }
 
