@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing to build, test and demonstrate SurfaceFlattening on Debian 12. Safe to run again;
+# Installs what is missing to build, test and demonstrate SurfaceFlattening on Debian 12 (bookworm), 13
+# (trixie) and unstable (sid), and on what derives from them. Safe to run again;
 # needs root or sudo only if something is missing.
 #   Utilities/setup.sh           for the ParaView plugin
 #   Utilities/setup.sh --vtk     for the VTK module alone, on a VTK without ParaView
@@ -16,13 +17,25 @@ packages=(
   xvfb xauth libgl1-mesa-dri iproute2
 )
 if [ "${1:-}" = --vtk ]; then
-  # python3-vtk9 and python3-paraview exclude each other.
+  # python3-vtk9 and python3-paraview exclude each other on Debian 12 and 13.
   packages+=(libvtk9-dev python3-vtk9)
 else
   packages+=(paraview paraview-dev python3-paraview mricron-data)
   packages+=(python3-nibabel python3-pydicom python3-gdcm) # files of FreeSurfer, GIFTI and DICOM, when they are opened
-  packages+=(qttools5-dev qtxmlpatterns5-dev-tools python3-markdown python3-pil) # the plugin's pages in ParaView's help
-  packages+=(qtbase5-dev) # puts the icons into the plugin, which goes without them otherwise; 47 MB
+  # Qt puts the icons and the part in ParaView's window into the plugin, which goes without them otherwise. The other
+  # packages make the plugin's pages in ParaView's help.
+  case $(. /etc/os-release && echo "${VERSION_CODENAME:-sid}") in
+    bookworm) # ParaView 5.11, with Qt 5
+      packages+=(qtbase5-dev qttools5-dev qtxmlpatterns5-dev-tools python3-markdown python3-pil)
+      ;;
+    trixie) # ParaView 5.13, which cannot make help with Qt 6
+      packages+=(qt6-base-dev qt6-tools-dev qt6-tools-dev-tools)
+      ;;
+    *) # ParaView 6.1 on the system's VTK
+      packages+=(libvtk9-dev python3-vtk9)
+      packages+=(qt6-base-dev qt6-tools-dev qt6-tools-dev-tools xsltproc python3-markdown python3-pil)
+      ;;
+  esac
 fi
 
 if [ "${1:-}" = --package ]; then

@@ -13,7 +13,12 @@ set(client_libraries
 # Whether the plugin can have its part in the window.
 function (surfaceflattening_find_client found)
   set("${found}" OFF PARENT_SCOPE)
-  if (NOT PARAVIEW_USE_QT OR NOT TARGET Qt5::Widgets)
+  if (NOT PARAVIEW_USE_QT)
+    return ()
+  endif ()
+  if (NOT TARGET "${surfaceflattening_qt}::Widgets")
+    message(STATUS "No development files of ${surfaceflattening_qt} (Debian: qtbase5-dev or qt6-base-dev): the plugin "
+      "goes without icons and without its part in ParaView's window.")
     return ()
   endif ()
   foreach (target IN LISTS client_libraries)

@@ -15,6 +15,7 @@ vtk_module_export_find_packages(
   MODULES ${modules})
 install(
   FILES
+    "${CMAKE_CURRENT_LIST_DIR}/SurfaceFlatteningPythonTargets.cmake"
     "${CMAKE_BINARY_DIR}/${SURFACEFLATTENING_CMAKE_DESTINATION}/SurfaceFlatteningConfig.cmake"
     "${CMAKE_BINARY_DIR}/${SURFACEFLATTENING_CMAKE_DESTINATION}/SurfaceFlatteningConfigVersion.cmake"
   DESTINATION "${SURFACEFLATTENING_CMAKE_DESTINATION}"

@@ -2,11 +2,8 @@
 #include "Mesh/ClosestPointTree.h"
 
 #include "Base/InterruptibleCall.h"
+#include "Mesh/CgalVersions.h"
 #include "Mesh/EditableSurface.h"
-
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 
 #include <Eigen/Geometry>
 
@@ -19,7 +16,6 @@ namespace
 {
 
 using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
 
 // Barycentric coordinates of a point of the triangle's plane. Those that rounding makes negative become
 // 0. In a triangle without area the nearest corner has all the weight.
@@ -54,7 +50,7 @@ std::array<double, 3> barycentric(const Eigen::Matrix3d& corners, const Eigen::V
 struct ClosestPointTree::Tree
 {
   Triangles Faces;
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> Boxes;
+  TriangleTree<Kernel, Triangles::const_iterator> Boxes;
 };
 
 ClosestPointTree::ClosestPointTree(const TriangleMesh& mesh, const ProgressCallback& progress)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/HoleTriangulation.h"
 
+#include "Mesh/CgalVersions.h"
+
 #include <CGAL/Polygon_mesh_processing/refine.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/utility.h>
@@ -45,7 +47,7 @@ std::vector<SurfaceMesh::Face_index> triangulateHole(SurfaceMesh& mesh,
 {
   const bool isLong = mesh.vertices_around_face(border).size() > LongestSearchedLoop;
   std::vector<SurfaceMesh::Face_index> faces;
-  PMP::triangulate_hole(mesh,
+  triangulateHoleInto(mesh,
     border,
     std::back_inserter(faces),
     CGAL::parameters::use_2d_constrained_delaunay_triangulation(planar)

@@ -8,11 +8,11 @@
 #include <CGAL/Surface_mesh_simplification/Edge_collapse_visitor_base.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Constrained_placement.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 
 namespace flattening
@@ -73,7 +73,8 @@ struct Visitor : simplification::Edge_collapse_visitor_base<SurfaceMesh>
   {
   }
 
-  void OnSelected(const Profile&, const boost::optional<FT>&, size_type initial, size_type current)
+  template <typename Cost> // an optional of Boost in CGAL 5, of the standard library in CGAL 6
+  void OnSelected(const Profile&, const Cost&, size_type initial, size_type current)
   {
     if (this->Selected++ % DecimationReportInterval == 0)
     {
@@ -83,7 +84,8 @@ struct Visitor : simplification::Edge_collapse_visitor_base<SurfaceMesh>
     }
   }
 
-  void OnCollapsing(const Profile& profile, const boost::optional<Point>& place)
+  template <typename Place>
+  void OnCollapsing(const Profile& profile, const Place& place)
   {
     this->Next = place && *place == profile.p0()   ? this->OriginOf[profile.v0()]
                  : place && *place == profile.p1() ? this->OriginOf[profile.v1()]
@@ -96,6 +98,18 @@ struct Visitor : simplification::Edge_collapse_visitor_base<SurfaceMesh>
   ProgressCallback Report;
   long long Selected = 0;
   int Next = -1;
+};
+
+// Ends the decimation. CGAL has this predicate under one name up to 5.6 and under another since.
+struct FewerEdges
+{
+  template <typename Cost, typename Profile>
+  bool operator()(const Cost&, const Profile&, std::size_t, std::size_t current) const
+  {
+    return current < this->Edges;
+  }
+
+  std::size_t Edges = 0;
 };
 
 Origins collapse(SurfaceMesh& surface,
@@ -118,11 +132,10 @@ Origins collapse(SurfaceMesh& surface,
     }
     kept += keep[f.idx()];
   }
-  // The stop predicate counts edges.
   const auto faces = static_cast<double>(surface.number_of_faces());
   const double edgesPerFace = static_cast<double>(surface.number_of_edges()) / faces;
   const double edges = edgesPerFace * (kept + std::min<double>(contextFaces, faces - kept));
-  const simplification::Count_stop_predicate<SurfaceMesh> stop(static_cast<std::size_t>(edges));
+  const FewerEdges stop{ static_cast<std::size_t>(edges) };
   const simplification::Constrained_placement<simplification::LindstromTurk_placement<SurfaceMesh>,
     Fixed>
     placement(fixed);

@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Functions from a surface to its flat map, each a thin layer over one VTK filter, or over all of them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional
+
+from . import SurfaceFlatteningFilters as filters
+from .errors import FlatteningError
+from .meshes import Surface, as_polydata, like
+from .running import Abort, Progress, run
+from .settings import apply, documented, setting_named, shared_settings, unknown_setting
+
+if TYPE_CHECKING:
+    import numpy
+
+
+class Distortion(NamedTuple):
+    """What distortion() returns."""
+
+    mesh: Any
+    """The flat map with an array for each measure of its faces and points; the field data have means."""
+    table: List[Dict[str, Any]]
+    """A row for each region, and one for all, as dict by the names of the columns."""
+
+
+# What the steps of flatten() are called in messages, and their shares of the progress as half a brain needs time.
+STEPS = (
+    ("to_disk", filters.vtkSurfaceToDiskFilter, 0.4),
+    ("conformal", filters.vtkConformalDiskFilter, 0.2),
+    ("area_preserving", filters.vtkOMTAreaPreservingFilter, 0.35),
+    ("distortion", filters.vtkDistortionMetrics, 0.05),
+)
+
+
+def _made(function: str, filter_class: Any, surface: Any, settings: Dict[str, Any]) -> Any:
+    """A filter of the class with the surface as input and with the settings."""
+    if surface.GetNumberOfCells() == 0:
+        raise FlatteningError("the surface has no faces: check that its file could be read")
+    filter = filter_class()
+    filter.SetInputData(surface)
+    for keyword, value in settings.items():
+        name = setting_named(filter_class, keyword)
+        if name is None:
+            raise unknown_setting(function, keyword, (filter_class,))
+        apply(filter, surface, name, value)
+    return filter
+
+
+def _applied(function: str, filter_class: Any, surface: Surface, progress: Progress, abort: Abort, **settings: Any) -> Any:
+    filter = _made(function, filter_class, as_polydata(surface), settings)
+    return like(surface, run(filter, progress, abort))
+
+
+@documented(filters.vtkSurfaceToDiskFilter)
+def to_disk(surface: Surface, *, progress: Progress = None, abort: Abort = None, **settings: Any) -> Any:
+    """Turns any surface into one clean oriented disk of triangles: repaired, without handles, and cut open if it is closed.
+
+    surface: a vtkPolyData, a PyVista PolyData, or a pair of arrays, points (n x 3) and faces (m x 3).
+    progress, abort: callbacks, see flatten().
+    Returns a vtkPolyData, or a PyVista PolyData if the surface was one. Raises FlatteningError.
+    """
+    return _applied("to_disk", filters.vtkSurfaceToDiskFilter, surface, progress, abort, **settings)
+
+
+@documented(filters.vtkConformalDiskFilter)
+def conformal(disk: Surface, *, progress: Progress = None, abort: Abort = None, **settings: Any) -> Any:
+    """Maps a disk, as to_disk() makes it, to the plane such that angles are kept.
+
+    The points of the disk are in the point array SurfacePoints of the map. progress, abort: see flatten().
+    """
+    return _applied("conformal", filters.vtkConformalDiskFilter, disk, progress, abort, **settings)
+
+
+@documented(filters.vtkOMTAreaPreservingFilter)
+def area_preserving(flat: Surface, *, progress: Progress = None, abort: Abort = None, **settings: Any) -> Any:
+    """Turns a conformal map, of conformal(), into one on which every face has the area that it has on the surface.
+
+    progress, abort: see flatten().
+    """
+    return _applied("area_preserving", filters.vtkOMTAreaPreservingFilter, flat, progress, abort, **settings)
+
+
+@documented(filters.vtkDistortionMetrics)
+def distortion(flat: Surface, *, progress: Progress = None, abort: Abort = None, **settings: Any) -> Distortion:
+    """Measures a flat map against its surface: errors of areas, angles and lengths of each face, region and of all.
+
+    Returns a Distortion: the mesh with arrays and field data, and the table. progress, abort: see flatten().
+    """
+    filter = _made("distortion", filters.vtkDistortionMetrics, as_polydata(flat), settings)
+    mesh = like(flat, run(filter, progress, abort))
+    return Distortion(mesh, _rows(filter.GetSummary()))
+
+
+@documented(filters.vtkFlattenRegion)
+def region(surface: Surface, *, progress: Progress = None, abort: Abort = None, **settings: Any) -> Any:
+    """Flattens one region of a surface, with a margin, and measures it: label=3 and label_array="Regions", for instance.
+
+    progress, abort: see flatten().
+    """
+    return _applied("region", filters.vtkFlattenRegion, surface, progress, abort, **settings)
+
+
+@documented(*(filter_class for _, filter_class, _ in STEPS))
+def flatten(
+    surface: Surface,
+    faces: Optional[numpy.ndarray] = None,
+    *,
+    progress: Progress = None,
+    abort: Abort = None,
+    to_disk: Optional[Dict[str, Any]] = None,
+    conformal: Optional[Dict[str, Any]] = None,
+    area_preserving: Optional[Dict[str, Any]] = None,
+    distortion: Optional[Dict[str, Any]] = None,
+    **settings: Any,
+) -> Any:
+    """Flattens a surface to a disk on which every triangle has the area that it has on the surface.
+
+    surface: a vtkPolyData, a PyVista PolyData, or an array of points (n x 3); then faces is an array of the numbers of
+    three points each (m x 3).
+    progress: is called with the share of the work that is done, from 0 to 1, and with what is being done.
+    abort: is called as often; the work stops if it returns True, and Cancelled is raised.
+    to_disk, conformal, area_preserving, distortion: settings of one of the four filters, as a dict. Needed for those
+    that two filters have: conformal={"boundary_point": (0, 0, 1)}.
+    All other settings by keyword: cut_mode="Seam", or CutMode="Seam".
+
+    Returns the map as vtkPolyData, or PyVista's PolyData if the surface was one, with z = 0. Its points have the
+    arrays of the surface and SurfacePoints, where they are on it; its faces AreaDistortion, AngleDistortion and more;
+    its field data means, such as FacesWithin2Percent, and what was repaired. docs/reference.md lists them.
+    Raises FlatteningError with the message of the filter that failed, which says what to do.
+    """
+    mesh = as_polydata(surface, faces)
+    steps = {"to_disk": to_disk, "conformal": conformal, "area_preserving": area_preserving, "distortion": distortion}
+    shares = _settings_of_steps(steps, settings)
+    done = 0.0
+    for step, filter_class, share in STEPS:
+        filter = _made(f"flatten, {step}", filter_class, mesh, shares[step])
+        reported = _part_of(progress, done, share)
+        mesh = run(filter, reported, abort)
+        done += share
+    return like(surface, mesh)
+
+
+def _part_of(progress: Progress, done: float, share: float) -> Progress:
+    return progress and (lambda fraction, stage: progress(done + share * fraction, stage))
+
+
+def _settings_of_steps(steps: Dict[str, Any], settings: Dict[str, Any]) -> Dict[str, Dict[str, Any]]:
+    """The settings of each step: those given for it, and those that it alone has."""
+    shares = {step: dict(given or {}) for step, given in steps.items()}
+    classes = tuple(filter_class for _, filter_class, _ in STEPS)
+    for keyword, value in settings.items():
+        having = {step: name for step, c, _ in STEPS if (name := setting_named(c, keyword))}
+        if not having:
+            raise unknown_setting("flatten", keyword, classes)
+        if shared_settings(classes).intersection(having.values()):
+            first = next(iter(having))
+            raise TypeError(
+                f"flatten() has {keyword} for {' and '.join(having)}: say which, {first}={{{keyword!r}: {value!r}}}"
+            )
+        for step in having:
+            shares[step].setdefault(keyword, value)
+    return shares
+
+
+def _rows(table: Any) -> List[Dict[str, Any]]:
+    def value(row: int, column: int) -> Any:
+        variant = table.GetValue(row, column)
+        return variant.ToString() if variant.IsString() else variant.ToDouble()
+
+    columns = range(table.GetNumberOfColumns())
+    return [{table.GetColumnName(c): value(r, c) for c in columns} for r in range(table.GetNumberOfRows())]

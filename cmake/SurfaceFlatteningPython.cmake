@@ -1,0 +1,30 @@
+# What the Python package has besides the wrapped classes: its functions, one file per line, and the metadata by which
+# Python's tools know its version and PyVista finds its accessor.
+set(python_files
+  __init__.py
+  accessors.py
+  errors.py
+  functions.py
+  meshes.py
+  py.typed
+  running.py
+  settings.py
+  volumes.py
+)
+set(package_directory "${CMAKE_BINARY_DIR}/${SURFACEFLATTENING_PYTHON_DESTINATION}")
+foreach (file IN LISTS python_files)
+  configure_file("Filters/Python/${file}" "${package_directory}/surfaceflattening/${file}" COPYONLY)
+endforeach ()
+list(TRANSFORM python_files PREPEND "Filters/Python/")
+install(FILES ${python_files} DESTINATION "${SURFACEFLATTENING_PYTHON_DESTINATION}/surfaceflattening")
+
+if (NOT SKBUILD) # pip writes its own
+  set(metadata "surfaceflattening-${SURFACEFLATTENING_VERSION}.dist-info")
+  file(WRITE "${package_directory}/${metadata}/METADATA"
+    "Metadata-Version: 2.1\nName: surfaceflattening\nVersion: ${SURFACEFLATTENING_VERSION}\n"
+    "Summary: ${PROJECT_DESCRIPTION}\nLicense: GPL-3.0-or-later\n")
+  file(WRITE "${package_directory}/${metadata}/entry_points.txt"
+    "[pyvista.accessors]\nflatten = surfaceflattening.accessors\n")
+  file(WRITE "${package_directory}/${metadata}/INSTALLER" "cmake\n")
+  install(DIRECTORY "${package_directory}/${metadata}" DESTINATION "${SURFACEFLATTENING_PYTHON_DESTINATION}")
+endif ()
