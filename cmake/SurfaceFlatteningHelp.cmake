@@ -1,24 +1,40 @@
 # Pages for ParaView's help: surfaceflattening_help(<variable> <server-manager XML>...) sets the variable to the
 # arguments of paraview_add_plugin that put them into the plugin. Without the tools that ParaView's help takes
-# (Debian: qttools5-dev, qtxmlpatterns5-dev-tools, python3-markdown, python3-pil) the plugin has no help, and says so
-# here.
+# (Debian 12: qttools5-dev, qtxmlpatterns5-dev-tools, newer: qt6-tools-dev, qt6-tools-dev-tools, xsltproc; and
+# python3-markdown, python3-pil) the plugin has no help, and says so here.
 function (surfaceflattening_help variable)
   set("${variable}" XML_DOCUMENTATION OFF PARENT_SCOPE)
   if (NOT PARAVIEW_USE_QT)
     return ()
   endif ()
-  set(missing)
-  find_package(Qt5 QUIET COMPONENTS Help)
-  if (NOT Qt5Help_FOUND)
-    list(APPEND missing qttools5-dev)
+  if (surfaceflattening_qt STREQUAL "Qt6" AND ParaView_VERSION VERSION_LESS 6.0)
+    message(STATUS "ParaView ${ParaView_VERSION} makes no help for plugins with Qt 6: the pages are in docs/README.md")
+    return ()
   endif ()
-  find_program(qt_xmlpatterns_executable NAMES xmlpatterns-qt5 xmlpatterns
-    HINTS "${Qt5_DIR}/../../../qt5/bin")
-  mark_as_advanced(qt_xmlpatterns_executable)
-  execute_process(COMMAND "${qt_xmlpatterns_executable}" -version
-    RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET) # Debian's qtchooser has a link to what is not installed
-  if (NOT status EQUAL 0)
-    list(APPEND missing qtxmlpatterns5-dev-tools)
+  set(missing)
+  if (surfaceflattening_qt STREQUAL "Qt5")
+    find_package(Qt5 QUIET COMPONENTS Help)
+    if (NOT Qt5Help_FOUND)
+      list(APPEND missing qttools5-dev)
+    endif ()
+    find_program(qt_xmlpatterns_executable NAMES xmlpatterns-qt5 xmlpatterns
+      HINTS "${Qt5_DIR}/../../../qt5/bin")
+    mark_as_advanced(qt_xmlpatterns_executable)
+    execute_process(COMMAND "${qt_xmlpatterns_executable}" -version
+      RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET) # Debian's qtchooser has a link to what is not installed
+    if (NOT status EQUAL 0)
+      list(APPEND missing qtxmlpatterns5-dev-tools)
+    endif ()
+  else ()
+    find_package(Qt6 QUIET COMPONENTS Help Tools)
+    if (NOT Qt6Help_FOUND OR NOT TARGET Qt6::qhelpgenerator)
+      list(APPEND missing qt6-tools-dev qt6-tools-dev-tools)
+    endif ()
+    find_program(ParaViewClient_xsltproc_executable NAMES xsltproc)
+    mark_as_advanced(ParaViewClient_xsltproc_executable)
+    if (NOT ParaViewClient_xsltproc_executable)
+      list(APPEND missing xsltproc)
+    endif ()
   endif ()
   find_package(Python3 QUIET COMPONENTS Interpreter)
   execute_process(COMMAND "${Python3_EXECUTABLE}" -c "import markdown"

@@ -37,7 +37,7 @@ block = ResampleToImage(
 SaveData("scan.vti", block, DataMode="Binary")
 
 PLACES = {
-    "build/lib/paraview-5.11/plugins": os.environ["PV_PLUGIN_PATH"],
+    "build/plugins": os.environ["PV_PLUGIN_PATH"],
     "/usr/share/mricron/templates/ch2bet.nii.gz": "scan.vti",
 }
 SCRIPT = re.compile(r"^## In pvpython\n\n```python\n(.*?)^```", re.MULTILINE | re.DOTALL)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Flattens a surface that lies in pieces over the ranks of a parallel run, by ParaView's stock filters:
 
-    PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins mpiexec -n 4 pvbatch Utilities/cohort/gathered_surface.py \\
+    PV_PLUGIN_PATH=build/plugins mpiexec -n 4 pvbatch Utilities/cohort/gathered_surface.py \\
         surface.pvtp flat.vtp
 
 Without a file it takes ParaView's Sphere, of which each rank makes its part. Aggregate Dataset brings the pieces to

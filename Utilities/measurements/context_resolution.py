@@ -3,7 +3,7 @@
 salient regions, and compares processor time and the areas of the regions, as a table in Markdown. With a file name
 also makes docs/pictures/context_resolution.png.
 
-    PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins \\
+    PV_PLUGIN_PATH=build/plugins \\
       xvfb-run -a -s "-screen 0 1280x1024x24" pvpython --force-offscreen-rendering \\
       Utilities/measurements/context_resolution.py [<file.png>]
 """

@@ -2,7 +2,7 @@
 """Prints the errors of areas, angles and lengths of flat maps of a half brain, as a Markdown table with a row per way of
 opening it. Needs Debian's package mricron-data:
 
-    PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins pvpython Utilities/measurements/cortex_lengths.py
+    PV_PLUGIN_PATH=build/plugins pvpython Utilities/measurements/cortex_lengths.py
 
 The closed half is the isosurface of the right half of the scan; the one with a boundary is the whole brain, cut at the
 mid-plane. Errors of lengths are percentages with their standard errors.

@@ -2,7 +2,7 @@
 """Flattens a brain, whole and half, into a disk and with a free outline, and prints a Markdown table. Needs Debian's
 package mricron-data:
 
-    PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins pvpython Utilities/measurements/free_outline.py
+    PV_PLUGIN_PATH=build/plugins pvpython Utilities/measurements/free_outline.py
 
 With a file name, writes that page's table in place of the old one.
 """

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measures the longest time between two progress reports of each filter, which is how long an abort may have to wait.
 
-    PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins taskset -c 0 pvpython Utilities/measurements/progress_gaps.py
+    PV_PLUGIN_PATH=build/plugins taskset -c 0 pvpython Utilities/measurements/progress_gaps.py
 
 Takes the brain of Debian's package mricron-data (130 thousand vertices raw from the isosurface) through the four
 filters, with and without remeshing, then through those around the map, and prints the longest gaps as a Markdown table: the stage that the report before

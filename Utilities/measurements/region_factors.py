@@ -2,7 +2,7 @@
 """Enlarges and shrinks regions of the demo's half brain, large and small ones, with sharp and soft edges, and prints as
 tables in Markdown what the faces of the region came to, as compared with the rest:
 
-    PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins pvpython Utilities/measurements/region_factors.py demo-output/flattened.vtp
+    PV_PLUGIN_PATH=build/plugins pvpython Utilities/measurements/region_factors.py demo-output/flattened.vtp
 """
 
 import os

@@ -2,7 +2,7 @@
 """Takes real scans through isosurface, Surface To Disk and, with --flatten, to a measured flat map, and prints
 a Markdown table with a row per surface. Needs Debian's packages mricron-data and invesalius-examples:
 
-    PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins pvpython Utilities/measurements/scan_surfaces.py --set Remesh=1
+    PV_PLUGIN_PATH=build/plugins pvpython Utilities/measurements/scan_surfaces.py --set Remesh=1
 
 The exit status is 1 if a surface did not become a disk.
 """

@@ -2,7 +2,7 @@
 """Leaves out each step from image to isosurface in turn and prints what comes of it, as the Markdown table in
 docs/volumes.md. Needs Debian's package mricron-data:
 
-    PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins pvpython Utilities/measurements/volume_recipe.py
+    PV_PLUGIN_PATH=build/plugins pvpython Utilities/measurements/volume_recipe.py
 """
 
 import os

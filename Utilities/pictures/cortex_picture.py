@@ -3,7 +3,7 @@
 """Makes the picture of docs/cortex.md: the left half of Debian's example brain in files of FreeSurfer, lh.pial and an
 annotation by AAL region, taken to a flat map by flatten_cortex. What has no region of the left half is its medial wall.
 
-    PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins pvpython --force-offscreen-rendering \\
+    PV_PLUGIN_PATH=build/plugins pvpython --force-offscreen-rendering \\
         Utilities/pictures/cortex_picture.py <folder for lh.pial and the map> docs/pictures/cortex.png
 """
 

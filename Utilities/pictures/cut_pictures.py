@@ -2,7 +2,7 @@
 """Makes docs/pictures/cuts.png and docs/pictures/cut_maps.png: what the ways to cut in Surface To Disk do to a
 brain (ch2bet.nii.gz of Debian's package mricron-data, every second voxel), and what flattening makes of each.
 
-    PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins \\
+    PV_PLUGIN_PATH=build/plugins \\
       xvfb-run -a -s "-screen 0 1280x1024x24" pvpython --force-offscreen-rendering Utilities/pictures/cut_pictures.py <folder>
 """
 

@@ -2,7 +2,7 @@
 """Makes docs/pictures/free_outline.png: a whole brain (ch2bet.nii.gz of Debian's package mricron-data), opened along its
 relief, with its map in the disk and its map with a free outline, by AAL region and with the sulci dark.
 
-    PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins \\
+    PV_PLUGIN_PATH=build/plugins \\
       xvfb-run -a -s "-screen 0 1280x1024x24" pvpython --force-offscreen-rendering \\
       Utilities/pictures/free_outline_picture.py <folder>
 """

@@ -2,7 +2,7 @@
 """Makes docs/pictures/refinement.png: half a brain (ch2bet.nii.gz of Debian's package mricron-data) after the
 conformal map, after the transport alone and after face refinement, coloured by area distortion on one scale.
 
-    PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins \\
+    PV_PLUGIN_PATH=build/plugins \\
       xvfb-run -a -s "-screen 0 1280x1024x24" pvpython --force-offscreen-rendering \\
       Utilities/pictures/refinement_picture.py <file.png>
 """

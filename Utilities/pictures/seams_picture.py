@@ -3,7 +3,7 @@
 voxel) on the surface and on the map with a free outline. The same piece of the cut has the same colour and number in
 both, and dots are as far from its start.
 
-    PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins \\
+    PV_PLUGIN_PATH=build/plugins \\
       xvfb-run -a -s "-screen 0 1280x1024x24" pvpython --force-offscreen-rendering Utilities/pictures/seams_picture.py <folder>
 """
 

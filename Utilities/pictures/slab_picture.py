@@ -2,7 +2,7 @@
 """Makes docs/pictures/slab.png: the grey values of a brain MRI (ch2bet.nii.gz of Debian's package mricron-data) on
 the flat map of half its surface, at the surface and at depths of 2, 4 and 8 mm.
 
-    PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins \\
+    PV_PLUGIN_PATH=build/plugins \\
       xvfb-run -a -s "-screen 0 1280x1024x24" pvpython --force-offscreen-rendering \\
       Utilities/pictures/slab_picture.py <file.png>
 """

@@ -2,7 +2,7 @@
 """Makes docs/pictures/texture.png: one picture, a chessboard in colours, as the texture of the flat map of half
 a brain (ch2bet.nii.gz of Debian's package mricron-data) and of the surface.
 
-    PV_PLUGIN_PATH=build/lib/paraview-5.11/plugins \\
+    PV_PLUGIN_PATH=build/plugins \\
       xvfb-run -a -s "-screen 0 1280x1024x24" pvpython --force-offscreen-rendering \\
       Utilities/pictures/texture_picture.py <file.png>
 """

@@ -6,7 +6,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 pictures=$(realpath "${1:-docs/pictures}")
-plugins=$PWD/${BUILD_DIRECTORY:-build}/lib/paraview-5.11/plugins
+plugins=$PWD/${BUILD_DIRECTORY:-build}/plugins
 here=$PWD/Utilities/screenshots
 
 scratch=$(mktemp -d)

@@ -2,13 +2,13 @@
 #include "Disk/CutGraph.h"
 
 #include "Base/Errors.h"
+#include "Mesh/DisjointSets.h"
 #include "Mesh/EditableSurface.h"
 #include "Mesh/MeshTopology.h"
 
 #include <CGAL/boost/graph/properties_Surface_mesh.h>
 
 #include <boost/graph/dijkstra_shortest_paths.hpp>
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -158,18 +158,18 @@ std::vector<MeshEdge> joinBoundaries(const TriangleMesh& opened,
 {
   const SurfaceMesh mesh = toSurfaceMesh(opened);
   const BoundaryRegions regions(mesh, boundaryLoops);
-  boost::disjoint_sets_with_storage<> joined(boundaryLoops.size());
+  DisjointSets joined(boundaryLoops.size());
 
   std::vector<MeshEdge> paths;
   for (const Crossing& crossing : crossingsByLength(mesh, regions))
   {
-    const int from = joined.find_set(regions.loop(crossing.From));
-    const int to = joined.find_set(regions.loop(crossing.To));
+    const int from = joined.find(regions.loop(crossing.From));
+    const int to = joined.find(regions.loop(crossing.To));
     if (from == to)
     {
       continue;
     }
-    joined.link(from, to);
+    joined.join(from, to);
     paths.push_back(ordered(crossing.From, crossing.To));
     for (Vertex v : { crossing.From, crossing.To })
     {

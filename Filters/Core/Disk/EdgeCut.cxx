@@ -2,8 +2,7 @@
 #include "Disk/EdgeCut.h"
 
 #include "Base/Errors.h"
-
-#include <boost/pending/disjoint_sets.hpp>
+#include "Mesh/DisjointSets.h"
 
 #include <algorithm>
 #include <numeric>
@@ -88,7 +87,7 @@ void requireEdges(const std::vector<MeshEdge>& directed, const std::vector<Corne
   }
 }
 
-using Sectors = boost::disjoint_sets_with_storage<>;
+using Sectors = DisjointSets;
 
 // Joins the corners of faces (3 face + position) into sectors: corners on either side of an edge that is
 // not cut share their vertex.
@@ -102,7 +101,7 @@ Sectors sectorsOf(const std::vector<MeshEdge>& directed,
     const MeshEdge edge{ sides[s].Vertex, sides[s].Other };
     if (sides[s].sameEdge(sides[s + 1]) && !std::binary_search(directed.begin(), directed.end(), edge))
     {
-      sectors.union_set(sides[s].Corner, sides[s + 1].Corner);
+      sectors.join(sides[s].Corner, sides[s + 1].Corner);
     }
   }
   return sectors;
@@ -125,7 +124,7 @@ std::vector<int> separateSectors(FaceMatrix& faces, const std::vector<char>& onS
       {
         continue;
       }
-      int& vertex = vertexOfSector[sectors.find_set(3 * f + k)];
+      int& vertex = vertexOfSector[sectors.find(3 * f + k)];
       if (vertex < 0)
       {
         vertex = taken[v] ? static_cast<int>(original.size()) : v;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Disk/SeamSegments.h"
 
-#include <boost/pending/disjoint_sets.hpp>
+#include "Mesh/DisjointSets.h"
 
 #include <algorithm>
 #include <array>
@@ -173,10 +173,10 @@ private:
   // One start for each set of seams that are joined.
   std::vector<int> starts(const std::optional<Eigen::Vector3d>& wanted) const
   {
-    boost::disjoint_sets_with_storage<> joined(this->Vertices.rows());
+    DisjointSets joined(this->Vertices.rows());
     for (const SeamEdge& edge : this->Edges)
     {
-      joined.union_set(edge.Ends[0], edge.Ends[1]);
+      joined.join(edge.Ends[0], edge.Ends[1]);
     }
     using Rank = std::tuple<int, double, int>; // its kind, the distance from the place wanted, the point
     std::map<int, Rank> best;
@@ -185,7 +185,7 @@ private:
       const int kind = node.IsOnBorder ? 0 : node.Edges.size() == 1 ? 1 : node.isInsideSegment() ? 3 : 2;
       const double distance = wanted ? (this->Vertices.row(point).transpose() - *wanted).norm() : 0.0;
       const Rank rank{ kind, distance, point };
-      const auto [entry, isFirst] = best.emplace(joined.find_set(point), rank);
+      const auto [entry, isFirst] = best.emplace(joined.find(point), rank);
       entry->second = isFirst ? rank : std::min(entry->second, rank);
     }
     std::vector<int> points;

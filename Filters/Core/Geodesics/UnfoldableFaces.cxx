@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Geodesics/UnfoldableFaces.h"
 
+#include "Mesh/DisjointSets.h"
 #include "Mesh/FaceSides.h"
 #include "Mesh/Halfedges.h"
 
 #include <Eigen/Geometry>
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -92,7 +92,7 @@ std::vector<BoundaryEdge> sortedBoundary(const TriangleMesh& mesh, const std::ve
 // ends. More than two in one place belong to sheets that only touch, and stay apart.
 void closeSeams(const TriangleMesh& mesh,
   std::vector<int>& opposite,
-  boost::disjoint_sets_with_storage<>& places)
+  DisjointSets& places)
 {
   const auto endOf = [&mesh](int h) { return mesh.Faces(h / 3, h % 3); };
   const std::vector<BoundaryEdge> edges = sortedBoundary(mesh, opposite);
@@ -109,21 +109,21 @@ void closeSeams(const TriangleMesh& mesh,
       const int other = edges[begin + 1].Halfedge;
       opposite[h] = other;
       opposite[other] = h;
-      places.union_set(endOf(h), endOf(nextHalfedge(other)));
-      places.union_set(endOf(nextHalfedge(h)), endOf(other));
+      places.join(endOf(h), endOf(nextHalfedge(other)));
+      places.join(endOf(nextHalfedge(h)), endOf(other));
     }
   }
 }
 
 // Numbers the sets of vertices in the order of their first vertices.
-std::vector<int> numbered(boost::disjoint_sets_with_storage<>& sets, int vertexCount)
+std::vector<int> numbered(DisjointSets& sets, int vertexCount)
 {
   std::vector<int> numberOf(vertexCount, -1);
   std::vector<int> result(vertexCount);
   int count = 0;
   for (int v = 0; v < vertexCount; ++v)
   {
-    int& number = numberOf[sets.find_set(v)];
+    int& number = numberOf[sets.find(v)];
     if (number < 0)
     {
       number = count++;
@@ -194,7 +194,7 @@ UnfoldableFaces::UnfoldableFaces(const TriangleMesh& mesh, Seams seams)
   , Opposite(oppositeHalfedges(mesh.Faces))
   , Sides(3 * mesh.faceCount())
 {
-  boost::disjoint_sets_with_storage<> sets(mesh.vertexCount());
+  DisjointSets sets(mesh.vertexCount());
   if (seams == Seams::Closed)
   {
     const std::vector<int> before = this->Opposite;

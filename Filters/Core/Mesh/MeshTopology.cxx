@@ -2,9 +2,8 @@
 #include "Mesh/MeshTopology.h"
 
 #include "Base/Errors.h"
+#include "Mesh/DisjointSets.h"
 #include "Mesh/FaceSides.h"
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <string>
@@ -46,15 +45,15 @@ void requireOneFanPerVertex(const FaceMatrix& faces, const std::vector<FaceSide>
   const auto corner = [&faces](int face, int vertex) {
     return 3 * face + (faces(face, 0) == vertex ? 0 : faces(face, 1) == vertex ? 1 : 2);
   };
-  boost::disjoint_sets_with_storage<> corners(3 * faces.rows());
+  DisjointSets corners(3 * faces.rows());
   for (std::size_t s = 0; s + 1 < sides.size(); ++s)
   {
     const FaceSide& a = sides[s];
     const FaceSide& b = sides[s + 1];
     if (a.Edge == b.Edge)
     {
-      corners.union_set(corner(a.face(), a.From), corner(b.face(), a.From));
-      corners.union_set(corner(a.face(), a.To), corner(b.face(), a.To));
+      corners.join(corner(a.face(), a.From), corner(b.face(), a.From));
+      corners.join(corner(a.face(), a.To), corner(b.face(), a.To));
     }
   }
   std::vector<int> fan(vertexCount, -1);
@@ -63,7 +62,7 @@ void requireOneFanPerVertex(const FaceMatrix& faces, const std::vector<FaceSide>
     for (int k = 0; k < 3; ++k)
     {
       const int v = faces(f, k);
-      const int root = corners.find_set(3 * f + k);
+      const int root = corners.find(3 * f + k);
       if (fan[v] < 0)
       {
         fan[v] = root;
@@ -97,7 +96,7 @@ void requireManifoldEdge(const FaceSide* side, std::ptrdiff_t count)
 // Counts the edges, which must be manifold, the vertices that have an edge, and the components.
 void countParts(const std::vector<FaceSide>& sides, int vertexCount, MeshTopology& topology)
 {
-  boost::disjoint_sets_with_storage<> parts(vertexCount);
+  DisjointSets parts(vertexCount);
   std::vector<char> used(vertexCount, 0);
   for (std::size_t s = 0; s < sides.size();)
   {
@@ -110,13 +109,13 @@ void countParts(const std::vector<FaceSide>& sides, int vertexCount, MeshTopolog
     requireManifoldEdge(&side, static_cast<std::ptrdiff_t>(end - s));
     ++topology.Edges;
     used[side.From] = used[side.To] = 1;
-    parts.union_set(side.From, side.To);
+    parts.join(side.From, side.To);
     s = end;
   }
   for (int v = 0; v < vertexCount; ++v)
   {
     topology.Vertices += used[v];
-    topology.Components += used[v] && parts.find_set(v) == v;
+    topology.Components += used[v] && parts.find(v) == v;
   }
 }
 

@@ -3,8 +3,7 @@
 
 #include "Base/Errors.h"
 #include "Mesh/ClosestPointTree.h"
-
-#include <boost/pending/disjoint_sets.hpp>
+#include "Mesh/DisjointSets.h"
 
 #include <algorithm>
 #include <numeric>
@@ -28,11 +27,11 @@ std::vector<int> SurfaceComponents::faces(int component) const
 
 SurfaceComponents connectedComponents(const TriangleMesh& mesh)
 {
-  boost::disjoint_sets_with_storage<> sets(mesh.vertexCount());
+  DisjointSets sets(mesh.vertexCount());
   for (int f = 0; f < mesh.faceCount(); ++f)
   {
-    sets.union_set(mesh.Faces(f, 0), mesh.Faces(f, 1));
-    sets.union_set(mesh.Faces(f, 1), mesh.Faces(f, 2));
+    sets.join(mesh.Faces(f, 0), mesh.Faces(f, 1));
+    sets.join(mesh.Faces(f, 1), mesh.Faces(f, 2));
   }
 
   SurfaceComponents components;
@@ -40,7 +39,7 @@ SurfaceComponents connectedComponents(const TriangleMesh& mesh)
   std::vector<int> number(mesh.vertexCount(), -1);
   for (int f = 0; f < mesh.faceCount(); ++f)
   {
-    int& component = number[sets.find_set(mesh.Faces(f, 0))];
+    int& component = number[sets.find(mesh.Faces(f, 0))];
     if (component < 0)
     {
       component = components.Count++;

@@ -2,10 +2,9 @@
 #include "Regions/MeshSaliency.h"
 
 #include "Base/Errors.h"
+#include "Mesh/DisjointSets.h"
 #include "Regions/GaussianMeans.h"
 #include "Regions/MeanCurvature.h"
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -195,7 +194,7 @@ std::vector<int> salientRegions(const TriangleMesh& mesh,
   double largest)
 {
   const int n = mesh.vertexCount();
-  boost::disjoint_sets_with_storage<> sets(n);
+  DisjointSets sets(n);
   for (int f = 0; f < mesh.faceCount(); ++f)
   {
     for (int k = 0; k < 3; ++k)
@@ -204,7 +203,7 @@ std::vector<int> salientRegions(const TriangleMesh& mesh,
       const int b = mesh.Faces(f, (k + 1) % 3);
       if (values[a] >= threshold && values[b] >= threshold)
       {
-        sets.union_set(a, b);
+        sets.join(a, b);
       }
     }
   }
@@ -216,7 +215,7 @@ std::vector<int> salientRegions(const TriangleMesh& mesh,
   {
     if (values[v] >= threshold && areas[v] > 0.0)
     {
-      const int set = sets.find_set(v);
+      const int set = sets.find(v);
       areaOf[set] += areas[v];
       if (firstOf[set] < 0)
       {
@@ -240,7 +239,7 @@ std::vector<int> salientRegions(const TriangleMesh& mesh,
   std::vector<int> regions(n, 0);
   for (int v = 0; v < n; ++v)
   {
-    regions[v] = values[v] >= threshold && areas[v] > 0.0 ? number[sets.find_set(v)] : 0;
+    regions[v] = values[v] >= threshold && areas[v] > 0.0 ? number[sets.find(v)] : 0;
   }
   return regions;
 }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Repair/NeedlesAndCaps.h"
 
+#include "Mesh/DisjointSets.h"
 #include "Mesh/SliverThresholds.h"
 
 #include <Eigen/Geometry>
 
-#include <boost/iterator/counting_iterator.hpp>
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <queue>
@@ -17,7 +16,7 @@ namespace flattening
 namespace
 {
 
-using VertexClasses = boost::disjoint_sets_with_storage<>;
+using VertexClasses = DisjointSets;
 
 // The greatest number of splits for each face: a guard. Isosurfaces have fewer caps than faces, and a
 // cap splits one face.
@@ -37,9 +36,9 @@ bool joinIfNeedle(const Points3& vertices, const Triangle& face, VertexClasses& 
     return false;
   }
   const auto k = shortest - length.begin();
-  const int from = classes.find_set(face[k]);
-  const int to = classes.find_set(face[(k + 1) % 3]);
-  classes.link(from, to);
+  const int from = classes.find(face[k]);
+  const int to = classes.find(face[(k + 1) % 3]);
+  classes.join(from, to);
   return from != to;
 }
 
@@ -47,8 +46,6 @@ RemovedSlivers collapseNeedles(const Points3& vertices, FaceList& list)
 {
   RemovedSlivers removed;
   VertexClasses classes(vertices.rows());
-  const boost::counting_iterator<std::size_t> first(0);
-  const boost::counting_iterator<std::size_t> last(vertices.rows());
   for (int joined = -1; joined != 0;)
   {
     joined = static_cast<int>(std::count_if(list.Faces.begin(),
@@ -56,12 +53,11 @@ RemovedSlivers collapseNeedles(const Points3& vertices, FaceList& list)
       [&](const Triangle& face) { return joinIfNeedle(vertices, face, classes); }));
     if (joined > 0)
     {
-      classes.compress_sets(first, last);
-      classes.normalize_sets(first, last); // the smallest vertex represents each class
+      classes.normalise(); // the smallest vertex represents each class
       for (Triangle& face : list.Faces)
       {
         std::transform(
-          face.begin(), face.end(), face.begin(), [&classes](int v) { return classes.find_set(v); });
+          face.begin(), face.end(), face.begin(), [&classes](int v) { return classes.find(v); });
       }
       removed.JoinedVertices += joined;
       removed.Faces += list.dropIf([&list](std::size_t f) { return repeatsVertex(list.Faces[f]); });

@@ -2,8 +2,8 @@
 #include "Transport/InitialWeights.h"
 
 #include "Base/Errors.h"
+#include "Mesh/DisjointSets.h"
 
-#include <boost/pending/disjoint_sets.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -76,15 +76,12 @@ Eigen::VectorXd nearestDistances(const PowerDiagram& diagram)
 // The connected components of the sites that are marked in @p dense, in the order of their lowest sites.
 std::vector<std::vector<int>> connectedSites(const PowerDiagram& diagram, const std::vector<char>& dense)
 {
-  std::vector<int> rank(dense.size());
-  std::vector<int> parent(dense.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  boost::disjoint_sets<int*, int*> sets(rank.data(), parent.data());
+  DisjointSets sets(dense.size());
   for (const PowerDiagram::CommonSide& side : diagram.commonSides())
   {
     if (dense[side.First] && dense[side.Second])
     {
-      sets.union_set(side.First, side.Second);
+      sets.join(side.First, side.Second);
     }
   }
   std::vector<std::vector<int>> components;
@@ -93,7 +90,7 @@ std::vector<std::vector<int>> connectedSites(const PowerDiagram& diagram, const 
   {
     if (dense[i])
     {
-      int& entry = number[sets.find_set(i)];
+      int& entry = number[sets.find(i)];
       if (entry < 0)
       {
         entry = static_cast<int>(components.size());
