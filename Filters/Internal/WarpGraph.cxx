@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Internal/WarpGraph.h"
 
+#include "Core/Base/EigenVersions.h"
 #include "Core/Base/Errors.h"
 #include "Internal/ArrayConversion.h"
 #include "Internal/PolyDataConversion.h"
@@ -129,12 +130,12 @@ public:
       }
     }
     vtkNew<vtkPoints> points;
-    points->SetData(newTuples<vtkDoubleArray>("Points", Points3(warped.Positions(kept, Eigen::all))));
+    points->SetData(newTuples<vtkDoubleArray>("Points", Points3(warped.Positions(kept, flattening::all))));
     this->Graph->SetPoints(points);
     vtkDataSetAttributes* data = this->Graph->GetVertexData();
     copyTuples(this->Input->GetVertexData(), kept, data);
     data->AddArray(
-      newTuples<vtkDoubleArray>(SurfacePointsName, Points3(this->Before(kept, Eigen::all))));
+      newTuples<vtkDoubleArray>(SurfacePointsName, Points3(this->Before(kept, flattening::all))));
     data->AddArray(newArray<vtkUnsignedCharArray>(InMapName, inMap));
   }
 

@@ -4,6 +4,7 @@
 #include "Areas/DomainTarget.h"
 #include "Areas/FreedMap.h"
 #include "Areas/WarmStart.h"
+#include "Base/EigenVersions.h"
 #include "Base/Errors.h"
 #include "Mesh/FaceOrientation.h"
 #include "Transport/BoundaryPlacement.h"
@@ -188,7 +189,7 @@ private:
     this->Map.Positions =
       this->Options.RefineFaces
         ? interpolateTransport(this->Sites, this->Images, this->Conformal, *this->Domain)
-        : Points2(this->Diagram->centroids()(this->Sites.SiteOfVertex, Eigen::all));
+        : Points2(this->Diagram->centroids()(this->Sites.SiteOfVertex, flattening::all));
     for (std::size_t k = 0; k < this->Boundary.Vertices.size(); ++k)
     {
       this->Map.Positions.row(this->Boundary.Vertices[k]) =

@@ -8,6 +8,7 @@
 #include "Areas/ShapeDistortion.h"
 #include "Areas/SmoothDeformation.h"
 #include "Areas/TargetAreas.h"
+#include "Base/EigenVersions.h"
 #include "Mesh/FaceOrientation.h"
 #include "Mesh/OutlineCrossings.h"
 #include "Mesh/VertexFaces.h"
@@ -263,7 +264,7 @@ private:
     for (int f = 0; f < this->Surface.faceCount(); ++f)
     {
       moment +=
-        areas[f] / 3.0 * this->Map.Positions(this->Surface.Faces.row(f), Eigen::all).colwise().sum();
+        areas[f] / 3.0 * this->Map.Positions(this->Surface.Faces.row(f), flattening::all).colwise().sum();
     }
     const Eigen::RowVector2d centroid = moment / areas.sum();
     return std::sqrt(this->Area / areas.sum()) * (this->Map.Positions.rowwise() - centroid);

@@ -2,6 +2,7 @@
 #include "Areas/RefinementPatches.h"
 
 #include "Areas/RefinementDescent.h"
+#include "Base/EigenVersions.h"
 #include "Mesh/PlaneVectors.h"
 #include "Mesh/RecursiveBisection.h"
 
@@ -72,7 +73,7 @@ public:
     {
       localMembers.push_back(this->local(this->Whole.Dofs.loop()[member]));
     }
-    DomainMap map{ before.Positions(this->Vertices, Eigen::all), before.BoundaryParameters(members) };
+    DomainMap map{ before.Positions(this->Vertices, flattening::all), before.BoundaryParameters(members) };
     this->descend(map, members, localMembers);
     for (std::size_t i = 0; i < this->Free; ++i)
     {
@@ -179,8 +180,8 @@ private:
   {
     const RefinementTerms& all = this->Whole.Terms;
     RefinementTerms part;
-    part.Faces = all.Faces(this->Rows, Eigen::all).unaryExpr([this](int v) { return this->local(v); });
-    part.Cotangents = all.Cotangents(this->Rows, Eigen::all);
+    part.Faces = all.Faces(this->Rows, flattening::all).unaryExpr([this](int v) { return this->local(v); });
+    part.Cotangents = all.Cotangents(this->Rows, flattening::all);
     part.ShapeWeights = this->ThePass.ShapeFactor * all.ShapeWeights(this->Rows);
     const auto indexOf = [&](int member)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Disk/EdgeCut.h"
 
+#include "Base/EigenVersions.h"
 #include "Base/Errors.h"
 #include "Mesh/DisjointSets.h"
 
@@ -158,7 +159,7 @@ CutSurface cutAlongEdges(const TriangleMesh& mesh, const std::vector<MeshEdge>& 
   TriangleMesh& opened = cut.Surface.Mesh;
   opened.Faces = mesh.Faces;
   const std::vector<int> original = separateSectors(opened.Faces, cut.OnSeam, sectors);
-  opened.Vertices = mesh.Vertices(original, Eigen::all);
+  opened.Vertices = mesh.Vertices(original, flattening::all);
   cut.OnSeam.resize(original.size(), 1);
   cut.Surface.Vertices = keptVertices(original, mesh.vertexCount());
   cut.Surface.Faces.resize(mesh.faceCount());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Handles/HandleLoops.h"
 
+#include "Base/EigenVersions.h"
 #include "Handles/HandleCutting.h"
 
 #include <utility>
@@ -60,7 +61,7 @@ private:
     DerivedMesh result = this->Surface.derived();
     result.Vertices =
       VertexOrigins(keptVertices(this->Kept, result.Mesh.vertexCount()) * result.Vertices);
-    result.Mesh.Vertices = Points3(result.Mesh.Vertices(this->Kept, Eigen::all));
+    result.Mesh.Vertices = Points3(result.Mesh.Vertices(this->Kept, flattening::all));
     for (int& v : result.Mesh.Faces.reshaped())
     {
       v = this->Uncut[v];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Regions/RegionExtent.h"
 
+#include "Base/EigenVersions.h"
 #include "Base/Progress.h"
 #include "Geodesics/GeodesicDistance.h"
 #include "Geodesics/GeodesicPath.h"
@@ -59,7 +60,7 @@ SurfaceCurve curveOf(const SurfaceMesh& mesh, const GeodesicPath& path)
 // shrinkage").
 Points3 smoothed(const Points3& vertices, const std::vector<int>& loop, int steps)
 {
-  Points3 points = vertices(loop, Eigen::all);
+  Points3 points = vertices(loop, flattening::all);
   const auto n = points.rows();
   for (int step = 0; step < 2 * steps; ++step)
   {
@@ -110,7 +111,7 @@ double overhang(const Points3& vertices, const Points3& amid, const SurfaceCurve
 Points3 withSmoothed(const Points3& vertices, const std::vector<int>& loop)
 {
   Points3 amid = vertices;
-  amid(loop, Eigen::all) = smoothed(vertices, loop, SmoothingSteps);
+  amid(loop, flattening::all) = smoothed(vertices, loop, SmoothingSteps);
   return amid;
 }
 

@@ -6,7 +6,6 @@
 
 #include <Eigen/Geometry>
 
-
 #include <algorithm>
 #include <queue>
 #include <utility>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Repair/SpikeRemoval.h"
 
+#include "Base/EigenVersions.h"
 #include "Mesh/SelfIntersections.h"
 #include "Mesh/VertexFaces.h"
 
@@ -89,7 +90,7 @@ public:
     {
       if (flat[i] && intersectionsAfter[i] > intersectionsBefore[i])
       {
-        this->Mesh.Vertices(sets[i], Eigen::all) = before(sets[i], Eigen::all);
+        this->Mesh.Vertices(sets[i], flattening::all) = before(sets[i], flattening::all);
         flat[i] = 0;
       }
       result.LeftFolded += !flat[i];
@@ -216,13 +217,13 @@ private:
     {
       least.push_back(contains(set, v) ? FoldedRatio : std::min(this->flatness(v), FoldedRatio));
     }
-    const Points3 before = this->Mesh.Vertices(set, Eigen::all);
+    const Points3 before = this->Mesh.Vertices(set, flattening::all);
     this->moveToMeans(set);
     for (std::size_t i = 0; i < around.size(); ++i)
     {
       if (!(this->flatness(around[i]) >= least[i]))
       {
-        this->Mesh.Vertices(set, Eigen::all) = before;
+        this->Mesh.Vertices(set, flattening::all) = before;
         return false;
       }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Transport/TransportSites.h"
 
+#include "Base/EigenVersions.h"
 #include "Mesh/RecursiveBisection.h"
 
 #include <algorithm>
@@ -76,7 +77,7 @@ TransportSites groupedSites(const Points2& positions,
       grouped.push_back(v);
     }
   }
-  const Points2 points = positions(grouped, Eigen::all);
+  const Points2 points = positions(grouped, flattening::all);
   const std::vector<std::vector<int>> groups = recursiveBisection(points, verticesPerSite, 0.0);
 
   Points2 centres(static_cast<Eigen::Index>(groups.size() + alone.size()), 2);

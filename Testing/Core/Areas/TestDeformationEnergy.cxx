@@ -5,6 +5,7 @@
 #include "Areas/DegreesOfFreedom.h"
 #include "Areas/RefinementTerms.h"
 #include "Areas/SmoothDeformation.h"
+#include "Base/EigenVersions.h"
 #include "Mesh/MeshTopology.h"
 
 #include <gtest/gtest.h>
@@ -199,7 +200,7 @@ TEST_F(DeformationEnergyOfAMap, DeformationInADiskSetsTheAreasOfRegionsRight)
     for (int f = 0; f < this->Mesh.faceCount(); ++f)
     {
       const Eigen::RowVector2d centre =
-        this->Positions(this->Mesh.Faces.row(f), Eigen::all).colwise().mean();
+        this->Positions(this->Mesh.Faces.row(f), flattening::all).colwise().mean();
       const int ring = std::min(2, static_cast<int>(3.0 * centre.norm()));
       const int region = 4 * ring + 2 * (centre.x() > 0.0 ? 1 : 0) + (centre.y() > 0.0 ? 1 : 0);
       has[region] += now[f];

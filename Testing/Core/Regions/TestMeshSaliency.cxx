@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Base/EigenVersions.h"
 #include "Base/Errors.h"
 #include "Regions/GaussianMeans.h"
 #include "Regions/MeanCurvature.h"
@@ -54,7 +55,7 @@ TriangleMesh refinedHalf(const TriangleMesh& mesh, int times)
     for (int f = 0; f < refined.faceCount(); ++f)
     {
       const Eigen::RowVector3i face = refined.Faces.row(f);
-      const Eigen::RowVector3d centroid = refined.Vertices(face, Eigen::all).colwise().mean();
+      const Eigen::RowVector3d centroid = refined.Vertices(face, flattening::all).colwise().mean();
       if (centroid[0] <= 0.0)
       {
         faces.push_back(face);
