@@ -130,7 +130,8 @@ public:
       }
     }
     vtkNew<vtkPoints> points;
-    points->SetData(newTuples<vtkDoubleArray>("Points", Points3(warped.Positions(kept, flattening::all))));
+    points->SetData(
+      newTuples<vtkDoubleArray>("Points", Points3(warped.Positions(kept, flattening::all))));
     this->Graph->SetPoints(points);
     vtkDataSetAttributes* data = this->Graph->GetVertexData();
     copyTuples(this->Input->GetVertexData(), kept, data);

@@ -263,8 +263,8 @@ private:
     Eigen::RowVector2d moment = Eigen::RowVector2d::Zero();
     for (int f = 0; f < this->Surface.faceCount(); ++f)
     {
-      moment +=
-        areas[f] / 3.0 * this->Map.Positions(this->Surface.Faces.row(f), flattening::all).colwise().sum();
+      moment += areas[f] / 3.0 *
+                this->Map.Positions(this->Surface.Faces.row(f), flattening::all).colwise().sum();
     }
     const Eigen::RowVector2d centroid = moment / areas.sum();
     return std::sqrt(this->Area / areas.sum()) * (this->Map.Positions.rowwise() - centroid);

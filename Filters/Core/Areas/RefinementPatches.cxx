@@ -73,7 +73,8 @@ public:
     {
       localMembers.push_back(this->local(this->Whole.Dofs.loop()[member]));
     }
-    DomainMap map{ before.Positions(this->Vertices, flattening::all), before.BoundaryParameters(members) };
+    DomainMap map{ before.Positions(this->Vertices, flattening::all),
+      before.BoundaryParameters(members) };
     this->descend(map, members, localMembers);
     for (std::size_t i = 0; i < this->Free; ++i)
     {
@@ -180,7 +181,8 @@ private:
   {
     const RefinementTerms& all = this->Whole.Terms;
     RefinementTerms part;
-    part.Faces = all.Faces(this->Rows, flattening::all).unaryExpr([this](int v) { return this->local(v); });
+    part.Faces =
+      all.Faces(this->Rows, flattening::all).unaryExpr([this](int v) { return this->local(v); });
     part.Cotangents = all.Cotangents(this->Rows, flattening::all);
     part.ShapeWeights = this->ThePass.ShapeFactor * all.ShapeWeights(this->Rows);
     const auto indexOf = [&](int member)

@@ -90,9 +90,7 @@ std::vector<BoundaryEdge> sortedBoundary(const TriangleMesh& mesh, const std::ve
 
 // Joins pairs of half-edges of the boundary that lie on each other in opposite directions, and their
 // ends. More than two in one place belong to sheets that only touch, and stay apart.
-void closeSeams(const TriangleMesh& mesh,
-  std::vector<int>& opposite,
-  DisjointSets& places)
+void closeSeams(const TriangleMesh& mesh, std::vector<int>& opposite, DisjointSets& places)
 {
   const auto endOf = [&mesh](int h) { return mesh.Faces(h / 3, h % 3); };
   const std::vector<BoundaryEdge> edges = sortedBoundary(mesh, opposite);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Boost's disjoint sets with their storage. Boost's own class with storage keeps pointers, for which its functions find no
-/// get() if its header of compressed graphs came first, as CGAL 6 brings it.
+/// Boost's disjoint sets with their storage. Boost's own class with storage keeps pointers, for which
+/// its functions find no get() if its header of compressed graphs came first, as CGAL 6 brings it.
 #pragma once
 
 #include <boost/iterator/counting_iterator.hpp>
