@@ -25,7 +25,10 @@ package also has the VTK module and its Python package.")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # reads what the libraries need
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "paraview (>= ${ParaView_VERSION})")
+# A plugin loads only into the ParaView that it was built for.
+math(EXPR next_minor "${ParaView_VERSION_MINOR} + 1")
+set(CPACK_DEBIAN_PACKAGE_DEPENDS
+  "paraview (>= ${ParaView_VERSION}), paraview (<< ${ParaView_VERSION_MAJOR}.${next_minor}~)")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-paraview, libopenblas0-serial, python3-nibabel, python3-pydicom, python3-gdcm")
 
 # Python compiles the package when root imports it, into files that dpkg does not know.

@@ -2,8 +2,9 @@
 # the CMake files beside it look for vtkCommonCore.so, so that find_package(ParaView) stops. Nobody links to these
 # modules: it is enough that CMake knows their targets before it reads such a file, which then returns at once.
 
-# surfaceflattening_define_python_targets_of(<package> <version>)
-# Does so for the ParaView or VTK that find_package(<package> <version>) will find.
+# surfaceflattening_define_python_targets_of(<package> <version> [<variable>])
+# Does so for the ParaView or VTK that find_package(<package> <version>) will find. If it will find none, sets the variable
+# to a sentence that says what is there and what is needed.
 function (surfaceflattening_define_python_targets_of package version)
   set(chosen "${${package}_DIR}")
   find_package("${package}" 9999 EXACT QUIET CONFIG) # no such version: CMake only tells what it has considered
@@ -23,6 +24,14 @@ function (surfaceflattening_define_python_targets_of package version)
       return ()
     endif ()
   endforeach ()
+  if (ARGC GREATER 2)
+    list(JOIN "${package}_CONSIDERED_VERSIONS" ", " there)
+    if (NOT there)
+      set(there "none")
+    endif ()
+    set("${ARGV2}" "${package} ${version} or newer is needed, and there is ${there}: install it, on Debian by \
+Utilities/setup.sh, or say where it is by -D${package}_DIR" PARENT_SCOPE)
+  endif ()
 endfunction ()
 
 # surfaceflattening_define_python_targets(<folder>)
