@@ -40,7 +40,10 @@ void showCuts(pqPipelineSource* source, pqRenderView* view)
   vtkSMProxy* lines = controller->Show(source->getSourceProxy(), CutsPort, view->getViewProxy());
   if (lines)
   {
-    vtkSMPVRepresentationProxy::SetScalarColoring(lines, nullptr, vtkDataObject::POINT);
+    if (auto* display = vtkSMPVRepresentationProxy::SafeDownCast(lines))
+    {
+      display->SetScalarColoring(nullptr, vtkDataObject::POINT);
+    }
     for (const char* colour : { "AmbientColor", "DiffuseColor" })
     {
       vtkSMPropertyHelper(lines, colour).Set(Orange, 3);
