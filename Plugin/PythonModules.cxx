@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lets Python find the plugin's modules from its start. The readers of scans and of cortex files are
+// Registers the plugin's modules with ParaView, and lets Python find them from its start. The readers of scans and of cortex files are
 // written in Python, and ParaView makes their proxies, in its window and in pvserver, before anything
 // has imported paraview.servermanager, which is what lets Python find the modules of plugins otherwise.
+#include "PythonTexts.h"
+
 #include <vtkCallbackCommand.h>
 #include <vtkNew.h>
+#include <vtkPVPythonModule.h>
 #include <vtkPythonInterpreter.h>
 
 namespace
@@ -37,9 +40,21 @@ void addFinder(vtkObject*, unsigned long, void*, void*)
   vtkPythonInterpreter::RunSimpleString(Finder);
 }
 
+void registerModules()
+{
+  for (const auto& module : PythonTexts)
+  {
+    vtkNew<vtkPVPythonModule> registered;
+    registered->SetFullName(module.Name);
+    registered->SetSource(reinterpret_cast<const char*>(module.Text));
+    vtkPVPythonModule::RegisterModule(registered);
+  }
+}
+
 // Interpreters are told when Python starts. This one lives as long as the program, as Python does.
 bool listenToPython()
 {
+  registerModules();
   static vtkPythonInterpreter* interpreter = vtkPythonInterpreter::New();
   vtkNew<vtkCallbackCommand> listener;
   listener->SetCallback(addFinder);
