@@ -18,7 +18,19 @@ endforeach ()
 list(TRANSFORM python_files PREPEND "Filters/Python/")
 install(FILES ${python_files} DESTINATION "${SURFACEFLATTENING_PYTHON_DESTINATION}/surfaceflattening")
 
-if (NOT SKBUILD) # pip writes its own
+if (SKBUILD)
+  # Type stubs of the wrapped classes. (VTK's own way to them works within VTK's build alone.)
+  set(stubs "${package_directory}/surfaceflattening/SurfaceFlatteningFilters.pyi")
+  add_custom_command(
+    OUTPUT "${stubs}"
+    COMMAND "${Python3_EXECUTABLE}" -B -m vtkmodules.generate_pyi
+      -p surfaceflattening -o "${package_directory}/surfaceflattening" SurfaceFlatteningFilters
+    WORKING_DIRECTORY "${package_directory}"
+    DEPENDS SurfaceFlatteningFiltersPython
+    VERBATIM)
+  add_custom_target(SurfaceFlatteningStubs ALL DEPENDS "${stubs}")
+  install(FILES "${stubs}" DESTINATION "${SURFACEFLATTENING_PYTHON_DESTINATION}/surfaceflattening")
+else () # pip writes the metadata itself
   set(metadata "surfaceflattening-${SURFACEFLATTENING_VERSION}.dist-info")
   file(WRITE "${package_directory}/${metadata}/METADATA"
     "Metadata-Version: 2.1\nName: surfaceflattening\nVersion: ${SURFACEFLATTENING_VERSION}\n"

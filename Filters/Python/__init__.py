@@ -14,7 +14,7 @@ Lengths are in the units of the surface, areas in their squares, angles of setti
 import sys
 
 try:
-    import vtkmodules.vtkCommonExecutionModel  # noqa: F401
+    from vtkmodules import vtkCommonExecutionModel as _  # noqa: F401
 except ImportError as error:
     raise ImportError(
         f"surfaceflattening needs the Python modules of the VTK that it was built for, and {sys.executable} has none "
@@ -26,7 +26,7 @@ from .errors import Cancelled, FlatteningError, FlatteningWarning
 from .functions import Distortion, area_preserving, conformal, distortion, flatten, region, to_disk
 from .volumes import isosurface
 
-__all__ = [name for name in dir() if name.startswith("vtk") and name != "vtkmodules"] + [
+__all__ = [name for name in dir() if name.startswith("vtk")] + [
     "Cancelled",
     "Distortion",
     "FlatteningError",
