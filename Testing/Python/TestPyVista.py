@@ -13,7 +13,7 @@ import numpy
 if not hasattr(pyvista, "register_dataset_accessor"):  # before 0.48
     import surfaceflattening.accessors  # noqa: F401
 
-ball = pyvista.Sphere()
+ball = pyvista.Sphere(theta_resolution=40, phi_resolution=40)
 ball["Height"] = ball.points[:, 2]
 flat = ball.flatten(cut_mode="Seam")  # in newer ones the first access imports the package
 
