@@ -27,11 +27,11 @@ for column, (mesh, array, colours, limits, title) in enumerate(pictures):
     has_bar = limits is not None
     plotter.add_mesh(
         mesh.copy(), scalars=array, cmap=colours, clim=limits, lighting=mesh is surface, show_scalar_bar=has_bar,
-        scalar_bar_args={"title": "area ratio"} if has_bar else None,
+        scalar_bar_args={"title": "", "position_x": 0.2, "position_y": 0.01, "height": 0.08} if has_bar else None,
     )
     if mesh is surface:
         plotter.view_yz()
     else:
         plotter.view_xy()
-    plotter.camera.zoom(1.3)
+    plotter.camera.zoom(1.3 if mesh is surface else 1.15)
 plotter.screenshot(sys.argv[1])
