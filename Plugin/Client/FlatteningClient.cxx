@@ -5,8 +5,11 @@
 #include "CutDisplays.h"
 #include "FlatMapCameras.h"
 #include "FlatteningCommands.h"
+#include "MainWindow.h"
 #include "PercentBars.h"
 #include "RegionViews.h"
+
+#include <QTimer>
 
 #include <vtkPVRepresentedArrayListSettings.h>
 #include <vtkSMProxyManager.h>
@@ -45,6 +48,12 @@ void hideReports()
 
 void FlatteningClient::startup()
 {
+  // ParaView 6.1 loads the plugins that it finds by itself before it has made its window.
+  if (!mainWindow())
+  {
+    QTimer::singleShot(0, this, [this] { this->startup(); });
+    return;
+  }
   hideReports();
   new CutDisplays(this); // first, so that cameras see what is left of the cuts
   new FlatMapCameras(this);
