@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing to build, test and demonstrate SurfaceFlattening on Debian 12 (bookworm), 13
-# (trixie) and unstable (sid), and on what derives from them. Safe to run again;
-# needs root or sudo only if something is missing.
+# Installs what is missing to build, test and demonstrate SurfaceFlattening on Debian 12 (bookworm), 13 (trixie) and unstable
+# (sid), and on what derives from them. Safe to run again; needs root or sudo only if something is missing.
 #   Utilities/setup.sh           for the ParaView plugin
 #   Utilities/setup.sh --vtk     for the VTK module alone, on a VTK without ParaView
 #   Utilities/setup.sh --package for the ParaView plugin and to make a Debian package of it
@@ -23,17 +22,17 @@ else
   packages+=(paraview paraview-dev python3-paraview mricron-data)
   packages+=(python3-nibabel python3-pydicom python3-gdcm) # files of FreeSurfer, GIFTI and DICOM, when they are opened
   # Qt puts the icons and the part in ParaView's window into the plugin, which goes without them otherwise. The other
-  # packages make the plugin's pages in ParaView's help.
+  # packages make the plugin's pages in ParaView's help. Without qt6-svg-plugins ParaView shows no icons at all.
   case $(. /etc/os-release && echo "${VERSION_CODENAME:-sid}") in
     bookworm) # ParaView 5.11, with Qt 5
       packages+=(qtbase5-dev qttools5-dev qtxmlpatterns5-dev-tools python3-markdown python3-pil)
       ;;
     trixie) # ParaView 5.13, which cannot make help with Qt 6
-      packages+=(qt6-base-dev qt6-tools-dev qt6-tools-dev-tools)
+      packages+=(qt6-base-dev qt6-tools-dev qt6-tools-dev-tools qt6-svg-plugins)
       ;;
     *) # ParaView 6.1 on the system's VTK
       packages+=(libvtk9-dev python3-vtk9)
-      packages+=(qt6-base-dev qt6-tools-dev qt6-tools-dev-tools xsltproc python3-markdown python3-pil)
+      packages+=(qt6-base-dev qt6-tools-dev qt6-tools-dev-tools qt6-svg-plugins xsltproc python3-markdown python3-pil)
       ;;
   esac
 fi

@@ -55,7 +55,7 @@ for i in range(data.GetNumberOfPoints()):
         assert abs(values.GetComponent(i, k) - (20 - 1.5 * k)) < 0.03
 stack = servermanager.Fetch(proxy, idx=1)
 assert stack.GetDimensions() == (64, 64, 4) and math.isclose(stack.GetSpacing()[2], 1.5)
-middle = stack.FindPoint(0, 0, 3)
+middle = stack.FindPoint((0, 0, 3))
 assert abs(point_array(stack, "Distance").GetTuple1(middle) - 17) < 0.05
 
 _, data = slab(Outwards=1)

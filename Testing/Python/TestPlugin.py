@@ -52,4 +52,8 @@ with open(source, encoding="utf-8") as lines:
     version = re.search(r"^set\(SURFACEFLATTENING_VERSION (\S+)\)$", lines.read(), re.MULTILINE).group(1)
 plugins = servermanager.vtkSMProxyManager.GetProxyManager().GetPluginManager().GetLocalInformation()
 shown = {plugins.GetPluginName(i): plugins.GetPluginVersion(i) for i in range(plugins.GetNumberOfPlugins())}
-assert shown["SurfaceFlattening"] == version, shown
+if simple.GetParaViewVersion() < (6, 0):
+    assert shown["SurfaceFlattening"] == version, shown
+else:  # from the list beside the plugin, before it is loaded
+    with open(os.path.join(os.environ["PV_PLUGIN_PATH"], "surfaceflattening.xml"), encoding="utf-8") as lines:
+        assert f'version="{version}" description="Flattens' in lines.read()
