@@ -6,7 +6,7 @@ import os
 import re
 
 from paraview import servermanager
-from paraview.simple import Calculator, Delete, DistortionMetrics, Plane, Triangulate
+from paraview.simple import Calculator, Delete, DistortionMetrics, GetParaViewVersion, Plane, Triangulate
 
 flat = Triangulate(Input=Plane(XResolution=8, YResolution=8))
 stretched = Calculator(
@@ -52,7 +52,7 @@ with open(source, encoding="utf-8") as lines:
     version = re.search(r"^set\(SURFACEFLATTENING_VERSION (\S+)\)$", lines.read(), re.MULTILINE).group(1)
 plugins = servermanager.vtkSMProxyManager.GetProxyManager().GetPluginManager().GetLocalInformation()
 shown = {plugins.GetPluginName(i): plugins.GetPluginVersion(i) for i in range(plugins.GetNumberOfPlugins())}
-if simple.GetParaViewVersion() < (6, 0):
+if GetParaViewVersion() < (6, 0):
     assert shown["SurfaceFlattening"] == version, shown
 else:  # from the list beside the plugin, before it is loaded
     with open(os.path.join(os.environ["PV_PLUGIN_PATH"], "surfaceflattening.xml"), encoding="utf-8") as lines:
