@@ -191,45 +191,13 @@ void fillMap(vtkPolyData* output,
   flattening::addPointArray(output, "CellArea", placedAreas(map.CellAreas, placement));
   flattening::addPointArray(output, "PowerWeight", placedAreas(map.PowerWeights, placement));
   // The map to the domain, as placed: that of the output unless the outline is free.
-  const vtkSmartPointer<vtkPoints> onDomain = vtk::TakeSmartPointer(flattening::newPlanarPoints(
+  const flattening::Points2 onDomain =
     map.Deformations > 0
       ? flattening::Points2((placement.Scale * map.OnDomain).rowwise() + placement.Centre)
-      : positions));
-  vtkNew<vtkDoubleArray> flatPoints;
-  flatPoints->DeepCopy(onDomain->GetData());
-  flatPoints->SetName(FlatPoints);
-  output->GetPointData()->AddArray(flatPoints);
+      : positions;
+  output->GetPointData()->AddArray(
+    flattening::newTuples<vtkDoubleArray>(FlatPoints, flattening::planarMesh(onDomain, {}).Vertices));
 }
-
-// Carries points of the domain to where a map with a free outline has them.
-class DomainCarrier
-{
-public:
-  DomainCarrier(const flattening::FaceMatrix& faces, const flattening::AreaPreservingMap& map)
-  {
-    if (map.Deformations > 0)
-    {
-      flattening::TriangleMesh freed{ flattening::Points3::Zero(map.Positions.rows(), 3), faces };
-      freed.Vertices.leftCols<2>() = map.Positions;
-      this->Location.emplace(freed, map.OnDomain);
-    }
-  }
-
-  Eigen::Vector2d operator()(const Eigen::Vector2d& point)
-  {
-    if (!this->Location)
-    {
-      return point;
-    }
-    const flattening::MapPlace place = this->Location->onMap(point.transpose(), this->LastFace);
-    this->LastFace = place.Face;
-    return this->Location->surfacePoint(place).head<2>().transpose();
-  }
-
-private:
-  std::optional<flattening::FlatMapLocation> Location;
-  int LastFace = 0;
-};
 
 void fillPowerDiagram(vtkPolyData* output,
   const flattening::AreaPreservingResult& result,
@@ -237,7 +205,13 @@ void fillPowerDiagram(vtkPolyData* output,
   const Placement& placement)
 {
   const auto& [scale, centre] = placement;
-  DomainCarrier carried(faces, result.Map);
+  // A map with a free outline carries the points of the domain along.
+  std::optional<flattening::FlatMapLocation> freed;
+  if (result.Map.Deformations > 0)
+  {
+    freed.emplace(flattening::planarMesh(result.Map.Positions, faces), result.Map.OnDomain);
+  }
+  int lastFace = 0;
   constexpr double oneDegree = EIGEN_PI / 180.0;
   const flattening::PowerDiagram& diagram = result.Diagram;
   std::vector<vtkIdType> pointOfSite(diagram.siteCount(), -1);
@@ -252,31 +226,29 @@ void fillPowerDiagram(vtkPolyData* output,
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> polygons;
-  vtkNew<vtkIdTypeArray> siteIds;
-  siteIds->SetName("SiteId");
-  vtkNew<vtkDoubleArray> cellAreas;
-  cellAreas->SetName("CellArea");
-  vtkNew<vtkDoubleArray> targetAreas;
-  targetAreas->SetName("TargetArea");
   for (int site = 0; site < diagram.siteCount(); ++site)
   {
     const std::vector<Eigen::Vector2d> outline = diagram.outline(site, oneDegree);
     polygons->InsertNextCell(static_cast<int>(outline.size()));
-    for (const Eigen::Vector2d& onDomain : outline)
+    for (Eigen::Vector2d corner : outline)
     {
-      const Eigen::Vector2d corner = carried(onDomain);
+      if (freed)
+      {
+        const flattening::MapPlace place = freed->onMap(corner.transpose(), lastFace);
+        lastFace = place.Face;
+        corner = freed->surfacePoint(place).head<2>().transpose();
+      }
       polygons->InsertCellPoint(
         points->InsertNextPoint(centre.x() + scale * corner.x(), centre.y() + scale * corner.y(), 0.0));
     }
-    siteIds->InsertNextValue(pointOfSite[site]);
-    cellAreas->InsertNextValue(scale * (scale * diagram.areas()[site]));
-    targetAreas->InsertNextValue(scale * (scale * targets[site]));
   }
   output->SetPoints(points);
   output->SetPolys(polygons);
-  output->GetCellData()->AddArray(siteIds);
-  output->GetCellData()->AddArray(cellAreas);
-  output->GetCellData()->AddArray(targetAreas);
+  vtkCellData* data = output->GetCellData();
+  data->AddArray(flattening::newArray<vtkIdTypeArray>("SiteId", pointOfSite));
+  data->AddArray(
+    flattening::newArray<vtkDoubleArray>("CellArea", placedAreas(diagram.areas(), placement)));
+  data->AddArray(flattening::newArray<vtkDoubleArray>("TargetArea", placedAreas(targets, placement)));
 }
 
 void setReport(vtkFieldData* data, const flattening::AreaPreservingMap& map)

@@ -92,7 +92,7 @@ TriangleMesh withoutTriangles(const TriangleMesh& closed, double areaFraction)
 {
   const SurfaceMesh surface = toSurfaceMesh(closed);
   const Eigen::VectorXd distances =
-    DijkstraDistances(surface).from({ SurfaceMesh::Vertex_index(geodesicCentre(closed)) });
+    distancesAlongEdges(surface, { SurfaceMesh::Vertex_index(geodesicCentre(closed)) });
   const Eigen::VectorXd areas = faceAreas(closed.Vertices, closed.Faces);
   std::vector<double> nearest(closed.faceCount());
   for (int f = 0; f < closed.faceCount(); ++f)

@@ -54,12 +54,11 @@ int geodesicCentre(const TriangleMesh& mesh,
   Eigen::MatrixXd squared(mesh.vertexCount(), Samples);
   Eigen::VectorXd nearest = Eigen::VectorXd::Constant(mesh.vertexCount(), HUGE_VAL);
   std::vector<int> nearestSample(mesh.vertexCount(), 0);
-  const DijkstraDistances distances(surface);
-  int sample = indexOfLargest(distances.from({ Vertex(0) }));
+  int sample = indexOfLargest(distancesAlongEdges(surface, { Vertex(0) }));
   for (int i = 0; i < Samples; ++i)
   {
     report(progress, static_cast<double>(i) / Samples, "placing the hole");
-    const Eigen::VectorXd distance = distances.from({ Vertex(sample) });
+    const Eigen::VectorXd distance = distancesAlongEdges(surface, { Vertex(sample) });
     squared.col(i) = distance.cwiseAbs2();
     for (int v = 0; v < mesh.vertexCount(); ++v)
     {

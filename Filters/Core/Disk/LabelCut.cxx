@@ -2,9 +2,9 @@
 #include "Disk/LabelCut.h"
 
 #include "Base/Errors.h"
+#include "Mesh/FaceFlags.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/SurfaceComponents.h"
-#include "Mesh/VertexFaces.h"
 
 #include <algorithm>
 #include <string>
@@ -13,19 +13,6 @@ namespace flattening
 {
 namespace
 {
-
-std::vector<int> facesWhere(const std::vector<char>& labelled, bool value)
-{
-  std::vector<int> faces;
-  for (std::size_t f = 0; f < labelled.size(); ++f)
-  {
-    if ((labelled[f] != 0) == value)
-    {
-      faces.push_back(static_cast<int>(f));
-    }
-  }
-  return faces;
-}
 
 void requirePiece(const TriangleMesh& mesh, const std::vector<int>& faces, const std::string& what)
 {
@@ -38,62 +25,12 @@ void requirePiece(const TriangleMesh& mesh, const std::vector<int>& faces, const
   }
 }
 
-// The number of open fans that the faces without a label form around the vertex. A fan begins at an edge
-// with a face of the rest on one side only.
-int fansAround(const TriangleMesh& mesh,
-  const VertexFaces& around,
-  int v,
-  const std::vector<char>& labelled)
-{
-  std::vector<int> next;     // of each face of the rest: the vertex after v
-  std::vector<int> previous; // and the one before
-  for (const int f : around[v])
-  {
-    if (!labelled[f])
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        if (mesh.Faces(f, k) == v)
-        {
-          next.push_back(mesh.Faces(f, (k + 1) % 3));
-          previous.push_back(mesh.Faces(f, (k + 2) % 3));
-        }
-      }
-    }
-  }
-  return static_cast<int>(std::count_if(next.begin(),
-    next.end(),
-    [&previous](int w) { return std::find(previous.begin(), previous.end(), w) == previous.end(); }));
-}
-
-// Labels the faces around vertices at which parts of the rest hang together by the vertex alone. Each
-// turn labels a face more, so that the loop ends.
-void labelLooseFaces(const TriangleMesh& mesh, std::vector<char>& labelled)
-{
-  const VertexFaces around(mesh.Faces, mesh.vertexCount());
-  for (bool changed = true; changed;)
-  {
-    changed = false;
-    for (int v = 0; v < mesh.vertexCount(); ++v)
-    {
-      if (fansAround(mesh, around, v, labelled) > 1)
-      {
-        for (const int f : around[v])
-        {
-          labelled[f] = 1;
-        }
-        changed = true;
-      }
-    }
-  }
-}
-
 } // namespace
 
 LabelCutSurface cutLabel(const TriangleMesh& mesh, const std::vector<char>& labelled)
 {
   std::vector<char> removed = labelled;
-  const std::vector<int> chosen = facesWhere(removed, true);
+  const std::vector<int> chosen = flagged(removed);
   if (chosen.empty())
   {
     throw InvalidInput(
@@ -101,8 +38,8 @@ LabelCutSurface cutLabel(const TriangleMesh& mesh, const std::vector<char>& labe
       "component that is kept");
   }
   requirePiece(mesh, chosen, "the label is");
-  labelLooseFaces(mesh, removed);
-  const std::vector<int> rest = facesWhere(removed, false);
+  flagAroundPinches(mesh, removed, false);
+  const std::vector<int> rest = flagged(removed, false);
   if (rest.empty())
   {
     throw TopologyError(
@@ -117,7 +54,7 @@ LabelCutSurface cutLabel(const TriangleMesh& mesh, const std::vector<char>& labe
   cut.RemovedArea =
     faceAreas(mesh.Vertices, mesh.Faces).sum() - faceAreas(left.Vertices, left.Faces).sum();
   std::vector<char> onBorder(mesh.vertexCount(), 0);
-  for (const int f : facesWhere(removed, true))
+  for (const int f : flagged(removed))
   {
     for (const int v : mesh.Faces.row(f))
     {

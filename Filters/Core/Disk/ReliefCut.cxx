@@ -94,7 +94,7 @@ private:
     for (const std::vector<char>& blocked : this->BlockedOriginals)
     {
       this->block(blocked);
-      const Eigen::VectorXd distance = DijkstraDistances(this->mesh(), this->Blocked).from({ tip });
+      const Eigen::VectorXd distance = distancesAlongEdges(this->mesh(), { tip }, this->Blocked);
       Vertex nearest;
       for (const Vertex v : this->mesh().vertices())
       {

@@ -175,7 +175,7 @@ private:
         sources.emplace_back(v);
       }
     }
-    return DijkstraDistances(this->Surface, this->Blocked).from(sources);
+    return distancesAlongEdges(this->Surface, sources, this->Blocked);
   }
 
   void addBranches(PlacedRelief& relief, const ProgressCallback& progress)

@@ -82,7 +82,7 @@ private:
   // Distances along edges; -1 for vertices that no free path reaches.
   Eigen::VectorXd distancesFrom(Vertex source) const
   {
-    const Eigen::VectorXd distances = DijkstraDistances(this->Surface, this->Blocked).from({ source });
+    const Eigen::VectorXd distances = distancesAlongEdges(this->Surface, { source }, this->Blocked);
     return distances.array().isFinite().select(distances, -1.0);
   }
 

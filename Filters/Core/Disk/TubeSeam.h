@@ -19,9 +19,9 @@ std::vector<int> endsOfTube(const Points3& vertices, const std::vector<std::vect
 
 /// Two points for cutGeodesicSeam, one on either boundary loop of @p mesh, between which the geodesic is
 /// a shortest one: it meets both loops at right angles, up to the length of an edge. A tube that is cut
-/// there unrolls to a rectangle. The search starts with the shortest path along edges and moves either
-/// end by Newton's method on the length, whose derivative is the cosine of the angle at which the
-/// geodesic arrives.
+/// there unrolls to a rectangle. The search starts with the shortest path along edges; then each end in
+/// turn moves to the vertex of its loop that is nearest to the other end (GeodesicSearch), until neither
+/// moves.
 /// @throws TopologyError if no path joins the loops; Cancelled.
 std::vector<Eigen::Vector3d> placeTubeSeam(const TriangleMesh& mesh,
   const std::vector<int>& firstLoop,

@@ -44,9 +44,7 @@ TriangleMesh flatMesh(const TriangleMesh& surface, const Points2& positions)
                        std::to_string(surface.vertexCount()) +
                        " vertices: pass the positions of this very surface");
   }
-  TriangleMesh mesh{ Points3::Zero(positions.rows(), 3), surface.Faces };
-  mesh.Vertices.leftCols<2>() = positions;
-  return mesh;
+  return planarMesh(positions, surface.Faces);
 }
 
 // The position of a place, for vertices at the given positions.
@@ -71,6 +69,13 @@ void requireFinite(const Eigen::RowVector3d& point)
 }
 
 } // namespace
+
+TriangleMesh planarMesh(const Points2& positions, const FaceMatrix& faces)
+{
+  TriangleMesh mesh{ Points3::Zero(positions.rows(), 3), faces };
+  mesh.Vertices.leftCols<2>() = positions;
+  return mesh;
+}
 
 FlatMapLocation::Searched::Searched(TriangleMesh whole, const ProgressCallback& progress)
   : Mesh(std::move(whole))

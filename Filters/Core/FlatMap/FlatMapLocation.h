@@ -17,6 +17,9 @@
 namespace flattening
 {
 
+/// A flat map as a mesh in space, at z = 0.
+TriangleMesh planarMesh(const Points2& positions, const FaceMatrix& faces);
+
 /// A place on a flat map and on its surface at once: the same weights in the same face.
 struct MapPlace
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FlatMap/MapPaths.h"
 
+#include "FlatMap/FlatMapLocation.h"
 #include "Mesh/Halfedges.h"
 
 #include <cmath>
@@ -13,13 +14,6 @@ namespace
 // A turn of the outline to the wrong side by less than this (radians) is rounding: the points on the
 // straight side of a rectangle are no exact line. Straight lines are then too short by its square.
 constexpr double RoundingOfTurn = 1e-9;
-
-TriangleMesh inSpace(const FaceMatrix& faces, const Points2& flat)
-{
-  TriangleMesh mesh{ Points3::Zero(flat.rows(), 3), faces };
-  mesh.Vertices.leftCols<2>() = flat;
-  return mesh;
-}
 
 // The vertex after each vertex of the boundary; -1 inside. Empty if the boundary meets itself.
 std::vector<int> nextOnBoundary(const UnfoldableFaces& faces, int vertexCount)
@@ -85,7 +79,7 @@ bool hasConvexOutline(const UnfoldableFaces& faces, const Points2& flat)
 
 MapPaper::MapPaper(const FaceMatrix& faces, const Points2& flat)
   : Flat(flat)
-  , Faces(inSpace(faces, flat), Seams::Open)
+  , Faces(planarMesh(flat, faces), Seams::Open)
   , Convex(hasConvexOutline(this->Faces, flat))
 {
 }

@@ -1,78 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Geodesics/DijkstraDistance.h"
 
-#include <boost/graph/compressed_sparse_row_graph.hpp>
+#include <CGAL/boost/graph/properties_Surface_mesh.h>
+
 #include <boost/graph/dijkstra_shortest_paths.hpp>
-#include <boost/property_map/property_map.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <cmath>
 #include <functional>
-#include <utility>
 
 namespace flattening
 {
 
 using Vertex = SurfaceMesh::Vertex_index;
-using Halfedge = SurfaceMesh::Halfedge_index;
 
-struct DijkstraDistances::Graph
+Eigen::VectorXd distancesAlongEdges(const SurfaceMesh& mesh,
+  const std::vector<Vertex>& sources,
+  const std::vector<char>& blocked)
 {
-  struct Edge
+  const auto length = [&mesh, &blocked](SurfaceMesh::Edge_index edge)
   {
-    double Length;
+    const Vertex from = mesh.vertex(edge, 0);
+    const Vertex to = mesh.vertex(edge, 1);
+    const bool isFree = blocked.empty() || !(blocked[from] || blocked[to]);
+    return isFree ? std::sqrt(CGAL::squared_distance(mesh.point(from), mesh.point(to))) : HUGE_VAL;
   };
-  using Directed = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, Edge>;
-
-  template <typename Ends, typename Lengths>
-  Graph(const Ends& ends, const Lengths& lengths, std::size_t vertices)
-    : Edges(boost::edges_are_unsorted_multi_pass, ends.begin(), ends.end(), lengths.begin(), vertices)
-  {
-  }
-
-  Directed Edges; // every edge of the surface in both directions
-};
-
-DijkstraDistances::DijkstraDistances(const SurfaceMesh& mesh, const std::vector<char>& blocked)
-{
-  std::vector<std::pair<std::size_t, std::size_t>> ends;
-  std::vector<Graph::Edge> lengths;
-  ends.reserve(mesh.number_of_halfedges());
-  lengths.reserve(mesh.number_of_halfedges());
-  for (const Halfedge h : mesh.halfedges())
-  {
-    const Vertex from = mesh.source(h);
-    const Vertex to = mesh.target(h);
-    if (blocked.empty() || !(blocked[from] || blocked[to]))
-    {
-      ends.emplace_back(from, to);
-      lengths.push_back({ std::sqrt(CGAL::squared_distance(mesh.point(from), mesh.point(to))) });
-    }
-  }
-  this->Edges = std::make_unique<Graph>(ends, lengths, mesh.number_of_vertices());
-}
-
-DijkstraDistances::~DijkstraDistances() = default;
-
-Eigen::VectorXd DijkstraDistances::from(const std::vector<Vertex>& sources) const
-{
-  const Graph::Directed& graph = this->Edges->Edges;
-  const std::vector<std::size_t> starts(sources.begin(), sources.end());
-  Eigen::VectorXd result(static_cast<Eigen::Index>(num_vertices(graph)));
-  const auto index = get(boost::vertex_index, graph);
-  const auto distance = boost::make_iterator_property_map(result.data(), index);
-  boost::dijkstra_shortest_paths(graph,
-    starts.begin(),
-    starts.end(),
+  Eigen::VectorXd distances(mesh.number_of_vertices());
+  const auto index = get(boost::vertex_index, mesh);
+  boost::dijkstra_shortest_paths(mesh,
+    sources.begin(),
+    sources.end(),
     boost::dummy_property_map(),
-    distance,
-    get(&Graph::Edge::Length, graph),
+    boost::make_iterator_property_map(distances.data(), index),
+    boost::make_function_property_map<SurfaceMesh::Edge_index, double>(length),
     index,
     std::less<double>(),
     std::plus<double>(),
     HUGE_VAL,
     0.0,
     boost::default_dijkstra_visitor());
-  return result;
+  return distances;
 }
 
 Eigen::VectorXd distancesFromFlagged(const SurfaceMesh& mesh, const std::vector<char>& flags)
@@ -86,7 +53,7 @@ Eigen::VectorXd distancesFromFlagged(const SurfaceMesh& mesh, const std::vector<
     }
   }
   return sources.empty() ? Eigen::VectorXd::Constant(mesh.number_of_vertices(), HUGE_VAL).eval()
-                         : DijkstraDistances(mesh).from(sources);
+                         : distancesAlongEdges(mesh, sources);
 }
 
 std::vector<int> shortestPath(const SurfaceMesh& mesh, const Eigen::VectorXd& distances, Vertex end)

@@ -7,28 +7,17 @@
 
 #include <Eigen/Core>
 
-#include <memory>
 #include <vector>
 
 namespace flattening
 {
 
-/// Distances along the edges of one surface from any sets of vertices (Dijkstra's algorithm of Boost).
-class DijkstraDistances
-{
-public:
-  /// @param blocked  one flag per vertex, not 0 where no path may run; if empty, paths may run anywhere
-  explicit DijkstraDistances(const SurfaceMesh& mesh, const std::vector<char>& blocked = {});
-  ~DijkstraDistances();
-
-  /// The distance of every vertex from the nearest source (n, input units); infinite where no path
-  /// leads.
-  Eigen::VectorXd from(const std::vector<SurfaceMesh::Vertex_index>& sources) const;
-
-private:
-  struct Graph;
-  std::unique_ptr<Graph> Edges;
-};
+/// The distance of every vertex from the nearest source, along edges (n, input units; Dijkstra's
+/// algorithm of Boost); infinite where no path leads.
+/// @param blocked  one flag per vertex, not 0 where no path may run; if empty, paths may run anywhere
+Eigen::VectorXd distancesAlongEdges(const SurfaceMesh& mesh,
+  const std::vector<SurfaceMesh::Vertex_index>& sources,
+  const std::vector<char>& blocked = {});
 
 /// The distance of every vertex from the nearest flagged one (n, input units); infinite if none is
 /// flagged.

@@ -120,34 +120,6 @@ struct HeatFaces
   double MeanEdge = 0.0;
 };
 
-// Solves systems of the same size and pattern, whose matrices are positive definite up to rounding
-// errors.
-class HeatSolver
-{
-public:
-  Eigen::VectorXd solve(SparseMatrix matrix,
-    const Eigen::VectorXd& rightSide,
-    const ProgressCallback& progress)
-  {
-    this->Factor.compute(std::move(matrix), progress, 0.0, DistanceStage);
-    Eigen::VectorXd solution;
-    if (this->Factor.info() == Eigen::Success)
-    {
-      solution = this->Factor.solve(rightSide);
-    }
-    if (this->Factor.info() != Eigen::Success || !solution.allFinite())
-    {
-      throw ConvergenceError(
-        "distances on the surface could not be computed: remesh it (Surface To Disk, "
-        "Remesh)");
-    }
-    return solution;
-  }
-
-private:
-  SparseCholesky Factor{ SparseCholesky::Ordering::Quick };
-};
-
 // The distances of the heat method, up to a constant.
 Eigen::VectorXd distancesByHeat(const TriangleMesh& mesh,
   const std::vector<int>& sources,
@@ -170,13 +142,28 @@ Eigen::VectorXd distancesByHeat(const TriangleMesh& mesh,
   // Heat that has spread from the sources for a short time, the square of the mean edge length.
   SparseMatrix heat = faces.Laplacian * (faces.MeanEdge * faces.MeanEdge);
   heat.diagonal() += faces.Mass;
-  HeatSolver solver;
+  SparseCholesky factor(SparseCholesky::Ordering::Quick); // of both systems, whose patterns are the same
+  const auto solve = [&factor](SparseMatrix matrix, const Eigen::VectorXd& rightSide, const ProgressCallback& part)
+  {
+    factor.compute(std::move(matrix), part, 0.0, DistanceStage);
+    Eigen::VectorXd solution;
+    if (factor.info() == Eigen::Success)
+    {
+      solution = factor.solve(rightSide);
+    }
+    if (factor.info() != Eigen::Success || !solution.allFinite())
+    {
+      throw ConvergenceError(
+        "distances on the surface could not be computed: remesh it (Surface To Disk, Remesh)");
+    }
+    return solution;
+  };
   Eigen::VectorXd impulse = Eigen::VectorXd::Zero(mesh.vertexCount());
   for (const int source : sources)
   {
     impulse[source] = 1.0;
   }
-  const Eigen::VectorXd spread = solver.solve(std::move(heat), impulse, subrange(progress, 0.3, 0.7));
+  const Eigen::VectorXd spread = solve(std::move(heat), impulse, subrange(progress, 0.3, 0.7));
   report(progress, 0.7, DistanceStage);
 
   // The function whose gradient has length 1 and points against that of the heat.
@@ -184,7 +171,7 @@ Eigen::VectorXd distancesByHeat(const TriangleMesh& mesh,
   // This fixes the constant, and nothing else because the right-hand side sums to 0.
   poisson.coeffRef(sources.front(), sources.front()) += 1.0;
   const Eigen::VectorXd divergence = faces.divergenceOfDirection(spread);
-  Eigen::VectorXd distance = solver.solve(std::move(poisson), divergence, subrange(progress, 0.8, 1.0));
+  Eigen::VectorXd distance = solve(std::move(poisson), divergence, subrange(progress, 0.8, 1.0));
   report(progress, 1.0, DistanceStage);
   return distance * std::ldexp(1.0, exponent);
 }

@@ -24,28 +24,6 @@ constexpr double RoundingOfAngle = 1e-9;
 
 constexpr double HalfAngle = EIGEN_PI;
 
-// The half-edge on the other side of each; -1 at the boundary, and where an edge does not join exactly
-// two faces of one orientation.
-std::vector<int> oppositeHalfedges(const FaceMatrix& faces)
-{
-  std::vector<int> opposite(3 * faces.rows(), -1);
-  const std::vector<FaceSide> sides = sortedSides(faces);
-  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
-  {
-    while (end < sides.size() && sides[end].Edge == sides[begin].Edge)
-    {
-      ++end;
-    }
-    if (end - begin == 2 && sides[begin].From == sides[begin + 1].To &&
-        sides[begin].From != sides[begin].To)
-    {
-      opposite[sides[begin].Halfedge] = sides[begin + 1].Halfedge;
-      opposite[sides[begin + 1].Halfedge] = sides[begin].Halfedge;
-    }
-  }
-  return opposite;
-}
-
 // A half-edge of the boundary with its two ends, in the order of their coordinates.
 struct BoundaryEdge
 {

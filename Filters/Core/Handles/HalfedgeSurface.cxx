@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Handles/HalfedgeSurface.h"
 
-#include "Base/Errors.h"
-#include "Mesh/VertexFaces.h"
+#include "Mesh/FaceSides.h"
+#include "Mesh/MeshTopology.h"
 
 #include <algorithm>
 #include <map>
 #include <numeric>
-#include <string>
 
 namespace flattening
 {
@@ -15,44 +14,18 @@ namespace flattening
 HalfedgeSurface::HalfedgeSurface(const TriangleMesh& mesh)
   : Points(mesh.vertexCount())
   , Sources(mesh.Faces.data(), mesh.Faces.data() + mesh.Faces.size())
-  , Twins(this->Sources.size(), -1)
+  , Twins(oppositeHalfedges(mesh.Faces))
   , Outgoing(mesh.vertexCount(), -1)
   , OriginalVertices(mesh.vertexCount())
   , FaceOrigins(mesh.faceCount())
 {
+  analyseTopology(mesh.Faces, mesh.vertexCount());
   for (int v = 0; v < this->vertexCount(); ++v)
   {
     this->Points[v] = mesh.Vertices.row(v).transpose();
   }
   std::iota(this->FaceOrigins.begin(), this->FaceOrigins.end(), 0);
-  this->findTwins(mesh);
   this->findOutgoing(0);
-  this->requireOneFanPerVertex();
-}
-
-void HalfedgeSurface::findTwins(const TriangleMesh& mesh)
-{
-  const VertexFaces facesAt(mesh.Faces, mesh.vertexCount());
-  for (int h = 0; h < this->halfedgeCount(); ++h)
-  {
-    const int from = this->source(h);
-    const int to = this->target(h);
-    for (const int face : facesAt[to])
-    {
-      for (int g = 3 * face; g < 3 * face + 3; ++g)
-      {
-        const bool opposite = this->source(g) == to && this->target(g) == from;
-        const bool same = g != h && this->source(g) == from && this->target(g) == to;
-        if (same || (opposite && this->Twins[h] >= 0))
-        {
-          throw TopologyError("edge (" + std::to_string(from) + ", " + std::to_string(to) +
-                              ") is non-manifold or its faces are oriented against each other: run "
-                              "Surface To Disk first");
-        }
-        this->Twins[h] = opposite ? g : this->Twins[h];
-      }
-    }
-  }
 }
 
 // Half-edges of the boundary are preferred.
@@ -64,25 +37,6 @@ void HalfedgeSurface::findOutgoing(int firstHalfedge)
     if (outgoing < 0 || this->Twins[h] < 0)
     {
       outgoing = h;
-    }
-  }
-}
-
-void HalfedgeSurface::requireOneFanPerVertex() const
-{
-  std::vector<int> unvisited(this->Points.size(), 0);
-  for (const int v : this->Sources)
-  {
-    ++unvisited[v];
-  }
-  for (int v = 0; v < this->vertexCount(); ++v)
-  {
-    this->visitOutgoing(v, [&](int) { --unvisited[v]; });
-    if (unvisited[v] > 0)
-    {
-      throw TopologyError(
-        "vertex " + std::to_string(v) +
-        " is non-manifold (parts of the surface meet only there): run Surface To Disk first");
     }
   }
 }

@@ -99,9 +99,7 @@ public:
   DerivedMesh derived() const;
 
 private:
-  void findTwins(const TriangleMesh& mesh);
   void findOutgoing(int firstHalfedge);
-  void requireOneFanPerVertex() const;
   void join(int h, int g);
 
   std::vector<Eigen::Vector3d> Points;

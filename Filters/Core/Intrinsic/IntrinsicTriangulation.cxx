@@ -19,22 +19,6 @@ namespace
 // Lengths whose logarithms one parallel task computes. Results do not depend on it.
 constexpr int LogarithmsPerTask = 4096;
 
-// The opposite half-edge of each half-edge; -1 on the boundary.
-std::vector<int> findTwins(const FaceMatrix& faces)
-{
-  const std::vector<FaceSide> sides = sortedSides(faces);
-  std::vector<int> twins(sides.size(), -1);
-  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
-  {
-    if (sides[i].Edge == sides[i + 1].Edge)
-    {
-      twins[sides[i].Halfedge] = sides[i + 1].Halfedge;
-      twins[sides[i + 1].Halfedge] = sides[i].Halfedge;
-    }
-  }
-  return twins;
-}
-
 } // namespace
 
 IntrinsicTriangulation::IntrinsicTriangulation(const TriangleMesh& mesh)
@@ -42,7 +26,7 @@ IntrinsicTriangulation::IntrinsicTriangulation(const TriangleMesh& mesh)
 {
   const int count = 3 * mesh.faceCount();
   this->Origins.resize(count);
-  this->Twins = findTwins(mesh.Faces);
+  this->Twins = oppositeHalfedges(mesh.Faces);
   std::vector<double> lengths(count);
   double total = 0.0;
   for (int h = 0; h < count; ++h)

@@ -4,6 +4,8 @@
 #include "Base/Errors.h"
 #include "Mesh/MeshMeasures.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,21 +30,18 @@ constexpr double LargestSize = 0.25 * std::numeric_limits<double>::max();
 // then.
 constexpr double LargestSpacing = 1e-5;
 
-// The smallest box around the points.
-struct Bounds
-{
-  Eigen::Array3d Low = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity());
-  Eigen::Array3d High = -Low;
+using Bounds = Eigen::AlignedBox3d;
 
-  void extend(const Eigen::Array3d& point)
-  {
-    this->Low = this->Low.min(point);
-    this->High = this->High.max(point);
-  }
-  bool isEmpty() const { return !(this->Low <= this->High).all(); }
-  double size() const { return (this->High - this->Low).maxCoeff(); }
-  double distance() const { return std::max(this->Low.abs().maxCoeff(), this->High.abs().maxCoeff()); }
-};
+double sizeOf(const Bounds& bounds)
+{
+  return bounds.sizes().maxCoeff();
+}
+
+// The largest coordinate.
+double distanceOf(const Bounds& bounds)
+{
+  return std::max(bounds.min().cwiseAbs().maxCoeff(), bounds.max().cwiseAbs().maxCoeff());
+}
 
 Bounds boundsOfFaces(const TriangleMesh& mesh)
 {
@@ -82,11 +81,11 @@ void requireSize(double size)
 
 void requireResolved(const Bounds& bounds, double meanEdge)
 {
-  const double spacing = std::numeric_limits<double>::epsilon() * bounds.distance();
+  const double spacing = std::numeric_limits<double>::epsilon() * distanceOf(bounds);
   if (spacing > LargestSpacing * meanEdge)
   {
     std::ostringstream message;
-    message << "the surface lies " << bounds.distance() / bounds.size()
+    message << "the surface lies " << distanceOf(bounds) / sizeOf(bounds)
             << " times its size away from the origin, where double precision cannot hold points between "
                "its vertices: move it to the origin where it is made, before its coordinates are rounded";
     throw InvalidInput(message.str());
@@ -105,17 +104,17 @@ int exponentOf(double size)
 CoordinateFrame::CoordinateFrame(const TriangleMesh& mesh)
 {
   const Bounds bounds = boundsOfFaces(mesh);
-  if (bounds.isEmpty() || bounds.size() == 0.0)
+  if (bounds.isEmpty() || sizeOf(bounds) == 0.0)
   {
     return; // other checks name such surfaces
   }
-  requireSize(bounds.size());
-  this->Exponent = exponentOf(bounds.size());
-  if (bounds.distance() > LargestOffset * bounds.size())
+  requireSize(sizeOf(bounds));
+  this->Exponent = exponentOf(sizeOf(bounds));
+  if (distanceOf(bounds) > LargestOffset * sizeOf(bounds))
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Origin[axis] = exactOrigin(bounds.Low[axis], bounds.High[axis]);
+      this->Origin[axis] = exactOrigin(bounds.min()[axis], bounds.max()[axis]);
     }
     requireResolved(bounds, this->restoredLength(meanEdgeLength(this->normalised(mesh))));
   }

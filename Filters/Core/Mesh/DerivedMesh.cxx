@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/DerivedMesh.h"
 
-#include <boost/container/small_vector.hpp>
-
-#include <tbb/parallel_for.h>
-
-#include <algorithm>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -36,66 +31,9 @@ VertexOrigins keptVertices(const std::vector<int>& original, int originalCount)
   return origins;
 }
 
-namespace
-{
-
-// The product of the two matrices. Rows have few entries, and only one where a vertex was kept.
-// Eigen's product runs in one thread.
-VertexOrigins composed(const VertexOrigins& next, const VertexOrigins& before)
-{
-  using Entries = boost::container::small_vector<std::pair<int, double>, 16>;
-  std::vector<Entries> rows(next.rows());
-  tbb::parallel_for(0,
-    static_cast<int>(next.rows()),
-    [&](int row)
-    {
-      Entries& entries = rows[row];
-      for (VertexOrigins::InnerIterator via(next, row); via; ++via)
-      {
-        for (VertexOrigins::InnerIterator from(before, static_cast<int>(via.col())); from; ++from)
-        {
-          const auto column = static_cast<int>(from.col());
-          const auto place = std::lower_bound(entries.begin(),
-            entries.end(),
-            column,
-            [](const auto& entry, int c) { return entry.first < c; });
-          if (place != entries.end() && place->first == column)
-          {
-            place->second += via.value() * from.value();
-          }
-          else
-          {
-            entries.insert(place, { column, via.value() * from.value() });
-          }
-        }
-      }
-    });
-  VertexOrigins result(next.rows(), before.cols());
-  Eigen::Index count = 0;
-  for (const Entries& entries : rows)
-  {
-    count += static_cast<Eigen::Index>(entries.size());
-  }
-  result.resizeNonZeros(count);
-  int* begin = result.outerIndexPtr();
-  for (std::size_t row = 0; row < rows.size(); ++row)
-  {
-    int at = begin[row];
-    for (const auto& [column, weight] : rows[row])
-    {
-      result.innerIndexPtr()[at] = column;
-      result.valuePtr()[at++] = weight;
-    }
-    begin[row + 1] = at;
-  }
-  return result;
-}
-
-} // namespace
-
 void follow(DerivedMesh& derived, DerivedMesh&& next)
 {
-  derived.Vertices = composed(next.Vertices, derived.Vertices);
+  derived.Vertices = VertexOrigins(next.Vertices * derived.Vertices);
   for (int& face : next.Faces)
   {
     face = face < 0 ? -1 : derived.Faces[face];

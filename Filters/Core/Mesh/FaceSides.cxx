@@ -27,4 +27,24 @@ std::vector<FaceSide> sortedSides(const FaceMatrix& faces)
   return sides;
 }
 
+std::vector<int> oppositeHalfedges(const FaceMatrix& faces)
+{
+  std::vector<int> opposite(faces.size(), -1);
+  const std::vector<FaceSide> sides = sortedSides(faces);
+  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
+  {
+    while (end < sides.size() && sides[end].Edge == sides[begin].Edge)
+    {
+      ++end;
+    }
+    if (end - begin == 2 && sides[begin].From == sides[begin + 1].To &&
+        sides[begin].From != sides[begin].To)
+    {
+      opposite[sides[begin].Halfedge] = sides[begin + 1].Halfedge;
+      opposite[sides[begin + 1].Halfedge] = sides[begin].Halfedge;
+    }
+  }
+  return opposite;
+}
+
 } // namespace flattening

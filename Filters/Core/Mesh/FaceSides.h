@@ -24,4 +24,8 @@ struct FaceSide
 /// The sides of all @p faces, whose vertex numbers are >= 0, sorted by edge and then by half-edge.
 std::vector<FaceSide> sortedSides(const FaceMatrix& faces);
 
+/// The half-edge on the other side of each; -1 at the boundary, and where an edge does not join exactly
+/// two faces of one orientation.
+std::vector<int> oppositeHalfedges(const FaceMatrix& faces);
+
 } // namespace flattening

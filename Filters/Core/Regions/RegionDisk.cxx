@@ -4,9 +4,9 @@
 #include "Base/Errors.h"
 #include "Geodesics/DijkstraDistance.h"
 #include "Mesh/EditableSurface.h"
+#include "Mesh/FaceFlags.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/SurfaceComponents.h"
-#include "Mesh/VertexFaces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,20 +18,6 @@ namespace flattening
 {
 namespace
 {
-
-// The indices of the flags that are set.
-std::vector<int> flagged(const std::vector<char>& flags)
-{
-  std::vector<int> indices;
-  for (std::size_t i = 0; i < flags.size(); ++i)
-  {
-    if (flags[i])
-    {
-      indices.push_back(static_cast<int>(i));
-    }
-  }
-  return indices;
-}
 
 // One flag per vertex: 1 for the corners of the flagged faces.
 std::vector<char> cornersOf(const TriangleMesh& mesh, const std::vector<char>& faces)
@@ -53,7 +39,6 @@ class GrowingRegion
 public:
   GrowingRegion(const TriangleMesh& mesh, std::vector<char> inside)
     : Mesh(mesh)
-    , Around(mesh.Faces, mesh.vertexCount())
     , Inside(std::move(inside))
     , Areas(faceAreas(mesh.Vertices, mesh.Faces))
   {
@@ -93,32 +78,12 @@ public:
   }
 
   // Adds the faces around vertices where the region touches itself.
-  void openPinches()
-  {
-    for (bool changed = true; changed;)
-    {
-      changed = false;
-      for (int v = 0; v < this->Mesh.vertexCount(); ++v)
-      {
-        if (this->fansAt(v) > 1)
-        {
-          changed = true;
-          for (const int f : this->Around[v])
-          {
-            this->Inside[f] = 1;
-          }
-        }
-      }
-    }
-  }
+  void openPinches() { flagAroundPinches(this->Mesh, this->Inside, true); }
 
   // Adds the parts of the rest that the region surrounds. Returns their number.
   int fillHoles(double largest, double& filledArea)
   {
-    std::vector<char> outside(this->Inside.size());
-    std::transform(
-      this->Inside.begin(), this->Inside.end(), outside.begin(), [](char in) { return !in; });
-    const std::vector<int> faces = flagged(outside);
+    const std::vector<int> faces = flagged(this->Inside, false);
     if (faces.empty())
     {
       return 0;
@@ -175,40 +140,7 @@ public:
   }
 
 private:
-  // The number of fans of faces of the region around a vertex: groups that share no edge there.
-  int fansAt(int v) const
-  {
-    int faces = 0;
-    int shared = 0; // edges at the vertex between two of these faces
-    for (const int f : this->Around[v])
-    {
-      if (!this->Inside[f])
-      {
-        continue;
-      }
-      ++faces;
-      const int next = this->neighbourAfter(f, v);
-      for (const int g : this->Around[v])
-      {
-        shared += g != f && this->Inside[g] && this->neighbourBefore(g, v) == next;
-      }
-    }
-    return faces == shared && faces > 0 ? 1 : faces - shared;
-  }
-
-  int neighbourAfter(int f, int v) const
-  {
-    const auto face = this->Mesh.Faces.row(f);
-    return face[0] == v ? face[1] : face[1] == v ? face[2] : face[0];
-  }
-  int neighbourBefore(int f, int v) const
-  {
-    const auto face = this->Mesh.Faces.row(f);
-    return face[0] == v ? face[2] : face[1] == v ? face[0] : face[1];
-  }
-
   const TriangleMesh& Mesh;
-  VertexFaces Around;
   std::vector<char> Inside;
   std::vector<char> OnBoundary; // one flag per vertex: 1 on the boundary of the whole surface
   Eigen::VectorXd Areas;

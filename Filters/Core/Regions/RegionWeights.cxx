@@ -10,19 +10,11 @@
 #include <iterator>
 #include <map>
 #include <set>
-#include <sstream>
 
 namespace flattening
 {
 namespace
 {
-
-std::string text(double value)
-{
-  std::ostringstream out;
-  out << value;
-  return out.str();
-}
 
 void requireRegions(const std::vector<WeightedRegion>& regions)
 {
@@ -30,7 +22,7 @@ void requireRegions(const std::vector<WeightedRegion>& regions)
   {
     if (!(region.Factor > 0.0) || !std::isfinite(region.Factor))
     {
-      throw InvalidInput("the factor of " + region.Name + " is " + text(region.Factor) +
+      throw InvalidInput("the factor of " + region.Name + " is " + formatted(region.Factor) +
                          ": factors must be positive numbers; to leave a region out of the map, cut it "
                          "off before flattening");
     }
@@ -137,9 +129,9 @@ double restMakingRoom(const Eigen::VectorXd& areas, const AffineWeights& weights
   const double asked = areas.dot(weights.Fixed);
   if (!(asked < room))
   {
-    throw InvalidInput("the magnified regions would take " + text(100.0 * asked / room) +
+    throw InvalidInput("the magnified regions would take " + formatted(100.0 * asked / room) +
                        " % of the map, more than there is: divide the factors by more than " +
-                       text(asked / room) +
+                       formatted(asked / room) +
                        ", or choose factors relative to the rest, which always fit");
   }
   return (room - asked) / areas.dot(weights.Rest);
@@ -157,7 +149,7 @@ RegionWeights regionWeights(const TriangleMesh& mesh,
   requireRegions(regions);
   if (!(edgeWidth >= 0.0) || !std::isfinite(edgeWidth))
   {
-    throw InvalidInput("the width of the regions' edges is " + text(edgeWidth) +
+    throw InvalidInput("the width of the regions' edges is " + formatted(edgeWidth) +
                        ": it must be a length, 0 for sharp edges");
   }
   if (edgeWidth > 0.0)
