@@ -492,6 +492,19 @@ TEST(BoundaryFirst, SpreadsTheEndOfATube)
     0.2);
 }
 
+// Ricci flow divides a surface of few faces to find a vertex that it can send to infinity. Its vertices
+// that are spread are counted, not those of the parts.
+TEST(RicciFlow, CountsSpreadVerticesOfTheSurfaceThatWasGiven)
+{
+  const TriangleMesh needle = surfaceToDisk(
+    samples::meshOf({ { 0, 0, 0 }, { -371.3, 0.232, 0 }, { -6614.1, 0.279, 0 } },
+      { { 0, 1, 2 } })).Surface.Mesh;
+  ASSERT_LE(needle.vertexCount(), 100);
+  ConformalDiskOptions options;
+  options.Method = ConformalMethod::RicciFlow;
+  EXPECT_LE(conformalDiskMap(needle, options).SpreadVertices, needle.vertexCount());
+}
+
 // The intrinsic Delaunay triangulation of a needle of a few faces has an edge from a boundary vertex to
 // itself, around inner vertices whose harmonic images all are that vertex.
 TEST(BoundaryFirst, TooCoarseASurfaceIsANamedError)

@@ -35,8 +35,8 @@ TEST(LongestEdgeBisection, AddsVerticesToTheLongestLoopAlone)
   EXPECT_EQ(refineBoundary(sphere(2), 128).Mesh.Faces, sphere(2).Faces);
 }
 
-// Fourteen faces from a small loop to a far tip: bisecting them would make 23,000. Each side is 4.6 times as
-// long as allowed and is halved three times.
+// Fourteen faces from a small loop to a far tip: bisecting them would make 23,000. Each side is 4.6
+// times as long as allowed and is halved three times.
 TEST(LongestEdgeBisection, HalvesTheBoundaryAloneWhereFacesReachFar)
 {
   TriangleMesh needles;
