@@ -497,7 +497,9 @@ TEST(BoundaryFirst, SpreadsTheEndOfATube)
 TEST(RicciFlow, CountsSpreadVerticesOfTheSurfaceThatWasGiven)
 {
   const TriangleMesh needle = surfaceToDisk(
-    samples::meshOf({ { 0, 0, 0 }, { -371.3, 0.232, 0 }, { -6614.1, 0.279, 0 } },
+    samples::meshOf({ { -12964636130576.727, -12236305799851.115, -4611197400399.479 },
+                      { -12964636130948.016, -12236305799850.883, -4611197400399.479 },
+                      { -12964636137190.785, -12236305799850.836, -4611197400399.479 } },
       { { 0, 1, 2 } })).Surface.Mesh;
   ASSERT_LE(needle.vertexCount(), 100);
   ConformalDiskOptions options;
