@@ -35,11 +35,6 @@ void requireFinitePoints(vtkPolyData* input, vtkCellArray* cells)
     cell->GetCurrentCell(size, ids);
     for (vtkIdType i = 0; i < size; ++i)
     {
-      if (ids[i] < 0 || ids[i] >= input->GetNumberOfPoints())
-      {
-        throw InvalidInput("a cell names point " + std::to_string(ids[i]) +
-                           ", which does not exist: the data set is damaged");
-      }
       double x[3];
       input->GetPoint(ids[i], x);
       if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))

@@ -4,10 +4,14 @@
 #include "Core/Base/Errors.h"
 
 #include <vtkAbstractArray.h>
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
 #include <vtkDataObject.h>
 #include <vtkFieldData.h>
 #include <vtkInformationVector.h>
+#include <vtkPolyData.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -42,6 +46,38 @@ void requireWholeArrays(vtkDataObject* data)
   }
 }
 
+// Readers pass on what damaged files say about cells.
+void requireWholeCells(vtkCellArray* cells, vtkIdType points)
+{
+  if (!cells->IsValid())
+  {
+    throw InvalidInput("the list of cells names places that it does not have: the data set is damaged; "
+                       "write it again from its source");
+  }
+  auto cell = vtk::TakeSmartPointer(cells->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    cell->GetCurrentCell(size, ids);
+    const vtkIdType* wrong =
+      std::find_if(ids, ids + size, [points](vtkIdType id) { return id < 0 || id >= points; });
+    if (wrong != ids + size)
+    {
+      throw InvalidInput("a cell names point " + std::to_string(*wrong) +
+                         ", which does not exist: the data set is damaged");
+    }
+  }
+}
+
+void requireWholeCells(vtkPolyData* data)
+{
+  for (vtkCellArray* cells : { data->GetVerts(), data->GetLines(), data->GetPolys(), data->GetStrips() })
+  {
+    requireWholeCells(cells, data->GetNumberOfPoints());
+  }
+}
+
 } // namespace
 
 void requireWholeArrays(vtkInformationVector** inputs, int portCount)
@@ -52,6 +88,10 @@ void requireWholeArrays(vtkInformationVector** inputs, int portCount)
     {
       if (vtkDataObject* data = vtkDataObject::GetData(inputs[port], i))
       {
+        if (auto* surface = vtkPolyData::SafeDownCast(data))
+        {
+          requireWholeCells(surface);
+        }
         requireWholeArrays(data);
       }
     }

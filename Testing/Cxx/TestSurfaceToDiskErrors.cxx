@@ -346,6 +346,26 @@ TEST(SurfaceToDiskErrors, ArraysWithTooFewTuplesAreNamed)
   expectDiskWithoutError(filter, square(5));
 }
 
+// Readers pass on offsets and point ids of damaged files.
+TEST(SurfaceToDiskErrors, CellsWithPointsThatDoNotExistAreNamed)
+{
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  const auto jump = square(5);
+  jump->GetPolys()->GetOffsetsArray()->SetComponent(3, 0, 1e12);
+  expectError(filter, jump, "the list of cells names places that it does not have");
+  for (const bool isLine : { false, true })
+  {
+    const auto input = square(5);
+    vtkNew<vtkCellArray> lines;
+    lines->InsertNextCell({ 0, 1 });
+    input->SetLines(lines);
+    vtkCellArray* cells = isLine ? input->GetLines() : input->GetPolys();
+    cells->GetConnectivityArray()->SetComponent(1, 0, 1e6);
+    expectError(filter, input, "a cell names point 1000000, which does not exist");
+  }
+  expectDiskWithoutError(filter, square(5));
+}
+
 TEST(SurfaceToDiskErrors, LinesLabelsAndReliefsThatMakeNoCut)
 {
   vtkNew<vtkSurfaceToDiskFilter> filter;

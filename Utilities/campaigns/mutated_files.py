@@ -35,6 +35,7 @@ from child_process import in_child
 from mutations import mutated
 from small_files import ISOVALUE, write_small_files
 from vtkmodules.vtkIOImage import vtkDICOMImageReader
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter
 
 COLUMNS = ("read", "warned", "refused", "VTK crashed", "VTK silent", "ours", "hangs")
 OF_VTK = (READING, CONTOUR, "")
@@ -60,13 +61,30 @@ def flat_map(path, settings, announce):
     if not os.path.isdir(path):
         return flatten(path, settings, announce)
     announce(READING)
+    image = path + ".vti"
+    ending = in_child(lambda _announce: series_to_image(path, image))
+    if ending.value is None:
+        os.abort()  # at this stage, which names the reader
+    if ending.value:
+        raise CaseError(ending.value)
+    reader = vtkXMLImageDataReader()
+    reader.SetFileName(image)
+    reader.Update()
+    return flatten_data(reader.GetOutput(), True, settings, announce, [])
+
+
+def series_to_image(folder, image):
+    """Reads a DICOM series into an image file; returns VTK's message, empty if there is none. VTK's reader writes beyond
+    its memory where slices differ in size, which would break whatever comes after it in this process."""
     reader = vtkDICOMImageReader()
     with Messages() as messages:
-        reader.SetDirectoryName(path)
+        reader.SetDirectoryName(folder)
         reader.Update()
-    for text in messages.errors + messages.warnings:
-        raise CaseError(text)
-    return flatten_data(reader.GetOutput(), True, settings, announce, [])
+    writer = vtkXMLImageDataWriter()
+    writer.SetFileName(image)
+    writer.SetInputData(reader.GetOutput())
+    writer.Write()
+    return "".join((messages.errors + messages.warnings)[:1])
 
 
 def not_finite(figures):

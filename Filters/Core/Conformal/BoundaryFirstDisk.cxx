@@ -197,7 +197,8 @@ ConformalDiskMap boundaryFirstDisk(const TriangleMesh& mesh,
     none,
     logFactorsOf(equation, lengths, loop, disk),
     0.5 * std::log(EIGEN_PI / area),
-    disk);
+    disk,
+    mesh.vertexCount());
   map.Positions = pointsOf(disk);
   return map;
 }

@@ -191,7 +191,8 @@ ConformalRectangleMap conformalRectangleMap(const TriangleMesh& mesh,
     flow.LogFactors,
     flow.LogFactors,
     0.5 * std::log(rectangle.Width * rectangle.Height / area),
-    position);
+    position,
+    n);
   map.Positions = pointsOf(position) / rectangle.Height;
   for (const int v : loop)
   {

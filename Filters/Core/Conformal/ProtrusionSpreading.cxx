@@ -54,11 +54,19 @@ public:
     for (int v = 0; v < t.vertexCount(); ++v)
     {
       this->Depth[v] = static_cast<double>(logFactors[v]) - logMeanFactor - LogScaleOfProtrusions;
-      this->Count += !this->Fixed[v] && this->Depth[v] < 0.0;
     }
   }
 
-  int vertexCount() const { return this->Count; }
+  // The number of vertices in protrusions among the first vertices.
+  int countAmong(int first) const
+  {
+    int count = 0;
+    for (int v = 0; v < first; ++v)
+    {
+      count += !this->Fixed[v] && this->Depth[v] < 0.0;
+    }
+    return count;
+  }
 
   void spread(const IntrinsicTriangulation::Factors& metric, ComplexVector& disk) const
   {
@@ -106,7 +114,6 @@ private:
   const IntrinsicTriangulation& Triangulation;
   std::vector<double> Depth; // log of the scale relative to where protrusions begin: below 0 in them
   std::vector<char> Fixed;
-  int Count = 0;
 };
 
 } // namespace
@@ -115,14 +122,15 @@ int spreadProtrusions(const IntrinsicTriangulation& t,
   const IntrinsicTriangulation::Factors& metric,
   const IntrinsicTriangulation::Factors& logFactors,
   double logMeanFactor,
-  ComplexVector& positions)
+  ComplexVector& positions,
+  int given)
 {
   const Protrusions protrusions(t, logFactors, logMeanFactor);
-  if (protrusions.vertexCount() > 0)
+  if (protrusions.countAmong(t.vertexCount()) > 0)
   {
     protrusions.spread(metric, positions);
   }
-  return protrusions.vertexCount();
+  return protrusions.countAmong(given);
 }
 
 } // namespace flattening

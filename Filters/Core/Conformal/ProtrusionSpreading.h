@@ -29,12 +29,15 @@ namespace flattening
 /// @param logFactors     log of flat over surface length, one per vertex
 /// @param logMeanFactor  the same for the map as a whole
 /// @param positions      positions in the map, one per vertex, changed in place
-/// @returns the number of vertices in protrusions; with 0 nothing is moved.
+/// @param given          number of the first vertices that are those of the surface that the user gave,
+///                       before others were added to it
+/// @returns the number of given vertices in protrusions
 /// @throws ConvergenceError as WeightedMeans
 int spreadProtrusions(const IntrinsicTriangulation& triangulation,
   const IntrinsicTriangulation::Factors& metric,
   const IntrinsicTriangulation::Factors& logFactors,
   double logMeanFactor,
-  ComplexVector& positions);
+  ComplexVector& positions,
+  int given);
 
 } // namespace flattening

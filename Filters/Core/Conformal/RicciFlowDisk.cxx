@@ -271,8 +271,8 @@ ConformalDiskMap ricciFlowDisk(const TriangleMesh& mesh,
   }
   map.LogFactors = logFactors.head(n).cast<double>();
   const double area = faceAreas(mesh.Vertices, mesh.Faces).sum();
-  map.SpreadVertices =
-    spreadProtrusions(half.Triangulation, logFactors, logFactors, 0.5 * std::log(EIGEN_PI / area), disk);
+  map.SpreadVertices = spreadProtrusions(
+    half.Triangulation, logFactors, logFactors, 0.5 * std::log(EIGEN_PI / area), disk, n);
   map.Positions = pointsOf(firstOf(disk, n));
   return map;
 }

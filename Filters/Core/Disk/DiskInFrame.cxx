@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Disk/DiskInFrame.h"
 
+#include "Mesh/MeshMeasures.h"
+
 namespace flattening
 {
 
@@ -28,6 +30,11 @@ void restoreUnits(DiskSurface& disk, const CoordinateFrame& frame)
 {
   disk.Surface.Mesh.Vertices = frame.restored(disk.Surface.Mesh.Vertices);
   SurfaceToDiskReport& report = disk.Report;
+  // Far from the origin new points are rounded: the figures are those of the positions that are put out.
+  const TriangleMesh rounded = frame.normalised(disk.Surface.Mesh);
+  report.SurfaceArea = faceAreas(rounded.Vertices, rounded.Faces).sum();
+  report.BoundaryLength = loopLength(rounded.Vertices, disk.Boundary);
+  report.SmallestAngle = smallestAngle(rounded);
   for (double* area : { &report.DroppedComponentArea,
          &report.Folds.AreaChange,
          &report.FilledArea,

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <sstream>
 
 namespace flattening
@@ -62,6 +63,11 @@ Halfedge endOfPropagation(const EditableSurface& surface, Halfedge side)
   return side;
 }
 
+double squaredLimit(double longestEdge)
+{
+  return (1.0 + LengthRounding) * longestEdge * longestEdge;
+}
+
 // The middle of an edge lies strictly between its ends as long as edges are longer than the distance of
 // neighbouring doubles, and so every bisection halves an edge: bisection comes to an end.
 void requireResolvable(const EditableSurface& surface,
@@ -91,9 +97,12 @@ void requireResolvable(const EditableSurface& surface,
   }
 }
 
-} // namespace
-
-void bisectLongEdges(EditableSurface& surface, const std::vector<Face>& faces, double longestEdge)
+// Bisects the faces as bisectLongEdges does. Returns false, with some of them bisected, if that makes
+// more than a number of faces.
+bool bisect(EditableSurface& surface,
+  const std::vector<Face>& faces,
+  double longestEdge,
+  std::size_t mostFaces)
 {
   SurfaceMesh& mesh = surface.mesh();
   requireResolvable(surface, faces, longestEdge);
@@ -102,7 +111,7 @@ void bisectLongEdges(EditableSurface& surface, const std::vector<Face>& faces, d
   {
     wanted[f] = 1;
   }
-  const double limit = (1.0 + LengthRounding) * longestEdge * longestEdge;
+  const double limit = squaredLimit(longestEdge);
   std::deque<Face> queue(faces.begin(), faces.end());
   while (!queue.empty())
   {
@@ -112,6 +121,10 @@ void bisectLongEdges(EditableSurface& surface, const std::vector<Face>& faces, d
     {
       queue.pop_front();
       continue;
+    }
+    if (mesh.num_faces() >= mostFaces)
+    {
+      return false;
     }
     const auto split = surface.splitEdge(endOfPropagation(surface, side), 0.5);
     wanted.resize(mesh.num_faces(), 0);
@@ -124,6 +137,57 @@ void bisectLongEdges(EditableSurface& surface, const std::vector<Face>& faces, d
       }
     }
   }
+  return true;
+}
+
+// The half-edges along a boundary loop that belong to faces.
+std::vector<Halfedge> innerSides(const SurfaceMesh& mesh, const std::vector<int>& loop)
+{
+  std::vector<Halfedge> sides;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const SurfaceMesh::Vertex_index from(loop[i]);
+    const SurfaceMesh::Vertex_index to(loop[(i + 1) % loop.size()]);
+    sides.push_back(mesh.halfedge(from, to));
+  }
+  return sides;
+}
+
+std::vector<Face> facesAt(const SurfaceMesh& mesh, const std::vector<Halfedge>& sides)
+{
+  std::vector<Face> faces;
+  for (const Halfedge side : sides)
+  {
+    faces.push_back(mesh.face(side));
+  }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+// Halves each of the edges until no part is longer than a limit: less than twice as many parts as the
+// limit fits into the edge, and one.
+void halveEdges(EditableSurface& surface, std::vector<Halfedge> edges, double longestEdge)
+{
+  while (!edges.empty())
+  {
+    const Halfedge edge = edges.back(); // after a split the second half of the edge
+    if (surface.squaredLength(edge) <= squaredLimit(longestEdge))
+    {
+      edges.pop_back();
+      continue;
+    }
+    const EditableSurface::Vertex source = surface.mesh().source(edge);
+    const EditableSurface::Vertex middle = surface.splitEdge(edge, 0.5).Middle;
+    edges.push_back(surface.mesh().halfedge(source, middle));
+  }
+}
+
+} // namespace
+
+void bisectLongEdges(EditableSurface& surface, const std::vector<Face>& faces, double longestEdge)
+{
+  bisect(surface, faces, longestEdge, std::numeric_limits<std::size_t>::max());
 }
 
 double halveLongEdges(EditableSurface& surface, const std::vector<Face>& faces, double wanted)
@@ -151,20 +215,21 @@ DerivedMesh refineBoundary(const TriangleMesh& mesh, int minimumVertices)
     return derivedFromItself(mesh);
   }
 
-  EditableSurface surface(mesh);
-  const SurfaceMesh& half = surface.mesh();
-  std::vector<Face> faces;
-  for (std::size_t i = 0; i < longest->size(); ++i)
-  {
-    const SurfaceMesh::Vertex_index from((*longest)[i]);
-    const SurfaceMesh::Vertex_index to((*longest)[(i + 1) % longest->size()]);
-    faces.push_back(half.face(half.halfedge(from, to)));
-  }
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  // A disk in the plane has 0.18 n^2 equilateral triangles with n of them along its boundary, and
+  // bisection makes up to four times as many. More come from faces that reach far from the boundary: on
+  // a tube that is closed at one end, of 42 faces as long as the tube, 95,000 for 64 vertices.
+  const std::size_t mostNewFaces = static_cast<std::size_t>(minimumVertices) * minimumVertices;
   // Edges no longer than the mean edge of a boundary with just `minimumVertices` vertices.
-  bisectLongEdges(surface, faces, loopLength(mesh.Vertices, *longest) / minimumVertices);
-  return surface.derived();
+  const double edge = loopLength(mesh.Vertices, *longest) / minimumVertices;
+  EditableSurface surface(mesh);
+  const std::vector<Halfedge> sides = innerSides(surface.mesh(), *longest);
+  if (bisect(surface, facesAt(surface.mesh(), sides), edge, mesh.faceCount() + mostNewFaces))
+  {
+    return surface.derived();
+  }
+  EditableSurface again(mesh); // has the same half-edges as the first had
+  halveEdges(again, sides, edge);
+  return again.derived();
 }
 
 } // namespace flattening

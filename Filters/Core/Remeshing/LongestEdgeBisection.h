@@ -27,7 +27,10 @@ double halveLongEdges(EditableSurface& surface,
   double wanted);
 
 /// Gives the longest boundary loop of an oriented manifold at least @p minimumVertices vertices by
-/// bisecting the faces along it. Nothing changes if it has as many or if there is no boundary.
+/// bisecting the faces along it. Where that takes more than the square of @p minimumVertices new faces,
+/// as for faces that reach far from the boundary, boundary edges alone are halved, which adds no more
+/// than two faces per wanted vertex and makes angles smaller. Nothing changes if the loop has as many
+/// vertices or if there is no boundary.
 DerivedMesh refineBoundary(const TriangleMesh& mesh, int minimumVertices);
 
 } // namespace flattening

@@ -492,6 +492,21 @@ TEST(BoundaryFirst, SpreadsTheEndOfATube)
     0.2);
 }
 
+// Ricci flow divides a surface of few faces to find a vertex that it can send to infinity. Its vertices
+// that are spread are counted, not those of the parts.
+TEST(RicciFlow, CountsSpreadVerticesOfTheSurfaceThatWasGiven)
+{
+  const TriangleMesh needle = surfaceToDisk(
+    samples::meshOf({ { -12964636130576.727, -12236305799851.115, -4611197400399.479 },
+                      { -12964636130948.016, -12236305799850.883, -4611197400399.479 },
+                      { -12964636137190.785, -12236305799850.836, -4611197400399.479 } },
+      { { 0, 1, 2 } })).Surface.Mesh;
+  ASSERT_LE(needle.vertexCount(), 100);
+  ConformalDiskOptions options;
+  options.Method = ConformalMethod::RicciFlow;
+  EXPECT_LE(conformalDiskMap(needle, options).SpreadVertices, needle.vertexCount());
+}
+
 // The intrinsic Delaunay triangulation of a needle of a few faces has an edge from a boundary vertex to
 // itself, around inner vertices whose harmonic images all are that vertex.
 TEST(BoundaryFirst, TooCoarseASurfaceIsANamedError)

@@ -536,4 +536,20 @@ TEST(SurfaceToDisk, EndsWhereTheSurfaceIsStretched)
   }
 }
 
+// A triangle 20,000 times as long as wide, where neighbouring doubles are 0.002 apart and its width is
+// 0.3: rounding moves the new points of its boundary.
+TEST(SurfaceToDisk, MeasuresThePositionsThatArePutOut)
+{
+  TriangleMesh needle = meshOf({ { -12964636130576.727, -12236305799851.115, -4611197400399.479 },
+                                 { -12964636130948.016, -12236305799850.883, -4611197400399.479 },
+                                 { -12964636137190.785, -12236305799850.836, -4611197400399.479 } },
+    { { 0, 1, 2 } });
+  const DiskSurface disk = surfaceToDisk(needle);
+  TriangleMesh result = disk.Surface.Mesh;
+  ASSERT_GT(result.vertexCount(), 3);
+  result.Vertices.rowwise() -= Eigen::RowVector3d(needle.Vertices.row(0));
+  EXPECT_NEAR(disk.Report.SurfaceArea, totalArea(result), 1e-9 * totalArea(result));
+  EXPECT_NEAR(disk.Report.BoundaryLength, loopLength(result.Vertices, disk.Boundary), 1e-5);
+}
+
 } // namespace

@@ -35,6 +35,27 @@ TEST(LongestEdgeBisection, AddsVerticesToTheLongestLoopAlone)
   EXPECT_EQ(refineBoundary(sphere(2), 128).Mesh.Faces, sphere(2).Faces);
 }
 
+// Fourteen faces from a small loop to a far tip: bisecting them would make 23,000. Each side is 4.6
+// times as long as allowed and is halved three times.
+TEST(LongestEdgeBisection, HalvesTheBoundaryAloneWhereFacesReachFar)
+{
+  TriangleMesh needles;
+  needles.Vertices = Points3::Zero(15, 3);
+  needles.Vertices(14, 2) = 30.0;
+  needles.Faces.resize(14, 3);
+  for (int v = 0; v < 14; ++v)
+  {
+    needles.Vertices.row(v) << std::cos(2.0 * Pi * v / 14.0), std::sin(2.0 * Pi * v / 14.0), 0.0;
+    needles.Faces.row(v) << v, (v + 1) % 14, 14;
+  }
+  const DerivedMesh refined = refineBoundary(needles, 64);
+  const std::vector<int> loop = requireDisk(refined.Mesh);
+  EXPECT_EQ(loop.size(), 14u * 8u);
+  EXPECT_EQ(refined.Mesh.faceCount(), 14 * 8);
+  EXPECT_NEAR(loopLength(refined.Mesh.Vertices, loop), 28.0 * std::sin(Pi / 14.0), 1e-12);
+  EXPECT_NEAR(totalArea(refined.Mesh), totalArea(needles), 1e-10);
+}
+
 TEST(LongestEdgeBisection, EndsWhereDoublePrecisionDoes)
 {
   TriangleMesh tube = cylinder(20, 6, 3.0);
