@@ -34,6 +34,12 @@ constexpr double GreatestLeft = 0.8;
 // (RefinementRounds::balance): regions are what people measure. With it the errors of the demo's regions
 // are 0.04 %.
 constexpr double FinalRegionTolerance = 2e-4;
+// The weight of areas in deformations that lower the distortion of shapes. A compromise: with more each
+// brings less, with less the rounds have to correct more.
+constexpr double ShapingAreaWeight = 10.0;
+constexpr double WarmShapingAreaWeight = 300.0; // areas are nearly right, and few rounds follow
+// A limit of the time: mostly these deformations end earlier (RefinementRounds).
+constexpr int MostShapingDeformations = 20;
 // The shape weight is LeastShapeWeight + ShapeWeightScale * a / (1 - a) for AngleWeight a. The least one
 // makes the map unique; the scale is a choice that spreads the trade of areas for angles over a in [0,
 // 1).
@@ -122,7 +128,8 @@ private:
         ? resolvableAreas(this->Surface.Faces, this->Map.Conformal, this->Map.Positions, this->Targets)
         : this->Targets,
       RefinementRounds::FlippingEpsilon);
-    this->Rounds.lowerDistortion(map, subrange(progress, 0.0, 0.2));
+    this->Rounds.lowerDistortion(
+      map, ShapingAreaWeight, MostShapingDeformations, subrange(progress, 0.0, 0.2));
     this->Rounds.run(map,
       FirstStageRounds,
       this->IsRough ? Until::Roughly : Until::Enough,
@@ -139,7 +146,8 @@ private:
       // shapes of the map before are not the best ones for the new areas.
       if (!this->Rounds.areBalanced(map, FinalRegionTolerance))
       {
-        this->Rounds.lowerDistortion(map, subrange(progress, 0.0, 0.2));
+        this->Rounds.lowerDistortion(
+          map, ShapingAreaWeight, MostShapingDeformations, subrange(progress, 0.0, 0.2));
       }
       this->Rounds.balance(map, FinalRegionTolerance, subrange(progress, 0.2, 0.3));
     }

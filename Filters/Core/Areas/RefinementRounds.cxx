@@ -2,7 +2,6 @@
 #include "Areas/RefinementRounds.h"
 
 #include "Areas/ShapeDistortion.h"
-#include "Areas/SmoothDeformation.h"
 #include "Areas/TargetAreas.h"
 #include "Mesh/RecursiveBisection.h"
 
@@ -50,13 +49,8 @@ constexpr double RegionAngle = 0.5;
 // RegionTolerance, or the domain is deformed: patches cannot move area so far.
 constexpr double RegionTolerance = 0.01;
 constexpr int RoundsPerBalance = 2;
-// The weight of areas in deformations that lower the distortion of shapes. They end after
-// MostShapingDeformations, or when one lowers it by less than LeastShapingGain of it. Compromises: each
-// costs a tenth of a round; with more weight each brings less, with less the rounds have to correct
-// more.
-constexpr double ShapingAreaWeight = 10.0;
-constexpr double WarmShapingAreaWeight = 300.0; // areas are nearly right, and few rounds follow
-constexpr int MostShapingDeformations = 20;
+// Deformations that lower the distortion of shapes end when one lowers it by less than this share of it.
+// A compromise: each costs a tenth of a round.
 constexpr double LeastShapingGain = 0.01;
 // The weight of areas in deformations that set the areas of regions right and keep the shapes of the
 // map, and how many follow each other. A choice: with less the shapes keep areas from their targets,
@@ -67,10 +61,6 @@ constexpr int MostBalances = 2;
 // Deformations that leave a larger share of the region error are of no use, and steps of the whole mesh
 // follow. A choice: mostly a tenth is left.
 constexpr double LeastBalanceShare = 0.5;
-// The shares of a deformation to try, and the share of all faces that one may flip where they are free
-// to. Guards: one that flips more bends thin faces, and the rounds take longer than without it.
-constexpr double DeformationShares[] = { 1.0, 0.5, 0.25 };
-constexpr double MostNewlyFlipped = 1e-4;
 // The factor of the shape weights in the last round. A compromise: on half a brain, remeshed, the mean
 // area error is 0.22, 0.21 and 0.20 % with 1, 0.5 and 0.1, and the angle error 11.1, 11.2 and 11.4
 // degrees.
@@ -96,6 +86,7 @@ RefinementRounds::RefinementRounds(const TriangleMesh& surface,
   , Dofs(dofs)
   , Energy(terms, facesOf, dofs)
   , Patches(terms, facesOf, dofs)
+  , Deformation(surface, terms, facesOf, dofs)
   , Start(start)
   , AsksForAreas(asksForAreas)
   , AreaWeights(areaWeights(faceAreas(surface.Vertices, surface.Faces)))
@@ -160,61 +151,52 @@ double RefinementRounds::imbalance(const DomainMap& map)
   return largest;
 }
 
-// Deforms the domain smoothly. Returns false if it must not be: if the boundary is free, or angles are
-// asked for, or the mesh is no larger than a patch, or thin faces would flip, now or earlier in the
-// stage.
+// Returns false if the map must not be deformed: if angles are asked for, or the mesh of a map to a
+// domain is no larger than a patch, or thin faces would flip, now or earlier in the stage.
 bool RefinementRounds::deform(DomainMap& map,
   DeformationEnergy::Shapes shapes,
   double areaWeight,
   const ProgressCallback& progress)
 {
-  if (this->Dofs.loop().empty() || !this->AsksForAreas || this->FlipsIfDeformed ||
-      this->Surface.vertexCount() <= RefinementPatches::LargestPatch)
+  const bool isOnePatch = this->Surface.vertexCount() <= RefinementPatches::LargestPatch;
+  if ((isOnePatch && !this->isFree()) || !this->AsksForAreas || this->FlipsIfDeformed)
   {
     return false;
   }
   this->Energy.setEnclosed(map);
-  const auto countFlipped = [this](const DomainMap& flat)
-  { return static_cast<double>((this->Energy.areaRatios(flat).array() <= 0.0).count()); };
-  const double mostNew = this->Epsilon > 0.0 ? MostNewlyFlipped * this->Surface.faceCount() : 0.0;
-  const double mostFlipped = countFlipped(map) + mostNew;
-  const DomainMap deformed =
-    smoothlyDeformed(this->Terms, this->Dofs, map, this->Energy.targets(), shapes, areaWeight, progress);
-  for (const double share : DeformationShares)
-  {
-    DomainMap next = this->Dofs.between(map, deformed, share);
-    if (countFlipped(next) <= mostFlipped)
-    {
-      map = std::move(next);
-      return true;
-    }
-  }
-  this->FlipsIfDeformed = true;
-  return false;
+  this->FlipsIfDeformed = !this->Deformation.deform(
+    map, this->Energy.targets(), { shapes, areaWeight, this->Epsilon > 0.0 }, progress);
+  return !this->FlipsIfDeformed;
 }
 
-void RefinementRounds::lowerDistortion(DomainMap& map, const ProgressCallback& progress)
+int RefinementRounds::lowerDistortion(DomainMap& map,
+  double areaWeight,
+  int most,
+  const ProgressCallback& progress)
 {
-  const bool isWarm = this->Start == RefinementStart::WarmStart;
   double before = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < MostShapingDeformations; ++k)
+  for (int k = 0; k < most; ++k)
   {
-    const double begin = static_cast<double>(k) / MostShapingDeformations;
-    const double end = begin + 1.0 / MostShapingDeformations;
-    if (!this->deform(map,
-          DeformationEnergy::Shapes::OfSurface,
-          isWarm ? WarmShapingAreaWeight : ShapingAreaWeight,
-          subrange(progress, begin, end)))
+    const double begin = static_cast<double>(k) / most;
+    const double end = begin + 1.0 / most;
+    if (!this->deform(
+          map, DeformationEnergy::Shapes::OfSurface, areaWeight, subrange(progress, begin, end)))
     {
-      return;
+      return k;
     }
-    const double after = shapeDistortion(this->Terms, map.Positions, this->Energy.targets());
+    const double after = this->distortion(map);
     if (before - after < LeastShapingGain * before)
     {
-      return;
+      return k + 1;
     }
     before = after;
   }
+  return most;
+}
+
+double RefinementRounds::distortion(const DomainMap& map) const
+{
+  return shapeDistortion(this->Terms, map.Positions, this->Energy.targets());
 }
 
 void RefinementRounds::balance(DomainMap& map, double tolerance, const ProgressCallback& progress)

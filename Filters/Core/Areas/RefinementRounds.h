@@ -3,8 +3,8 @@
 /// whole mesh where area must move farther than a patch reaches.
 #pragma once
 
-#include "Areas/DeformationEnergy.h"
 #include "Areas/DegreesOfFreedom.h"
+#include "Areas/MapDeformation.h"
 #include "Areas/RefinementDescent.h"
 #include "Areas/RefinementEnergy.h"
 #include "Areas/RefinementPatches.h"
@@ -60,15 +60,19 @@ public:
   /// brought too little. @throws Cancelled, ConvergenceError.
   bool run(DomainMap& map, int most, Until until, const ProgressCallback& progress);
 
-  /// Deforms the domain smoothly until that hardly lowers the distortion of shapes any more. Does
-  /// nothing if the boundary is free, angles are asked for, or thin faces would flip. @throws Cancelled.
-  void lowerDistortion(DomainMap& map, const ProgressCallback& progress);
+  /// Deforms the map smoothly, at most @p most times, until that hardly lowers the distortion of shapes
+  /// any more. @p areaWeight (> 0) is the weight of areas against shapes. Returns the number of
+  /// deformations: 0 if angles are asked for, or thin faces would flip. @throws Cancelled.
+  int lowerDistortion(DomainMap& map, double areaWeight, int most, const ProgressCallback& progress);
+
+  /// The distortion of shapes (shapeDistortion).
+  double distortion(const DomainMap& map) const;
 
   /// Whether the areas of all regions of the size of a patch are off by less than the share @p
   /// tolerance.
   bool areBalanced(const DomainMap& map, double tolerance) { return this->imbalance(map) < tolerance; }
 
-  /// Deforms the domain, or makes steps of the whole mesh where it cannot be deformed, if the area of a
+  /// Deforms the map, or makes steps of the whole mesh where it cannot be deformed, if the area of a
   /// region of the size of a patch is off by more than the share @p tolerance.
   /// @throws Cancelled, ConvergenceError.
   void balance(DomainMap& map, double tolerance, const ProgressCallback& progress);
@@ -92,6 +96,7 @@ private:
     DeformationEnergy::Shapes shapes,
     double areaWeight,
     const ProgressCallback& progress);
+  bool isFree() const { return this->Dofs.loop().empty(); } // the boundary
   RefinementPatches::Pass pass(const DomainMap& map);
   double descend(DomainMap& map, const ProgressCallback& progress);
 
@@ -100,6 +105,7 @@ private:
   const DegreesOfFreedom& Dofs;
   RefinementEnergy Energy;
   RefinementPatches Patches;
+  MapDeformation Deformation;
   std::optional<RefinementDescent> Descent; // of the whole mesh
   RefinementStart Start;
   bool AsksForAreas;

@@ -27,10 +27,10 @@ constexpr double LatticeMargin = 0.1;
 constexpr double DomainMargin = 1.5;
 constexpr double LeastPerSquare = 16.0;
 constexpr double GreatestPerSquare = 600.0;
-// Weights of the areas before the last one. With that one alone, steps that keep all areas would be
-// short.
-constexpr double FirstAreaWeights[] = { 3.0, 30.0 };
-// Limits of the time: Newton steps for one weight, and the relative decrease of the energy that ends
+// Weights of the areas before the last one, where the boundary is free. With that one alone, the way of
+// the boundary vertices out of the domain would be many short steps.
+constexpr double FreeingAreaWeights[] = { 3.0, 30.0 };
+// Limits of the time: Newton steps, and the relative decrease of the energy that ends
 // them earlier.
 constexpr int MostSteps = 12;
 constexpr double LeastStepGain = 1e-3;
@@ -49,6 +49,49 @@ DeformationLattice latticeAround(const Points2& positions, double shareOfMargin,
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(shareOfMargin * box.sizes().maxCoeff());
   box = Eigen::AlignedBox2d(box.min() - margin, box.max() + margin);
   return { box, squares };
+}
+
+int squaresOf(int vertices, bool isFree)
+{
+  const double finest =
+    isFree ? LatticeSquares : std::min<double>(LatticeSquares, std::sqrt(vertices / LeastPerSquare));
+  return static_cast<int>(std::max(finest, std::sqrt(vertices / GreatestPerSquare)));
+}
+
+std::vector<DeformationEnergy::BoundaryPoint> boundaryPoints(const DegreesOfFreedom& dofs,
+  const DomainMap& map)
+{
+  const std::vector<int>& loop = dofs.loop();
+  std::vector<DeformationEnergy::BoundaryPoint> points;
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    const std::size_t next = (k + 1) % loop.size();
+    const double turn = next == 0 ? dofs.domain().perimeter() : 0.0;
+    const double length = map.BoundaryParameters[next] + turn - map.BoundaryParameters[k];
+    points.push_back({ map.Positions.row(loop[k]), length, dofs.countOf(loop[k]) == 0 });
+  }
+  return points;
+}
+
+// Puts the boundary vertices of a deformed map where the domain's boundary is nearest, and those that
+// stay where they were.
+void returnToBoundary(const DegreesOfFreedom& dofs, const DomainMap& before, DomainMap& moved)
+{
+  const std::vector<int>& loop = dofs.loop();
+  const ConvexDomain& domain = dofs.domain();
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    auto place = moved.Positions.row(loop[k]);
+    if (dofs.countOf(loop[k]) == 0)
+    {
+      place = before.Positions.row(loop[k]);
+      continue;
+    }
+    const double way = domain.parameterOf(place) - domain.parameterOf(before.Positions.row(loop[k]));
+    const double turn = domain.perimeter();
+    moved.BoundaryParameters[k] += way - turn * std::round(way / turn);
+    place = domain.at(moved.BoundaryParameters[k]);
+  }
 }
 
 // Newton's method for the displacements of a lattice's nodes.
@@ -114,27 +157,6 @@ private:
 
 } // namespace
 
-Points2 smoothlyDeformed(const RefinementTerms& terms,
-  const Points2& positions,
-  const Eigen::VectorXd& targets,
-  double areaWeight,
-  const ProgressCallback& progress)
-{
-  const DeformationLattice lattice = latticeAround(positions, LatticeMargin, LatticeSquares);
-  DeformationEnergy energy(lattice, terms, positions, targets);
-  DeformationDescent descent(lattice, energy);
-  double begin = 0.0;
-  for (const double weight : FirstAreaWeights)
-  {
-    energy.setAreaWeight(std::min(weight, areaWeight));
-    descent.descend(subrange(progress, begin, begin + 0.3));
-    begin += 0.3;
-  }
-  energy.setAreaWeight(areaWeight);
-  descent.descend(subrange(progress, begin, 1.0));
-  return lattice.moved(positions, descent.displacements());
-}
-
 DomainMap smoothlyDeformed(const RefinementTerms& terms,
   const DegreesOfFreedom& dofs,
   const DomainMap& map,
@@ -143,39 +165,32 @@ DomainMap smoothlyDeformed(const RefinementTerms& terms,
   double areaWeight,
   const ProgressCallback& progress)
 {
-  const std::vector<int>& loop = dofs.loop();
-  const ConvexDomain& domain = dofs.domain();
-  const int count = static_cast<int>(loop.size());
-  const int n = static_cast<int>(map.Positions.rows());
-  const double finest = std::min<double>(LatticeSquares, std::sqrt(n / LeastPerSquare));
-  const int squares = static_cast<int>(std::max(finest, std::sqrt(n / GreatestPerSquare)));
-  const DeformationLattice lattice = latticeAround(map.Positions, DomainMargin / squares, squares);
+  const bool isFree = dofs.loop().empty();
+  const int squares = squaresOf(static_cast<int>(map.Positions.rows()), isFree);
+  const DeformationLattice lattice =
+    latticeAround(map.Positions, isFree ? LatticeMargin : DomainMargin / squares, squares);
   DeformationEnergy energy(lattice, terms, map.Positions, targets, shapes);
-  std::vector<DeformationEnergy::BoundaryPoint> points;
-  for (int k = 0; k < count; ++k)
+  if (!isFree)
   {
-    const int next = (k + 1) % count;
-    const double turn = next == 0 ? domain.perimeter() : 0.0;
-    const double length = map.BoundaryParameters[next] + turn - map.BoundaryParameters[k];
-    points.push_back({ map.Positions.row(loop[k]), length, dofs.countOf(loop[k]) == 0 });
+    energy.keepOnBoundary(dofs.domain(), boundaryPoints(dofs, map));
   }
-  energy.keepOnBoundary(domain, points);
-  energy.setAreaWeight(areaWeight);
   DeformationDescent descent(lattice, energy);
-  descent.descend(progress);
-  DomainMap moved{ lattice.moved(map.Positions, descent.displacements()), map.BoundaryParameters };
-  for (int k = 0; k < count; ++k)
+  double begin = 0.0;
+  for (const double weight : FreeingAreaWeights)
   {
-    auto place = moved.Positions.row(loop[k]);
-    if (points[k].Stays)
+    if (isFree && weight < areaWeight)
     {
-      place = map.Positions.row(loop[k]);
-      continue;
+      energy.setAreaWeight(weight);
+      descent.descend(subrange(progress, begin, begin + 0.3));
+      begin += 0.3;
     }
-    const double way = domain.parameterOf(place) - domain.parameterOf(map.Positions.row(loop[k]));
-    const double turn = domain.perimeter();
-    moved.BoundaryParameters[k] += way - turn * std::round(way / turn);
-    place = domain.at(moved.BoundaryParameters[k]);
+  }
+  energy.setAreaWeight(areaWeight);
+  descent.descend(subrange(progress, begin, 1.0));
+  DomainMap moved{ lattice.moved(map.Positions, descent.displacements()), map.BoundaryParameters };
+  if (!isFree)
+  {
+    returnToBoundary(dofs, map, moved);
   }
   return moved;
 }

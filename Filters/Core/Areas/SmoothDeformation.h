@@ -13,21 +13,13 @@
 namespace flattening
 {
 
-/// The map @p positions (n x 2) after the deformation that minimises DeformationEnergy, found by
-/// Newton's method. All faces of @p terms are positive before. Afterwards the thinnest of them may be
-/// flipped, where the deformation bends their sides, and areas are a little off.
-/// @p targets (m, > 0) are the areas that the faces should have, and @p areaWeight (> 0) is their weight
-/// against shapes.
+/// The map @p map after the deformation that minimises DeformationEnergy, found by Newton's method.
+/// Faces may be flipped before; these count for nothing. Afterwards the thinnest faces may be flipped,
+/// where the deformation bends their sides, and areas are a little off. In a map to a domain, the
+/// boundary vertices slide along its boundary, and those that stay (@p dofs) do so.
+/// @p targets (m, > 0) are the areas that the faces should have, @p shapes their shapes, and @p
+/// areaWeight (> 0) is the weight of areas against shapes.
 /// @throws Cancelled.
-Points2 smoothlyDeformed(const RefinementTerms& terms,
-  const Points2& positions,
-  const Eigen::VectorXd& targets,
-  double areaWeight,
-  const ProgressCallback& progress = {});
-
-/// The same for a map to a convex domain: the boundary vertices slide along its boundary, and those that
-/// stay (@p dofs) do so. Faces of @p map may be flipped; these count for nothing. @p shapes are those
-/// that faces should have.
 DomainMap smoothlyDeformed(const RefinementTerms& terms,
   const DegreesOfFreedom& dofs,
   const DomainMap& map,
