@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Registers the plugin's modules with ParaView, and lets Python find them from its start. The readers of scans and of cortex files are
-// written in Python, and ParaView makes their proxies, in its window and in pvserver, before anything
-// has imported paraview.servermanager, which is what lets Python find the modules of plugins otherwise.
+// Registers the plugin's modules with ParaView, and lets Python find them from its start. The readers of
+// scans and of cortex files are written in Python, and ParaView makes their proxies, in its window and
+// in pvserver, before anything has imported paraview.servermanager, which is what lets Python find the
+// modules of plugins otherwise.
 #include "PythonTexts.h"
 
 #include <vtkCallbackCommand.h>

@@ -25,7 +25,8 @@ constexpr const char* ReportNames =
   "^(Dropped.*|MergedPoints|UnusedPoints|ClosedCracks|SplitPoints|Components|ReorientedFaces|Removed.*|"
   "LeftFolded|Fold.*|Filled(Holes|Area)|Genus|Handle.*|Remesh.*|Hole.*|SeamLength|ChosenCut|ReasonOf.*|"
   "Relief.*|SeamRegionPoints|Boundary.*|SurfaceArea|FlatArea|SmallestAngle|SelfIntersections.*|Flipped"
-  "Faces|DegenerateFaces|FacesWithin.*|RootMeanSquareStretch|Mean.*(Error|Distortion|Magnitude|StretchL2|"
+  "Faces|DegenerateFaces|FacesWithin.*|RootMeanSquareStretch|Mean.*(Error|Distortion|Magnitude|"
+  "StretchL2|"
   "Dirichlet)|AreaWeightedMean.*|P9[59].*|Max.*|SD.*|StandardError.*|RingDistanceError|LengthScale|"
   "Bijective|Method.*|.*Seconds|.*Iterations|Untangle.*|Newton.*|Refine.*)$";
 

@@ -143,7 +143,8 @@ Eigen::VectorXd distancesByHeat(const TriangleMesh& mesh,
   SparseMatrix heat = faces.Laplacian * (faces.MeanEdge * faces.MeanEdge);
   heat.diagonal() += faces.Mass;
   SparseCholesky factor(SparseCholesky::Ordering::Quick); // of both systems, whose patterns are the same
-  const auto solve = [&factor](SparseMatrix matrix, const Eigen::VectorXd& rightSide, const ProgressCallback& part)
+  const auto solve =
+    [&factor](SparseMatrix matrix, const Eigen::VectorXd& rightSide, const ProgressCallback& part)
   {
     factor.compute(std::move(matrix), part, 0.0, DistanceStage);
     Eigen::VectorXd solution;

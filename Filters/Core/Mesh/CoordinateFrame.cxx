@@ -85,9 +85,10 @@ void requireResolved(const Bounds& bounds, double meanEdge)
   if (spacing > LargestSpacing * meanEdge)
   {
     std::ostringstream message;
-    message << "the surface lies " << distanceOf(bounds) / sizeOf(bounds)
-            << " times its size away from the origin, where double precision cannot hold points between "
-               "its vertices: move it to the origin where it is made, before its coordinates are rounded";
+    message
+      << "the surface lies " << distanceOf(bounds) / sizeOf(bounds)
+      << " times its size away from the origin, where double precision cannot hold points between "
+         "its vertices: move it to the origin where it is made, before its coordinates are rounded";
     throw InvalidInput(message.str());
   }
 }
