@@ -22,10 +22,10 @@ else
   packages+=(paraview paraview-dev python3-paraview mricron-data)
   packages+=(python3-nibabel python3-pydicom python3-gdcm) # files of FreeSurfer, GIFTI and DICOM, when they are opened
   # Qt puts the icons and the part in ParaView's window into the plugin, which goes without them otherwise. The other
-  # packages make the plugin's pages in ParaView's help. Without qt6-svg-plugins ParaView shows no icons at all.
+  # packages make the plugin's pages in ParaView's help. Without libqt5svg5 or qt6-svg-plugins ParaView shows no icons.
   case $(. /etc/os-release && echo "${VERSION_CODENAME:-sid}") in
     bookworm) # ParaView 5.11, with Qt 5
-      packages+=(qtbase5-dev qttools5-dev qtxmlpatterns5-dev-tools python3-markdown python3-pil)
+      packages+=(qtbase5-dev qttools5-dev qtxmlpatterns5-dev-tools libqt5svg5 python3-markdown python3-pil)
       ;;
     trixie) # ParaView 5.13, which cannot make help with Qt 6
       packages+=(qt6-base-dev qt6-tools-dev qt6-tools-dev-tools qt6-svg-plugins)
