@@ -207,12 +207,23 @@ void RefinementRounds::balance(DomainMap& map, double tolerance, const ProgressC
   {
     const double begin = static_cast<double>(k) / MostBalances;
     const ProgressCallback part = subrange(progress, begin, begin + 1.0 / MostBalances);
+    const DomainMap before = map;
+    const double wrong = this->wrongFaces(map).Share;
     if (!this->deform(map, DeformationEnergy::Shapes::OfMap, BalancingAreaWeight, part))
     {
       this->descend(map, progress);
       return;
     }
-    now = this->imbalance(map);
+    // Near a hole a deformation bends thin faces. Where no rounds follow that set them right, the share
+    // of the faces that it puts wrong must not be larger than what regions gain.
+    const double after = this->imbalance(map);
+    const double loss = tolerance < RegionTolerance ? this->wrongFaces(map).Share - wrong : 0.0;
+    if (!(loss <= now - after))
+    {
+      map = before;
+      break;
+    }
+    now = after;
   }
   if (now >= std::max(tolerance, RegionTolerance) && now > LeastBalanceShare * first)
   {
