@@ -144,7 +144,7 @@ private:
     {
       // Areas are off by little but everywhere, which deformations of the domain correct at once. The
       // shapes of the map before are not the best ones for the new areas.
-      if (!this->Rounds.areBalanced(map, FinalRegionTolerance))
+      if (!this->Rounds.isNearlyRight(map))
       {
         this->Rounds.lowerDistortion(
           map, ShapingAreaWeight, MostShapingDeformations, subrange(progress, 0.0, 0.2));

@@ -169,6 +169,11 @@ bool RefinementRounds::deform(DomainMap& map,
   return !this->FlipsIfDeformed;
 }
 
+bool RefinementRounds::isNearlyRight(const DomainMap& map)
+{
+  return this->wrongFaces(map).Share <= EnoughShare && this->imbalance(map) < RegionTolerance;
+}
+
 int RefinementRounds::lowerDistortion(DomainMap& map,
   double areaWeight,
   int most,

@@ -68,9 +68,9 @@ public:
   /// The distortion of shapes (shapeDistortion).
   double distortion(const DomainMap& map) const;
 
-  /// Whether the areas of all regions of the size of a patch are off by less than the share @p
-  /// tolerance.
-  bool areBalanced(const DomainMap& map, double tolerance) { return this->imbalance(map) < tolerance; }
+  /// Whether few faces are off, as few as end a stage, and no region of the size of a patch by as much
+  /// as in the rounds: a map for the same weights is.
+  bool isNearlyRight(const DomainMap& map);
 
   /// Deforms the map, or makes steps of the whole mesh where it cannot be deformed, if the area of a
   /// region of the size of a patch is off by more than the share @p tolerance.
