@@ -24,7 +24,8 @@ class Distortion(NamedTuple):
     """A row for each region, and one for all, as dict by the names of the columns."""
 
 
-# What the steps of flatten() are called in messages, and their shares of the progress as half a brain needs time.
+# The steps of flatten(): the name in messages, the filter, and the share of the progress, which is the share of the time
+# that half a brain takes.
 STEPS = (
     ("to_disk", filters.vtkSurfaceToDiskFilter, 0.4),
     ("conformal", filters.vtkConformalDiskFilter, 0.2),

@@ -30,10 +30,6 @@ constexpr int MoreRounds = 4;
 constexpr int LeastFirstStages = 2;
 constexpr int MostFirstStages = 16;
 constexpr double GreatestLeft = 0.8;
-// The region error above which the refinement ends with deformations of the domain
-// (RefinementRounds::balance): regions are what people measure. With it the errors of the demo's regions
-// are 0.04 %.
-constexpr double FinalRegionTolerance = 2e-4;
 // The weight of areas in deformations that lower the distortion of shapes. A compromise: with more each
 // brings less, with less the rounds have to correct more.
 constexpr double ShapingAreaWeight = 10.0;
@@ -149,17 +145,17 @@ private:
         this->Rounds.lowerDistortion(
           map, ShapingAreaWeight, MostShapingDeformations, subrange(progress, 0.0, 0.2));
       }
-      this->Rounds.balance(map, FinalRegionTolerance, subrange(progress, 0.2, 0.3));
+      this->Rounds.balance(map, RefinementRounds::FinalRegionTolerance, subrange(progress, 0.2, 0.3));
     }
     if (!this->Rounds.run(map, SecondStageRounds, Until::Enough, subrange(progress, 0.3, 0.8)))
     {
-      this->Rounds.balance(map, FinalRegionTolerance, subrange(progress, 0.8, 0.85));
+      this->Rounds.balance(map, RefinementRounds::FinalRegionTolerance, subrange(progress, 0.8, 0.85));
     }
     const bool isSame = this->Map.Start == RefinementStart::WarmStart && map.Positions == before;
     if (this->AsksForAreas && !isSame)
     {
       this->Rounds.polish(map, subrange(progress, 0.85, 0.95));
-      this->Rounds.balance(map, FinalRegionTolerance, subrange(progress, 0.95, 1.0));
+      this->Rounds.balance(map, RefinementRounds::FinalRegionTolerance, subrange(progress, 0.95, 1.0));
     }
   }
 

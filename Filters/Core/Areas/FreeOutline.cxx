@@ -30,11 +30,10 @@ constexpr int MostDeformations = 10;
 constexpr double LeastDeformationGain = 0.05;
 // A limit of the time; the rounds mostly end earlier, when they no longer help (RefinementRounds).
 constexpr int MostRounds = 8;
-// The region error above which the map is deformed in the end, as in a domain (FaceRefinement.cxx).
-constexpr double FreedRegionTolerance = 2e-4;
-// Where shapes are distorted by less than NearlyKept, by about two degrees, the surface may well be one
-// that can be unrolled. Steps of the whole mesh follow there, at most MostWholeRounds rounds of them,
-// until one lowers the energy by less than LeastRoundGain: each brings a decimal digit of such a map.
+// A map whose distortion of shapes is below NearlyKept is taken for that of a surface that can be
+// unrolled; the halves of a brain have 0.08. Such a map is brought to the last digits by steps of the
+// whole mesh: at most MostWholeRounds rounds of them, until one lowers the energy by less than the share
+// LeastRoundGain.
 constexpr double NearlyKept = 0.005;
 constexpr int MostWholeRounds = 20;
 constexpr double LeastRoundGain = 0.1;
@@ -137,9 +136,11 @@ private:
   {
     this->Rounds.run(
       this->Map, MostRounds, RefinementRounds::Until::Enough, subrange(progress, 0.0, 0.6));
-    this->Rounds.balance(this->Map, FreedRegionTolerance, subrange(progress, 0.6, 0.7));
+    this->Rounds.balance(
+      this->Map, RefinementRounds::FinalRegionTolerance, subrange(progress, 0.6, 0.7));
     this->Rounds.polish(this->Map, subrange(progress, 0.7, 0.8));
-    this->Rounds.balance(this->Map, FreedRegionTolerance, subrange(progress, 0.8, 0.9));
+    this->Rounds.balance(
+      this->Map, RefinementRounds::FinalRegionTolerance, subrange(progress, 0.8, 0.9));
     if (this->Rounds.distortion(this->Map) < NearlyKept)
     {
       this->Rounds.settle(this->Map, LeastRoundGain, MostWholeRounds, subrange(progress, 0.9, 1.0));

@@ -19,8 +19,9 @@ constexpr double DeformationShares[] = { 1.0, 0.5, 0.25 };
 // The share of all faces that a deformation may flip where they are free to. A guard: one that flips
 // more bends thin faces, and the rounds take longer than without it.
 constexpr double MostNewlyFlipped = 1e-4;
-// Where faces may not flip, a deformation that flips a larger share of them is too much, and so is one
-// that leaves faces flipped which only larger patches of vertices would untangle. Guards for the time.
+// Where faces may not flip: the greatest share of the faces that a deformation may flip before they are
+// untangled, and the greatest number of vertices that are moved together to untangle them. Guards for
+// the time: beyond them a smaller share of the deformation is tried.
 constexpr double MostFlipped = 0.05;
 constexpr int LargestUntangledPatch = 200;
 
@@ -70,9 +71,9 @@ bool MapDeformation::deform(DomainMap& map,
   return false;
 }
 
-// Of a free boundary, faces that have no vertex inside can be untangled only if it moves. The vertices
-// of the boundary that are near flipped faces then move like others, in a way that may let it cross
-// itself.
+// Faces that have all their vertices on a free boundary can be untangled only if the boundary moves. So
+// the second attempt frees the boundary vertices near flipped faces. This may let the boundary cross
+// itself, which is tested afterwards.
 bool MapDeformation::untangle(DomainMap& map,
   const Eigen::VectorXd& targets,
   const ProgressCallback& progress) const

@@ -27,7 +27,7 @@ public:
     const VertexFaces& facesOf,
     const DegreesOfFreedom& dofs);
 
-  /// What is asked of a deformation.
+  /// The aim of a deformation.
   struct Request
   {
     DeformationEnergy::Shapes Shapes; ///< that faces should have
