@@ -111,6 +111,11 @@ assert "compressed data are damaged" in reading(path_of("packed.nii.gz"))
 with open(path_of("cut.nrrd"), "wb") as stream, open(path_of("ball.nrrd"), "rb") as source:
     stream.write(source.read().replace(b"type: short", b"\0: short"))  # VTK's reader does not end with such files
 assert "header has no end" in reading(path_of("cut.nrrd"))
+for dimension in (b"2", b"3", b"inf"):  # VTK's reader takes 2 for that of the voxels, and does not end with infinity
+    with open(path_of("space.nrrd"), "wb") as stream, open(path_of("ball.nrrd"), "rb") as source:
+        stream.write(source.read().replace(b"space dimension: 3", b"space dimension: " + dimension))
+    found = reading(path_of("space.nrrd"))
+    assert (found > 100) if dimension == b"3" else ("dimension of the space differs" in str(found)), (dimension, found)
 image = read(path_of("ball.mha"), [])
 image.SetSpacing(1.0, 0.0, 1.0)
 try:

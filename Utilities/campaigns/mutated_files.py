@@ -10,7 +10,8 @@ Prints a table with a row per format:
     VTK crashed  crashes of VTK's readers or image filters, contained in the process
     VTK silent   DICOM files cut short that VTK's reader takes without a message; the cohort does not read DICOM
     ours         faults of the project: crashes of its filters, Python errors, figures that are not finite, and files cut
-                 short that became a smaller flat map without a warning
+                 short that became a smaller flat map without a warning; an .obj file that ends after a line is whole for
+                 all that one can tell
     hangs        of any kind
     worst        the longest time, in seconds
 Files with a fault are kept in --keep, with the seed in their name. The exit status is 0 if there are no faults and hangs.
@@ -95,6 +96,14 @@ def not_finite(figures):
     return ""
 
 
+def is_whole_obj(path):
+    """Tells whether the file is of the format that does not say how long it is, and ends after a line."""
+    if not path.endswith(".obj"):
+        return False
+    with open(path, "rb") as stream:
+        return stream.read().endswith(b"\n")
+
+
 def outcome(path, settings, log):
     """A function for in_child()."""
 
@@ -170,7 +179,7 @@ class Campaign:
         fault = ending.value.get("fault") or not_finite(ending.value["figures"])
         if fault:
             return "ours", fault, seconds
-        if kind == "cut" and self.is_silently_cut(ending.value, source, settings):
+        if kind == "cut" and not is_whole_obj(path) and self.is_silently_cut(ending.value, source, settings):
             column = "VTK silent" if os.path.isdir(source) else "ours"
             return column, "the file is cut short, and nothing is said", seconds
         return "warned" if ending.value["warnings"] else "read", "", seconds

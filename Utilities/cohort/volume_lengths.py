@@ -76,6 +76,9 @@ def check_nrrd(path):
     sizes = _integers(fields.get("sizes", ""))
     if kind not in NRRD_BYTES or str(len(sizes)) != fields.get("dimension"):
         raise FileLengthError("the header is damaged: it lacks the type of numbers, or as many sizes as dimensions")
+    if fields.get("space dimension", fields["dimension"]) != fields["dimension"]:
+        # VTK's reader takes the one for the other and reads a part of the volume, or without end.
+        raise FileLengthError("the dimension of the space differs from that of the voxels, which VTK cannot read")
     if data.startswith("LIST") or len(data.split()) > 1:
         return  # voxels in several files
     packings = {"raw": None, "gzip": GZIP, "gz": GZIP}
