@@ -163,10 +163,10 @@ BREAKS = [
         "weights[mesh.Faces(f, 0)] + weights[mesh.Faces(f, 1)] + weights[mesh.Faces(f, 2)]",
         "3.0 * weights[mesh.Faces(f, 0)]",
     ),
-    at("Areas/TargetAreas.cxx", "counted / areas.array()", "areas.array() / counted"),
+    at("Areas/TargetAreas.cxx", "GreatestCountFactor", "1.0", ".min(GreatestCountFactor)"),
     at("Areas/DeformationEnergy.cxx", "place - this->Domain->at(parameter)", "this->Domain->at(parameter) - place"),
     at("Areas/SmoothDeformation.cxx", "way - turn * std::round(way / turn)", "way"),
-    at("Areas/DeformationEnergy.cxx", "if (kept.Point.Stays)", "if (!kept.Point.Stays)"),
+    at("Areas/DeformationEnergy.cxx", "kept.Point.Stays", "!kept.Point.Stays", "if (kept.Point.Stays)"),
     at("Areas/TargetAreas.cxx", "EIGEN_PI / areas.sum()", "2.0 * EIGEN_PI / areas.sum()"),
     at(
         "Areas/WarmStart.cxx",

@@ -102,10 +102,11 @@ void checkFans(const Triangles& mesh, Findings& findings)
 }
 
 // Whether a step of the filter reports that it moved points.
+// Points are also moved apart where the faces of a filled hole cross the surface.
 bool hasMovedPoints(vtkPolyData* disk)
 {
   return figure(disk, "RemovedSpikes") != 0.0 || figure(disk, "RemovedFins") != 0.0 ||
-         figure(disk, "HandleDisplacement") != 0.0;
+         figure(disk, "HandleDisplacement") != 0.0 || figure(disk, "FilledHoles") != 0.0;
 }
 
 void checkOrigins(const Triangles& mesh,
