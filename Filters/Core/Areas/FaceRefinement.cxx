@@ -65,7 +65,13 @@ public:
     , Dofs(surface.vertexCount(), map.Domain, map.Loop, map.Corners)
     , Targets(positiveTargets(faceTargets, map.Domain->area()))
     , Terms(surface, map.Loop, map.Domain->perimeter(), shapeWeight(options))
-    , Rounds(surface, this->Terms, this->FacesOf, this->Dofs, map.Start, this->AsksForAreas)
+    , Rounds(surface,
+        this->Terms,
+        this->FacesOf,
+        this->Dofs,
+        map.Conformal,
+        map.Start,
+        this->AsksForAreas)
     , OnBoundary(surface.vertexCount(), 0)
   {
     for (const int v : map.Loop)

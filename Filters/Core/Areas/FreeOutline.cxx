@@ -55,7 +55,13 @@ public:
     , Dofs(surface.vertexCount())
     , Targets(positiveTargets(faceTargets, area))
     , Terms(surface, loop, 1.0, shapeWeight)
-    , Rounds(surface, this->Terms, this->FacesOf, this->Dofs, RefinementStart::Transport, true)
+    , Rounds(surface,
+        this->Terms,
+        this->FacesOf,
+        this->Dofs,
+        positions,
+        RefinementStart::Transport,
+        true)
     , Map{ positions, {} }
   {
     this->Terms.Gaps.clear();

@@ -233,10 +233,12 @@ private:
 
 RefinementPatches::RefinementPatches(const RefinementTerms& terms,
   const VertexFaces& facesOf,
-  const DegreesOfFreedom& dofs)
+  const DegreesOfFreedom& dofs,
+  const Points2& chart)
   : Terms(terms)
   , FacesOf(facesOf)
   , Dofs(dofs)
+  , Chart(chart)
 {
 }
 
@@ -280,7 +282,7 @@ void RefinementPatches::setReaches(const Pass& pass,
 int RefinementPatches::run(const Pass& pass, DomainMap& map, const ProgressCallback& progress)
 {
   const std::vector<std::vector<int>> parts =
-    recursiveBisection(map.Positions, LargestPatch, Turn * this->Passes++);
+    recursiveBisection(this->Chart, LargestPatch, Turn * this->Passes++);
   std::vector<int> partOf(map.Positions.rows());
   for (std::size_t p = 0; p < parts.size(); ++p)
   {

@@ -14,9 +14,9 @@ namespace flattening
 {
 
 /// A domain decomposition (Schwarz iteration): each pass divides the mesh into patches of about two
-/// thousand vertices along other lines, and minimises the energy in every patch while the vertices
-/// between patches stay. Most errors of a transported map are local, so that patches are enough; they
-/// are independent of each other, and the time grows linearly with the number of vertices.
+/// thousand vertices along other lines of a chart, and minimises the energy in every patch while the
+/// vertices between patches stay. Most errors of a transported map are local, so that patches are
+/// enough; they are independent of each other, and the time grows linearly with the number of vertices.
 class RefinementPatches
 {
 public:
@@ -26,10 +26,16 @@ public:
   /// "faces within 2 %".
   static constexpr double AreaTolerance = 0.02;
 
+  /// @p chart (n x 2) is a map in which patches are compact, such as the conformal map, whose small
+  /// parts have the shapes that they have on the surface. In the map that is refined, faces may be
+  /// stretched a thousand to one along the boundary. A patch that is compact there is a few faces long
+  /// and hundreds wide, so that area hardly moves along the boundary: beside a small hole the passes
+  /// took a quarter longer and left 1.5 instead of 1.3 % of the faces wrong.
   /// The arguments must live as long as this does.
   RefinementPatches(const RefinementTerms& terms,
     const VertexFaces& facesOf,
-    const DegreesOfFreedom& dofs);
+    const DegreesOfFreedom& dofs,
+    const Points2& chart);
 
   /// The energy of one pass.
   struct Pass
@@ -54,6 +60,7 @@ private:
   const RefinementTerms& Terms;
   const VertexFaces& FacesOf;
   const DegreesOfFreedom& Dofs;
+  const Points2& Chart;
   std::vector<VertexReach> Reaches; // of the vertices where the edges of a free boundary begin
   int Passes = 0;
 };

@@ -79,13 +79,14 @@ RefinementRounds::RefinementRounds(const TriangleMesh& surface,
   const RefinementTerms& terms,
   const VertexFaces& facesOf,
   const DegreesOfFreedom& dofs,
+  const Points2& chart,
   RefinementStart start,
   bool asksForAreas)
   : Surface(surface)
   , Terms(terms)
   , Dofs(dofs)
   , Energy(terms, facesOf, dofs)
-  , Patches(terms, facesOf, dofs)
+  , Patches(terms, facesOf, dofs, chart)
   , Deformation(surface, terms, facesOf, dofs)
   , Start(start)
   , AsksForAreas(asksForAreas)

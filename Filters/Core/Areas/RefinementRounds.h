@@ -39,11 +39,12 @@ public:
 
   /// From the transport on, shapes count more in the first rounds. After a warm start they do not, and
   /// the rounds end earlier. @p asksForAreas: whether shapes count only as far as areas leave them free.
-  /// The other arguments must live as long as this does.
+  /// @p chart: see RefinementPatches. The other arguments must live as long as this does.
   RefinementRounds(const TriangleMesh& surface,
     const RefinementTerms& terms,
     const VertexFaces& facesOf,
     const DegreesOfFreedom& dofs,
+    const Points2& chart,
     RefinementStart start,
     bool asksForAreas);
 

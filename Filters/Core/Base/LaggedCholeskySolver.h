@@ -30,6 +30,9 @@ public:
   void forgetFactor() { this->Size = -1; }
   bool hasFactor() const { return this->Size >= 0; }
 
+  /// The order of elimination of the last factor; empty without one.
+  const EliminationOrder& order() const { return this->Factor.order(); }
+
   int factorizations() const { return this->Factorizations; }
   int iterations() const { return this->Iterations; }
 

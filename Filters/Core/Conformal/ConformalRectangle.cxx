@@ -125,6 +125,7 @@ struct Rectangle
 Rectangle embed(const IntrinsicTriangulation& t,
   const IntrinsicTriangulation::Factors& u,
   const std::vector<int>& corners,
+  const EliminationOrder& order,
   ComplexVector& position,
   const ProgressCallback& progress)
 {
@@ -138,7 +139,8 @@ Rectangle embed(const IntrinsicTriangulation& t,
     position[p.Vertex] = rectangle.at(p.Side, p.Along / lengths[p.Side], p.Inside);
     placed[p.Vertex] = 1;
   }
-  WeightedMeans(cotangentWeights(t, u), WeightSymmetry::Symmetric, placed, progress).extend(position);
+  WeightedMeans(cotangentWeights(t, u), WeightSymmetry::Symmetric, placed, progress, order)
+    .extend(position);
   return rectangle;
 }
 
@@ -182,7 +184,7 @@ ConformalRectangleMap conformalRectangleMap(const TriangleMesh& mesh,
 
   ComplexVector position;
   const Rectangle rectangle =
-    embed(t, flow.LogFactors, result.Corners, position, subrange(progress, 0.9, 0.95));
+    embed(t, flow.LogFactors, result.Corners, flow.Order, position, subrange(progress, 0.9, 0.95));
   map.LayoutError = layoutError(t, flow.LogFactors, position);
   requireLayout(map.LayoutError);
   result.Modulus = rectangle.Width / rectangle.Height;

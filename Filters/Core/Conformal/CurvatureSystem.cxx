@@ -169,6 +169,19 @@ double CurvatureSystem::greatestDifference(const Eigen::VectorXd& step) const
   return greatest;
 }
 
+EliminationOrder CurvatureSystem::vertexOrder(EliminationOrder order) const
+{
+  if (static_cast<int>(order.Unknowns.size()) != this->unknowns())
+  {
+    return {};
+  }
+  for (int& unknown : order.Unknowns)
+  {
+    unknown = this->Vertex[unknown];
+  }
+  return order;
+}
+
 void CurvatureSystem::addTo(IntrinsicTriangulation::Factors& u,
   const Eigen::VectorXd& step,
   double length) const

@@ -49,6 +49,8 @@ public:
   double greatestDifference(const Eigen::VectorXd& step) const;
 
   /// Adds @p length times @p step to the unknowns among the factors @p u.
+  /// The order of the vertices of an order of the unknowns; empty if that is of other unknowns.
+  EliminationOrder vertexOrder(EliminationOrder order) const;
   void addTo(IntrinsicTriangulation::Factors& u, const Eigen::VectorXd& step, double length) const;
 
 private:

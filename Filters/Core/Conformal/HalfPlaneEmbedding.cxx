@@ -101,6 +101,7 @@ std::vector<char> embedBoundary(const IntrinsicTriangulation& t,
 ComplexVector embedInHalfPlane(const IntrinsicTriangulation& t,
   const IntrinsicTriangulation::Factors& u,
   int firstEdge,
+  const EliminationOrder& order,
   const ProgressCallback& progress)
 {
   ComplexVector position(t.vertexCount(), Infinity);
@@ -112,7 +113,8 @@ ComplexVector embedInHalfPlane(const IntrinsicTriangulation& t,
     fixed[v] = placed[v];
     position[v] = placed[v] ? position[v] : 0.0;
   }
-  WeightedMeans(cotangentWeights(t, u), WeightSymmetry::Symmetric, fixed, progress).extend(position);
+  WeightedMeans(cotangentWeights(t, u), WeightSymmetry::Symmetric, fixed, progress, order)
+    .extend(position);
   return position;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Base/SparseFactorization.h"
 #include "Intrinsic/IntrinsicTriangulation.h"
 #include "Mesh/ComplexPositions.h"
 
@@ -11,7 +12,8 @@ namespace flattening
 
 /// Positions of the vertices of @p triangulation in the upper half-plane. At factors @p u the
 /// triangulation must be flat and its mirror straight. The mirror, from boundary edge @p firstEdge on,
-/// becomes the real axis; the rest of the boundary is the link of the vertex at infinity.
+/// becomes the real axis; the rest of the boundary is the link of the vertex at infinity. @p order is an
+/// order of elimination for WeightedMeans.
 ///
 /// Coordinates are harmonic in a flat metric, so that one linear solve gives them all once the boundary
 /// is known. Laying out face by face from the boundary would be a Cauchy problem, whose rounding errors
@@ -20,6 +22,7 @@ namespace flattening
 ComplexVector embedInHalfPlane(const IntrinsicTriangulation& triangulation,
   const IntrinsicTriangulation::Factors& u,
   int firstEdge,
+  const EliminationOrder& order = {},
   const ProgressCallback& progress = {});
 
 /// The greatest error of an edge's length in @p position, relative to that length or to 1e-11 of the

@@ -160,6 +160,7 @@ public:
               << " degenerate triangles: remesh the surface (Surface To Disk, Remesh)";
       throw RicciFlowStopped(message.str(), this->Result.NewtonIterations);
     }
+    this->Result.Order = this->System.vertexOrder(this->Solver.order());
     return this->Result;
   }
 

@@ -4,6 +4,7 @@
 
 #include "Base/Errors.h"
 #include "Base/Progress.h"
+#include "Base/SparseFactorization.h"
 #include "Intrinsic/IntrinsicTriangulation.h"
 
 #include <string>
@@ -38,6 +39,9 @@ struct RicciFlowResult
   int NewtonIterations = 0;
   int Flips = 0;
   double MaxCurvatureError = 0.0; ///< radians
+  /// The vertices in the order in which the last Hessian was eliminated, which serves for the layout,
+  /// too; empty if there is none.
+  EliminationOrder Order;
 };
 
 /// Minimises the convex energy whose gradient is (target angle sum - angle sum) by Newton's method with

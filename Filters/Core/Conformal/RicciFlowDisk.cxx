@@ -102,8 +102,8 @@ HalfPlaneMap mapToHalfPlane(IntrinsicSurface surface,
   map.Flips += flow.Flips;
   map.MaxCurvatureError = flow.MaxCurvatureError;
 
-  const ComplexVector positions =
-    embedInHalfPlane(t, flow.LogFactors, star.FirstBoundaryEdge, subrange(progress, 0.9, 0.95));
+  const ComplexVector positions = embedInHalfPlane(
+    t, flow.LogFactors, star.FirstBoundaryEdge, flow.Order, subrange(progress, 0.9, 0.95));
   report(progress, 0.95, "Layout");
   map.LayoutError = layoutError(t, flow.LogFactors, positions);
   requireLayout(map.LayoutError);

@@ -1,36 +1,63 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/FaceSides.h"
 
-#include <tbb/parallel_sort.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 namespace flattening
 {
+namespace
+{
+
+// Vertices whose sides one task sorts: enough to outweigh the cost of a task. Results do not depend on
+// it.
+constexpr int VerticesPerTask = 4096;
+
+} // namespace
 
 std::vector<FaceSide> sortedSides(const FaceMatrix& faces)
 {
+  // The sides are counted by their smaller vertex first, so that only a few have to be sorted at a time.
+  const int vertices = faces.size() == 0 ? 0 : faces.maxCoeff() + 1;
+  const auto smaller = [&faces](int h)
+  { return std::min(faces(h / 3, h % 3), faces(h / 3, (h + 1) % 3)); };
+  std::vector<int> first(vertices + 1, 0);
+  for (int h = 0; h < static_cast<int>(faces.size()); ++h)
+  {
+    ++first[smaller(h) + 1];
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
   std::vector<FaceSide> sides(faces.size());
+  std::vector<int> next(first.begin(), first.end() - 1);
   for (int h = 0; h < static_cast<int>(sides.size()); ++h)
   {
     const int from = faces(h / 3, h % 3);
     const int to = faces(h / 3, (h + 1) % 3);
     const auto edge = (static_cast<std::uint64_t>(std::min(from, to)) << 32) |
                       static_cast<std::uint64_t>(std::max(from, to));
-    sides[h] = { edge, from, to, h };
+    sides[next[std::min(from, to)]++] = { edge, from, to, h };
   }
-  tbb::parallel_sort(sides.begin(),
-    sides.end(),
-    [](const FaceSide& a, const FaceSide& b)
-    { return std::tie(a.Edge, a.Halfedge) < std::tie(b.Edge, b.Halfedge); });
+  tbb::parallel_for(tbb::blocked_range<int>(0, vertices, VerticesPerTask),
+    [&](const tbb::blocked_range<int>& range)
+    {
+      for (int v = range.begin(); v < range.end(); ++v)
+      {
+        std::sort(sides.begin() + first[v],
+          sides.begin() + first[v + 1],
+          [](const FaceSide& a, const FaceSide& b)
+          { return std::tie(a.Edge, a.Halfedge) < std::tie(b.Edge, b.Halfedge); });
+      }
+    });
   return sides;
 }
 
-std::vector<int> oppositeHalfedges(const FaceMatrix& faces)
+std::vector<int> oppositeHalfedges(const std::vector<FaceSide>& sides)
 {
-  std::vector<int> opposite(faces.size(), -1);
-  const std::vector<FaceSide> sides = sortedSides(faces);
+  std::vector<int> opposite(sides.size(), -1);
   for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
   {
     while (end < sides.size() && sides[end].Edge == sides[begin].Edge)
@@ -45,6 +72,11 @@ std::vector<int> oppositeHalfedges(const FaceMatrix& faces)
     }
   }
   return opposite;
+}
+
+std::vector<int> oppositeHalfedges(const FaceMatrix& faces)
+{
+  return oppositeHalfedges(sortedSides(faces));
 }
 
 } // namespace flattening

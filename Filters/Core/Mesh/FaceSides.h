@@ -27,5 +27,7 @@ std::vector<FaceSide> sortedSides(const FaceMatrix& faces);
 /// The half-edge on the other side of each; -1 at the boundary, and where an edge does not join exactly
 /// two faces of one orientation.
 std::vector<int> oppositeHalfedges(const FaceMatrix& faces);
+/// The same for the sides of all faces, sorted as by sortedSides().
+std::vector<int> oppositeHalfedges(const std::vector<FaceSide>& sides);
 
 } // namespace flattening

@@ -22,7 +22,8 @@ constexpr const char* LayoutStage = "Layout";
 WeightedMeans::WeightedMeans(const std::vector<NeighbourWeight>& weights,
   WeightSymmetry symmetry,
   const std::vector<char>& fixed,
-  const ProgressCallback& progress)
+  const ProgressCallback& progress,
+  const EliminationOrder& order)
   : Row(fixed.size(), -1)
 {
   report(progress, 0.0, LayoutStage);
@@ -43,11 +44,28 @@ WeightedMeans::WeightedMeans(const std::vector<NeighbourWeight>& weights,
   }
   if (!this->Free.empty())
   {
-    this->factor(symmetry, progress);
+    this->factor(symmetry, order, progress);
   }
 }
 
-void WeightedMeans::factor(WeightSymmetry symmetry, const ProgressCallback& progress)
+// The rows of the free vertices, in the order of the vertices.
+EliminationOrder WeightedMeans::orderOfFree(const EliminationOrder& order) const
+{
+  EliminationOrder free;
+  free.Fill = order.Fill;
+  for (const int v : order.Unknowns)
+  {
+    if (this->Row[v] >= 0)
+    {
+      free.Unknowns.push_back(this->Row[v]);
+    }
+  }
+  return free;
+}
+
+void WeightedMeans::factor(WeightSymmetry symmetry,
+  const EliminationOrder& order,
+  const ProgressCallback& progress)
 {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(2 * this->Weights.size());
@@ -64,7 +82,7 @@ void WeightedMeans::factor(WeightSymmetry symmetry, const ProgressCallback& prog
   matrix.setFromTriplets(entries.begin(), entries.end());
   if (symmetry == WeightSymmetry::Symmetric)
   {
-    this->Cholesky.emplace(SparseCholesky::Ordering::Quick);
+    this->Cholesky.emplace(this->orderOfFree(order));
     this->Cholesky->compute(std::move(matrix), progress, 0.2, LayoutStage);
   }
   else

@@ -39,11 +39,14 @@ public:
   /// @param weights  weights of fixed vertices are not used; positive weights must connect every free
   ///                 vertex with a fixed one
   /// @param fixed  one flag per vertex
+  /// @param order  the vertices in an order of elimination for nearly the same neighbours, fixed ones
+  ///               included; empty to look for one
   /// @throws ConvergenceError if the matrix cannot be factored; Cancelled.
   WeightedMeans(const std::vector<NeighbourWeight>& weights,
     WeightSymmetry symmetry,
     const std::vector<char>& fixed,
-    const ProgressCallback& progress = {});
+    const ProgressCallback& progress = {},
+    const EliminationOrder& order = {});
 
   /// Moves the free vertices to the means of their neighbours. The closer they are to that before, the
   /// smaller are the rounding errors.
@@ -54,7 +57,8 @@ public:
   Eigen::VectorXd passedToFixed(const Eigen::VectorXd& vertexWeights) const;
 
 private:
-  void factor(WeightSymmetry symmetry, const ProgressCallback& progress);
+  void factor(WeightSymmetry symmetry, const EliminationOrder& order, const ProgressCallback& progress);
+  EliminationOrder orderOfFree(const EliminationOrder& order) const;
 
   std::vector<int> Row; // index of every vertex among the free ones; -1 if it is fixed
   std::vector<int> Free;

@@ -4,6 +4,7 @@
 #include "Base/Errors.h"
 #include "Mesh/DisjointSets.h"
 #include "Mesh/FaceSides.h"
+#include "Mesh/Halfedges.h"
 
 #include <algorithm>
 #include <string>
@@ -39,40 +40,36 @@ std::string edgeName(const FaceSide& side)
   return "edge (" + std::to_string(side.From) + ", " + std::to_string(side.To) + ")";
 }
 
-// The corners of the faces around a vertex must be one fan, in which neighbours share an edge.
-void requireOneFanPerVertex(const FaceMatrix& faces, const std::vector<FaceSide>& sides, int vertexCount)
+// The faces around a vertex must be one fan, in which neighbours share an edge: a walk around the vertex
+// from the boundary, if there is one, meets them all. The edges must be manifold.
+void requireOneFanPerVertex(const std::vector<FaceSide>& sides, int vertexCount)
 {
-  const auto corner = [&faces](int face, int vertex) {
-    return 3 * face + (faces(face, 0) == vertex ? 0 : faces(face, 1) == vertex ? 1 : 2);
-  };
-  DisjointSets corners(3 * faces.rows());
-  for (std::size_t s = 0; s + 1 < sides.size(); ++s)
+  const std::vector<int> opposite = oppositeHalfedges(sides);
+  std::vector<int> faces(vertexCount, 0); // not yet met
+  std::vector<int> first(vertexCount, -1);
+  for (const FaceSide& side : sides)
   {
-    const FaceSide& a = sides[s];
-    const FaceSide& b = sides[s + 1];
-    if (a.Edge == b.Edge)
+    ++faces[side.From];
+    if (first[side.From] < 0 || opposite[side.Halfedge] < 0)
     {
-      corners.join(corner(a.face(), a.From), corner(b.face(), a.From));
-      corners.join(corner(a.face(), a.To), corner(b.face(), a.To));
+      first[side.From] = side.Halfedge;
     }
   }
-  std::vector<int> fan(vertexCount, -1);
-  for (int f = 0; f < faces.rows(); ++f)
+  for (int v = 0; v < vertexCount; ++v)
   {
-    for (int k = 0; k < 3; ++k)
+    for (int h = first[v]; h >= 0; h = opposite[previousHalfedge(h)])
     {
-      const int v = faces(f, k);
-      const int root = corners.find(3 * f + k);
-      if (fan[v] < 0)
+      --faces[v];
+      if (opposite[previousHalfedge(h)] == first[v])
       {
-        fan[v] = root;
+        break;
       }
-      else if (fan[v] != root)
-      {
-        throw TopologyError(
-          "vertex " + std::to_string(v) +
-          " is non-manifold (parts of the surface meet only there): run Surface To Disk first");
-      }
+    }
+    if (faces[v] != 0)
+    {
+      throw TopologyError(
+        "vertex " + std::to_string(v) +
+        " is non-manifold (parts of the surface meet only there): run Surface To Disk first");
     }
   }
 }
@@ -159,7 +156,7 @@ MeshTopology analyseTopology(const FaceMatrix& faces, int vertexCount)
   MeshTopology topology;
   topology.Faces = static_cast<int>(faces.rows());
   countParts(sides, vertexCount, topology);
-  requireOneFanPerVertex(faces, sides, vertexCount);
+  requireOneFanPerVertex(sides, vertexCount);
   topology.BoundaryLoops = boundaryLoops(sides, vertexCount);
   std::stable_sort(topology.BoundaryLoops.begin(),
     topology.BoundaryLoops.end(),

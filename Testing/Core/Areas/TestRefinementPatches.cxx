@@ -26,7 +26,8 @@ protected:
     , Loop(requireDisk(Mesh))
     , Dofs(Mesh.vertexCount(), std::make_shared<UnitDisk>(), Loop, { 0 })
     , Terms(Mesh, Loop, Dofs.domain().perimeter(), 0.001)
-    , Patches(Terms, FacesOf, Dofs)
+    , Chart(Mesh.Vertices.leftCols<2>())
+    , Patches(Terms, FacesOf, Dofs, Chart)
   {
     this->Exact.Positions = Mesh.Vertices.leftCols<2>();
     this->Exact.BoundaryParameters.resize(static_cast<Eigen::Index>(Loop.size()));
@@ -67,6 +68,7 @@ protected:
   std::vector<int> Loop;
   DegreesOfFreedom Dofs;
   RefinementTerms Terms;
+  Points2 Chart;
   RefinementPatches Patches;
   RefinementPatches::Pass Pass;
   DomainMap Exact;
