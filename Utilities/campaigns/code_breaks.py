@@ -35,7 +35,7 @@ BREAKS = [
     at("Mesh/SelfIntersections.cxx", "intersectAtCorner(a, sumOfA, b, sumOfB)", "false"),
     at("Mesh/SelfIntersections.cxx", "CGAL::POSITIVE", "CGAL::NEGATIVE"),
     at("Mesh/MeshTopology.cxx", "count == 2 && side[0].From == side[1].From", "false"),
-    at("Mesh/MeshTopology.cxx", "fan[v] != root", "false"),
+    at("Mesh/MeshTopology.cxx", "faces[v] != 0", "false"),
     at("Mesh/EditableSurface.cxx", "t * (q - p)", "(1.0 - t) * (q - p)"),
     at("Mesh/EditableSurface.cxx", "(1.0 - t) * weight", "t * weight"),
     at("Mesh/EditableSurface.cxx", "0.5", "1.0", "return 0.5 * std::sqrt("),
