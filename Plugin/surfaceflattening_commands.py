@@ -48,15 +48,29 @@ def _save_flat_map(source, file):
 
 
 def _switch_colours(_source):
-    from surfaceflattening_layout import switch_colours
+    from surfaceflattening_colours import switch_colours
 
     switch_colours()
 
 
+def _do_again(_source):
+    from surfaceflattening_layout import do_again
+
+    do_again()
+
+
+def _take_back(_source):
+    from surfaceflattening_layout import take_back
+
+    take_back()
+
+
 COMMANDS = {
+    "do_again": _do_again,
     "edit_cuts": _edit_cuts,
     "fill_region_factors": _fill_region_factors,
     "flatten_and_compare": _flatten_and_compare,
     "save_flat_map": _save_flat_map,
     "switch_colours": _switch_colours,
+    "take_back": _take_back,
 }

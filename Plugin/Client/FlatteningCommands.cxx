@@ -20,6 +20,7 @@
 #include <QAction>
 #include <QIcon>
 #include <QMenu>
+#include <QStyle>
 #include <QTimer>
 #include <QToolBar>
 
@@ -40,7 +41,7 @@ constexpr Command Commands[] = {
   { "flatten_and_compare",
     "Flatten and Compare",
     ":/SurfaceFlattening/icons/FlattenAndCompare.svg",
-    "Flatten the selected surface and show it, its maps and their distortion side by side" },
+    "Flatten the selected surface or scan and show it, its maps and their distortion side by side" },
   { "switch_colours",
     "Anatomy or Distortion",
     ":/SurfaceFlattening/icons/SwitchColours.svg",
@@ -83,11 +84,22 @@ void runPython(const QByteArray& code)
   vtkPythonInterpreter::RunSimpleString("from paraview import simple as _simple\n" + code + "\n");
 }
 
-constexpr const char* FlattenAndCompare =
-  "import surfaceflattening_commands\nsurfaceflattening_commands.run('flatten_and_compare')";
+// The file goes to Python in hexadecimal digits, as it may have any characters.
+QByteArray codeFor(const QByteArray& command, const QString& file = QString())
+{
+  return "import surfaceflattening_commands\nsurfaceflattening_commands.run('" + command +
+         "', bytes.fromhex('" + file.toUtf8().toHex() + "').decode())";
+}
 
-/// Takes back a Flatten and Compare as a whole. ParaView's own record of all its proxies, views and
-/// properties cannot be undone at once: ParaView 5.11 crashes.
+// Not as steps that ParaView's Undo takes back one by one.
+void runUnrecorded(const QByteArray& code)
+{
+  SCOPED_UNDO_EXCLUDE();
+  runPython(code);
+}
+
+/// Takes back a Flatten and Compare as a whole, and does it again. ParaView's own record of all its
+/// proxies, views and properties cannot be undone at once: ParaView 5.11 crashes.
 class ComparisonElement : public vtkSMUndoElement
 {
 public:
@@ -96,40 +108,70 @@ public:
 
   int Undo() override
   {
-    later("import surfaceflattening_layout\nsurfaceflattening_layout.take_back()");
+    if (!this->IsTakenBack)
+    {
+      later(
+        []
+        {
+          runUnrecorded(codeFor("take_back"));
+          later([] { record(true); });
+        });
+    }
+    this->IsTakenBack = true;
     return 1;
   }
 
   int Redo() override
   {
-    later(FlattenAndCompare);
+    this->IsTakenBack = false;
+    later([] { runUnrecorded(codeFor("do_again")); });
     return 1;
+  }
+
+  /// Puts a Flatten and Compare that was just done on ParaView's list of steps. ParaView forgets this
+  /// list when it closes a view, as taking a step back does, so that a step @p takenBack is put there
+  /// anew.
+  static void record(bool takenBack)
+  {
+    vtkNew<ComparisonElement> element;
+    element->SetSession(vtkSMProxyManager::GetProxyManager()->GetActiveSession());
+    element->IsTakenBack = takenBack;
+    {
+      pqScopedUndoSet undo("Flatten and Compare");
+      ADD_UNDO_ELEM(element);
+    }
+    pqUndoStack* steps = pqApplicationCore::instance()->getUndoStack();
+    if (takenBack && steps)
+    {
+      steps->undo(); // does nothing but to make it a step that can be done again
+    }
   }
 
 private:
   // When ParaView is done with its undo.
-  static void later(const char* code)
+  template <typename Action>
+  static void later(Action action)
   {
-    QTimer::singleShot(0,
-      [code]
-      {
-        SCOPED_UNDO_EXCLUDE();
-        runPython(code);
-      });
+    QTimer::singleShot(0, action);
   }
+
+  bool IsTakenBack = false;
 };
 vtkStandardNewMacro(ComparisonElement);
 
+int sourceCount()
+{
+  return pqApplicationCore::instance()->getServerManagerModel()->findItems<pqPipelineSource*>().size();
+}
+
 void flattenAndCompare()
 {
+  const int before = sourceCount();
+  runUnrecorded(codeFor("flatten_and_compare"));
+  if (sourceCount() > before) // after an error nothing is left to be taken back
   {
-    SCOPED_UNDO_EXCLUDE();
-    runPython(FlattenAndCompare);
+    ComparisonElement::record(false);
   }
-  vtkNew<ComparisonElement> element;
-  element->SetSession(vtkSMProxyManager::GetProxyManager()->GetActiveSession());
-  pqScopedUndoSet undo("Flatten and Compare");
-  ADD_UNDO_ELEM(element);
 }
 
 void run(const Command& command)
@@ -145,8 +187,7 @@ void run(const Command& command)
     return;
   }
   pqScopedUndoSet undo(command.Text);
-  runPython("import surfaceflattening_commands\nsurfaceflattening_commands.run('" +
-            QByteArray(command.Function) + "', bytes.fromhex('" + file.toUtf8().toHex() + "').decode())");
+  runPython(codeFor(command.Function, file));
 }
 
 } // namespace
@@ -192,16 +233,29 @@ void FlatteningCommands::addToMenus()
   }
   for (QToolBar* bar : window->findChildren<QToolBar*>(Category))
   {
-    QAction* first = bar->actions().value(0);
     if (!bar->actions().contains(this->Actions.front()))
     {
-      for (QAction* action : this->Actions)
-      {
-        if (!action->icon().isNull())
-        {
-          bar->insertAction(first, action);
-        }
-      }
+      this->addToBar(bar);
     }
   }
+}
+
+void FlatteningCommands::addToBar(QToolBar* bar)
+{
+  QAction* next = bar->actions().value(0);
+  for (QAction* action : this->Actions)
+  {
+    if (!action->icon().isNull())
+    {
+      bar->insertAction(next, action);
+      bar->widgetForAction(action)->setObjectName(action->objectName());
+    }
+  }
+  // Of a toolbar that is too wide for the window, Qt hides all but what its least width has room for:
+  // handle, extension button, and the first button with its margins.
+  QWidget* first = bar->widgetForAction(this->Actions.front());
+  QStyle* style = bar->style();
+  bar->setMinimumWidth(style->pixelMetric(QStyle::PM_ToolBarHandleExtent) +
+                       style->pixelMetric(QStyle::PM_ToolBarExtensionExtent) +
+                       2 * first->sizeHint().width());
 }

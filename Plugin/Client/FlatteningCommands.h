@@ -6,6 +6,7 @@
 #include <QObject>
 
 class QAction;
+class QToolBar;
 
 /// Puts the commands, which are functions of the module surfaceflattening_commands, before the filters in
 /// the menu Filters > Surface Flattening and in the toolbar of this name. A command is undone in one step.
@@ -16,6 +17,7 @@ public:
 
 private:
   void addToMenus();
+  void addToBar(QToolBar* bar);
 
   QList<QAction*> Actions;
 };

@@ -5,17 +5,11 @@ undo, and bad input, after which nothing is left."""
 import math
 
 from paraview import servermanager, simple
-from surfaceflattening_layout import (
-    ANATOMY,
-    DISTORTION,
-    flatten_and_compare,
-    measured_errors,
-    nice_length,
-    switch_colours,
-    take_back,
-)
+from surfaceflattening_colours import ANATOMY, DISTORTION, switch_colours
+from surfaceflattening_layout import do_again, flatten_and_compare, take_back
 from surfaceflattening_outlines import label_array, label_outlines
 from surfaceflattening_selection import measure_selection, percent
+from surfaceflattening_views import measured_errors, nice_length
 
 
 def expect_refusal(source, word):
