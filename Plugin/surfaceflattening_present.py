@@ -6,6 +6,7 @@ The module comes with the plugin. Flatten and Compare uses it to be taken back i
 
 from dataclasses import dataclass
 
+import surfaceflattening_selection
 from paraview import servermanager, simple
 
 LINK = "Flatten and Compare"  # name of the selection links
@@ -33,6 +34,7 @@ class Present:
 
     def restore(self):
         """Removes what was made since then."""
+        surfaceflattening_selection.stop(self.sources)
         manager = servermanager.ProxyManager()
         for name in set(links()) - self.links:
             manager.UnRegisterLink(name)

@@ -144,7 +144,7 @@ def _show_scale_bar(view, flat):
 def _show_selection(view, flat):
     text, label = _show_text(view, "Selection", "Lower Left Corner")
     label.FontSize = 10
-    show_measures(flat, text)
+    show_measures(flat, text, view)
 
 
 def _histogram_view(maps, array, axis_title, value_range, bars):

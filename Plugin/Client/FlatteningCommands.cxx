@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FlatteningCommands.h"
 
+#include "ApplyNotice.h"
 #include "MainWindow.h"
 
 #include <pqFileDialog.h>
+#include <pqOutputPort.h>
 #include <pqPVApplicationCore.h>
 #include <pqPipelineSource.h>
 #include <pqProxyGroupMenuManager.h>
@@ -15,9 +17,12 @@
 #include <vtkObjectFactory.h>
 #include <vtkPythonInterpreter.h>
 #include <vtkSMProxyManager.h>
+#include <vtkSMProxySelectionModel.h>
+#include <vtkSMSessionProxyManager.h>
 #include <vtkSMUndoElement.h>
 
 #include <QAction>
+#include <QApplication>
 #include <QIcon>
 #include <QMenu>
 #include <QStyle>
@@ -159,6 +164,22 @@ private:
 };
 vtkStandardNewMacro(ComparisonElement);
 
+// What is selected in the pipeline browser; null if nothing or several are.
+pqOutputPort* activePort()
+{
+  vtkSMProxySelectionModel* active =
+    vtkSMProxyManager::GetProxyManager()->GetActiveSessionProxyManager()->GetSelectionModel(
+      "ActiveSources");
+  vtkSMProxy* current = active ? active->GetCurrentProxy() : nullptr;
+  pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
+  if (auto* port = model->findItem<pqOutputPort*>(current))
+  {
+    return port;
+  }
+  auto* source = model->findItem<pqPipelineSource*>(current);
+  return source ? source->getOutputPort(0) : nullptr;
+}
+
 int sourceCount()
 {
   return pqApplicationCore::instance()->getServerManagerModel()->findItems<pqPipelineSource*>().size();
@@ -167,7 +188,10 @@ int sourceCount()
 void flattenAndCompare()
 {
   const int before = sourceCount();
+  ApplyNotice::announceComparison(activePort());
+  QApplication::setOverrideCursor(Qt::WaitCursor);
   runUnrecorded(codeFor("flatten_and_compare"));
+  QApplication::restoreOverrideCursor();
   if (sourceCount() > before) // after an error nothing is left to be taken back
   {
     ComparisonElement::record(false);
@@ -188,6 +212,22 @@ void run(const Command& command)
   }
   pqScopedUndoSet undo(command.Text);
   runPython(codeFor(command.Function, file));
+}
+
+} // namespace
+
+namespace
+{
+
+// The measures of a selection follow it as long as there are views.
+void stopMeasures()
+{
+  if (vtkPythonInterpreter::IsInitialized())
+  {
+    vtkPythonInterpreter::RunSimpleString("import sys\n"
+                                          "_selection = sys.modules.get('surfaceflattening_selection')\n"
+                                          "_selection and _selection.stop()\n");
+  }
 }
 
 } // namespace
@@ -217,6 +257,7 @@ FlatteningCommands::FlatteningCommands(QObject* parent)
       [this] { QTimer::singleShot(0, this, [this] { this->addToMenus(); }); });
   }
   QTimer::singleShot(0, this, [this] { this->addToMenus(); });
+  connect(QCoreApplication::instance(), &QCoreApplication::aboutToQuit, this, &stopMeasures);
 }
 
 void FlatteningCommands::addToMenus()

@@ -8,8 +8,9 @@
 class QAction;
 class QToolBar;
 
-/// Puts the commands, which are functions of the module surfaceflattening_commands, before the filters in
-/// the menu Filters > Surface Flattening and in the toolbar of this name. A command is undone in one step.
+/// Puts the commands, which are functions of the module surfaceflattening_commands, before the filters
+/// in the menu Filters > Surface Flattening and in the toolbar of this name. A command is undone in one
+/// step.
 class FlatteningCommands : public QObject
 {
 public:
