@@ -21,6 +21,9 @@ MEASURES = (
     ("AngleDistortion", "angle distortion (log of the axis ratio)", (0.0, 1.5), 30),
 )
 COLUMNS = ("Faces", "FacesWithin2Percent", "FlatArea", "MeanAngleError", "MeanAreaError", "Region", "SurfaceArea")
+SEAM_DISTANCE = "SeamDistance"
+# Red, yellow, green, cyan, blue, magenta.
+HUES = ((1, 0, 0), (1, 1, 0), (0, 0.8, 0), (0, 1, 1), (0.1, 0.2, 1), (1, 0, 1))
 OUTLINE_COLOUR = (0.8, 0.1, 0.1)
 MAP_COLOURS = {"conformal": (0.85, 0.45, 0.15), "area-preserving": (0.15, 0.45, 0.70)}
 
@@ -64,6 +67,7 @@ def layout_of(morph, conformal, area_preserving):
     for view, source, (cell, _) in zip(above, (morph, conformal, area_preserving), cells):
         if labels:
             _show_outlines(view, source, labels)
+        _show_banks(view, source)
         layout.AssignView(cell, view)
         simple.ResetCamera(view)
     _show_scale_bar(above[2], area_preserving)
@@ -119,6 +123,31 @@ def _show_outlines(view, source, labels):
     _solid(simple.Show(outlines, view), OUTLINE_COLOUR, 2)
 
 
+def _show_banks(view, source):
+    """Draws the seams in colours by the distance along them, which is the same on both banks: where the colours agree,
+    the map was one piece on the surface."""
+    length = source.PointData[SEAM_DISTANCE].GetRange()[1] if SEAM_DISTANCE in source.PointData.keys() else 0.0
+    if not length > 0.0:
+        return
+    border = simple.FeatureEdges(
+        registrationName=unused("Banks of the seams"),
+        Input=source,
+        BoundaryEdges=1,
+        FeatureEdges=0,
+        NonManifoldEdges=0,
+        ManifoldEdges=0,
+        Coloring=0,
+    )
+    display = simple.Show(border, view)
+    simple.ColorBy(display, ("POINTS", SEAM_DISTANCE))
+    colours = simple.GetColorTransferFunction(SEAM_DISTANCE)
+    colours.ColorSpace = "RGB"
+    colours.RGBPoints = [value for k, hue in enumerate(HUES) for value in (length * k / (len(HUES) - 1), *hue)]
+    display.SetScalarBarVisibility(view, False)
+    display.Ambient, display.Diffuse, display.LineWidth = 1.0, 0.0, 3
+    display.Pickable = 0  # so that the map below is selected
+
+
 def nice_length(longest):
     """The longest of 1, 2 or 5 times a power of ten that is not longer."""
     power = 10.0 ** math.floor(math.log10(longest))
@@ -164,6 +193,7 @@ def _histogram_view(maps, array, axis_title, value_range, bars):
         display.SeriesLabel = ["bin_values", name]
     view.LeftAxisTitle = "share of faces"
     view.BottomAxisTitle = axis_title
+    view.LeftAxisTitleFontSize = view.BottomAxisTitleFontSize = 11  # the view is narrow
     view.BottomAxisUseCustomRange = 1
     view.BottomAxisRangeMinimum, view.BottomAxisRangeMaximum = value_range
     # The outermost bars hold all that is beyond them.

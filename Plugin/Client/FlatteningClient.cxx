@@ -8,6 +8,7 @@
 #include "MainWindow.h"
 #include "PercentBars.h"
 #include "RegionViews.h"
+#include "SeamPreviews.h"
 
 #include <QTimer>
 
@@ -28,6 +29,8 @@ constexpr const char* ReportNames =
   "Faces|DegenerateFaces|FacesWithin.*|RootMeanSquareStretch|Mean.*(Error|Distortion|Magnitude|"
   "StretchL2|"
   "Dirichlet)|AreaWeightedMean.*|P9[59].*|Max.*|SD.*|StandardError.*|RingDistanceError|LengthScale|"
+  "Air|Isovalue|IsosurfaceComponents|LeftOutArea|MeanAbove|MeanBelow|NotFiniteVoxels|Separation|"
+  "ShareBelow|SmoothingLength|"
   "Bijective|Method.*|.*Seconds|.*Iterations|Untangle.*|Newton.*|Refine.*)$";
 
 void hideReports()
@@ -61,5 +64,6 @@ void FlatteningClient::startup()
   new FlatteningCommands(this);
   new PercentBars(this);
   new RegionViews(this);
+  new SeamPreviews(this);
   new ApplyNotice(this);
 }
