@@ -7,7 +7,9 @@
 #include "Internal/TriangulatedInput.h"
 
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkInformationVector.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPoints.h>
@@ -115,6 +117,8 @@ void vtkSeamPreview::Execute(vtkInformationVector** inputVector, vtkInformationV
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
+  vtkNew<vtkIntArray> legs;
+  legs->SetName("Leg");
   for (int k = 1; k < static_cast<int>(vertices.size()); ++k)
   {
     const std::vector<int>& starts = this->SeamPathStarts;
@@ -128,6 +132,7 @@ void vtkSeamPreview::Execute(vtkInformationVector** inputVector, vtkInformationV
       vertices[k],
       flattening::atFraction(progress, 0.5, "Seam"));
     lines->InsertNextCell(static_cast<int>(leg.size()));
+    legs->InsertNextValue(k - 1);
     for (const Eigen::Vector3d& point : leg)
     {
       lines->InsertCellPoint(points->InsertNextPoint(point.data()));
@@ -136,6 +141,7 @@ void vtkSeamPreview::Execute(vtkInformationVector** inputVector, vtkInformationV
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->SetPoints(points);
   output->SetLines(lines);
+  output->GetCellData()->AddArray(legs);
   flattening::report(progress, 1.0, "Done");
 }
 

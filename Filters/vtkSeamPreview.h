@@ -9,6 +9,9 @@
  * or has several components, it is a straight line. ParaView's window draws the output; it is no step of
  * a pipeline.
  *
+ * Output arrays:
+ * - cell `Leg` (int): number, from 0, of the point with which the leg begins.
+ *
  * An empty input gives an empty output.
  *
  * @sa vtkSurfaceToDiskFilter

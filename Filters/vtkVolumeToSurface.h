@@ -23,8 +23,8 @@
  * isovalue is moved down by a half.
  *
  * Columns of port 1:
- * - `Amount` (double): how much.
- * - `Change` (string): of what.
+ * - `Amount` (double): how much there is of it.
+ * - `Change` (string): what there is so much of.
  * - `Setting` (string): label of the parameter that decides it.
  *
  * Columns of port 2:

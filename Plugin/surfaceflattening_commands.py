@@ -11,6 +11,7 @@ a traceback.
 # First, for it lets Python find the modules of plugins.
 from paraview import simple  # isort: skip
 
+from surfaceflattening_present import FilterFailed
 from vtkmodules.vtkCommonCore import vtkOutputWindow
 
 
@@ -19,14 +20,16 @@ def run(name, file=""):
     something about become a message."""
     try:
         COMMANDS[name](simple.GetActiveSource(), *([file] if file else []))
+    except FilterFailed:
+        pass  # the filter has said why
     except (ValueError, RuntimeError, OSError) as error:
         vtkOutputWindow.GetInstance().DisplayErrorText(str(error))
 
 
-def _flatten_and_compare(source):
+def _flatten_and_compare(_source):
     from surfaceflattening_layout import flatten_and_compare
 
-    flatten_and_compare(source)
+    flatten_and_compare()  # which knows when several sources are selected
 
 
 def _edit_cuts(source):

@@ -17,7 +17,7 @@ selected in all, and measured. Playing the animation unrolls the surface to the 
 from dataclasses import dataclass
 
 from paraview import servermanager, simple
-from surfaceflattening_present import LINK, Present, links, unused
+from surfaceflattening_present import LINK, FilterFailed, Present, links, unused
 from surfaceflattening_views import layout_of, show_series
 
 DISPLACEMENT = "SurfaceDisplacement"
@@ -42,7 +42,7 @@ def flatten_and_compare(source=None, cut="Automatic"):
     @cut: Cut of Surface To Disk, such as "Plane"; the place of the cut is a setting of that filter.
 
     @raise ValueError if there is no source, or no surface can be had of it.
-    @raise RuntimeError if a filter fails; its message is in ParaView's output window. Nothing is left then.
+    @raise FilterFailed, a RuntimeError, if a filter fails; its message is in ParaView's output window. Nothing is left then.
     """
     source = _flattenable(source or _selected_source())
     before = Present.now(source)
@@ -140,7 +140,7 @@ def _surface_of(source):
 def _updated(proxy):
     proxy.UpdatePipeline()
     if proxy.GetDataInformation().GetNumberOfCells() == 0:
-        raise RuntimeError(
+        raise FilterFailed(
             f"{proxy.GetXMLLabel()} has no output: its message in the output window says why"
         )
     return proxy

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What there is in ParaView at a time, to go back to it, and names that are not used yet.
+"""What there is in ParaView at a time, to go back to it when something fails, and names that are not used yet.
 
 The module comes with the plugin. Flatten and Compare uses it to be taken back in one step.
 """
@@ -10,6 +10,10 @@ import surfaceflattening_selection
 from paraview import servermanager, simple
 
 LINK = "Flatten and Compare"  # name of the selection links
+
+
+class FilterFailed(RuntimeError):
+    """A filter has no output; its message is in ParaView's output window already."""
 
 
 @dataclass

@@ -33,9 +33,11 @@ class SelectionMeasures:
         extent = " x ".join(f"{x:.1f}" for x in self.extent)
         return (
             f"Selection: {self.faces:,} triangles\n"
-            f"area: {self.surface_area:.1f} on the surface, {self.flat_area:.1f} on the map ({change:+.2f} %)\n"
+            f"area: {self.surface_area:.1f} on the surface,\n"
+            f"{self.flat_area:.1f} on the map ({change:+.2f} %)\n"
             f"mean error: area {percent(self.area_error)}, angle {self.angle_error:.1f}\N{DEGREE SIGN}\n"
-            f"centroid: {centroid}; extent: {extent}"
+            f"centroid: {centroid}\n"
+            f"extent: {extent}"
         )
 
 

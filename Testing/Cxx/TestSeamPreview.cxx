@@ -5,6 +5,7 @@
 
 #include <vtkAppendPolyData.h>
 #include <vtkCell.h>
+#include <vtkCellData.h>
 #include <vtkNew.h>
 #include <vtkSphereSource.h>
 
@@ -77,6 +78,7 @@ TEST(SeamPreview, LegsAreGeodesics)
   preview->SetSeamPathStart(0, 2);
   preview->Update();
   EXPECT_EQ(preview->GetOutput()->GetNumberOfCells(), 1);
+  EXPECT_EQ(preview->GetOutput()->GetCellData()->GetArray("Leg")->GetTuple1(0), 0.0);
 }
 
 TEST(SeamPreview, BetweenComponentsItIsAStraightLineWithoutAnError)

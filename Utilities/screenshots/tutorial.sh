@@ -19,6 +19,10 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 mkdir -p "$output" "$scratch/screen"
 
+# The file that CortexToNumber opens.
+python=$(command -v /usr/bin/python3 || command -v python3)
+PYTHONPATH=$build/lib/python3/dist-packages "$python" Testing/GUI/CortexFile.py "$scratch/patient/cortex.ply"
+
 play() {
   mkdir "$scratch/$1"
   # Where the session asks for a picture, ParaView saves its state, which tells this script to take one, and waits.
@@ -28,10 +32,10 @@ play() {
   sed -E -e "s|^ *<!-- picture (\w+) -->|$sign\n$wait|" \
     -e "s|^ *<!-- picture (\w+) follows -->|$sign|" \
     -e "s|^ *<!-- it is here -->|$wait|" \
+    -e "/arguments=\"Check /d" \
     -e "s|SCRATCH|$scratch|" "Testing/GUI/$1.xml" >"$scratch/session.xml"
 
-  local macros=${plugin%/*}/macros:$PWD/Testing/GUI/macros
-  HOME=$scratch/$1 LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb PV_MACRO_PATH=$macros \
+  HOME=$scratch/$1 LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb \
     xvfb-run -a -s "-screen 0 1280x900x24 -noreset -fbdir $scratch/screen" \
     paraview --plugin-search-paths="${plugin%/*}" --plugins=SurfaceFlattening --data-directory="$PWD/Data" \
     --test-script="$scratch/session.xml" --test-directory="$scratch" --dr --exit &
