@@ -12,7 +12,8 @@
  * Output arrays:
  * - cell `Leg` (int): number, from 0, of the point with which the leg begins.
  *
- * An empty input gives an empty output.
+ * An empty input gives an empty output. The following are errors, each with an empty output: a cell with
+ * a point that does not exist or is not finite.
  *
  * @sa vtkSurfaceToDiskFilter
  */
@@ -32,21 +33,25 @@ public:
   vtkTypeMacro(vtkSeamPreview, vtkBlockwisePolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
   /**
-   * The points that the seam goes through, as of vtkSurfaceToDiskFilter.
+   * Number of points that the seam goes through, as of vtkSurfaceToDiskFilter.
    */
   void SetNumberOfSeamPoints(int number);
-  void SetSeamPoint(int index, double x, double y, double z);
-  ///@}
 
-  ///@{
   /**
-   * Numbers of the points with which a further path begins, as of vtkSurfaceToDiskFilter.
+   * A point that the seam goes through, by its number from 0. Other numbers change nothing.
+   */
+  void SetSeamPoint(int index, double x, double y, double z);
+
+  /**
+   * Number of further paths of the seam, as of vtkSurfaceToDiskFilter.
    */
   void SetNumberOfSeamPathStarts(int number);
+
+  /**
+   * The number of the point with which a further path begins. Other indices change nothing.
+   */
   void SetSeamPathStart(int index, int point);
-  ///@}
 
 protected:
   vtkSeamPreview() = default;

@@ -142,7 +142,7 @@ def isosurface(
         Input=image,
         Margin=padding,
         PatientSpace=int(patient_space),
-        ComponentMode=component,
+        Component=component,
     )
     for setting, value in (("Isovalue", isovalue), ("Smoothing", smoothing_mm), ("Air", background)):
         setattr(surface, f"Automatic{setting}", int(value is None))
