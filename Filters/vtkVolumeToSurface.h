@@ -37,9 +37,10 @@
  * - `ShareBelow` (double, 0 to 1): share of the voxels below the isovalue.
  * - `MeanBelow`, `MeanAbove` (double, as in the volume): mean of the voxels below and above the
  * isovalue.
- * - `Separation` (double, 0 to 1): share of the variance of the voxels that lies between both classes;
- *   the suggested isovalue makes it greatest. Below about 0.5 the histogram does not show two classes.
- * - `Air` (double, as in the volume): value of the margin.
+ * - `ClassSeparation` (double, 0 to 1): share of the variance of the voxels that lies between both
+ * classes; the suggested isovalue makes it greatest. Below about 0.5 the histogram does not show two
+ * classes.
+ * - `AirValue` (double, as in the volume): value of the margin.
  * - `SmoothingLength` (double, input units): standard deviation of the Gaussian.
  * - `NotFiniteVoxels` (vtkIdType): number of voxels that were NaN or infinite.
  * - `IsosurfaceComponents` (vtkIdType): number of components of the isosurface.

@@ -66,8 +66,8 @@ void setFieldData(vtkFieldData* data, const VolumeReport& report)
   setDatum(data, "ShareBelow", report.Classes.ShareBelow);
   setDatum(data, "MeanBelow", report.Classes.MeanBelow);
   setDatum(data, "MeanAbove", report.Classes.MeanAbove);
-  setDatum(data, "Separation", report.Classes.Separation);
-  setDatum(data, "Air", report.Air);
+  setDatum(data, "ClassSeparation", report.Classes.Separation);
+  setDatum(data, "AirValue", report.Air);
   setDatum(data, "SmoothingLength", report.Smoothing);
   setDatum(data, "NotFiniteVoxels", report.NotFinite);
   setDatum(data, "IsosurfaceComponents", report.Components.Count);

@@ -6,6 +6,7 @@
 #include "FlatMapCameras.h"
 #include "FlatteningCommands.h"
 #include "MainWindow.h"
+#include "PadProposals.h"
 #include "PercentBars.h"
 #include "RegionViews.h"
 #include "SeamPreviews.h"
@@ -29,7 +30,8 @@ constexpr const char* ReportNames =
   "Faces|DegenerateFaces|FacesWithin.*|RootMeanSquareStretch|Mean.*(Error|Distortion|Magnitude|"
   "StretchL2|"
   "Dirichlet)|AreaWeightedMean.*|P9[59].*|Max.*|SD.*|StandardError.*|RingDistanceError|LengthScale|"
-  "Air|Isovalue|IsosurfaceComponents|LeftOutArea|MeanAbove|MeanBelow|NotFiniteVoxels|Separation|"
+  "AirValue|Isovalue|IsosurfaceComponents|LeftOutArea|MeanAbove|MeanBelow|NotFiniteVoxels|"
+  "ClassSeparation|"
   "ShareBelow|SmoothingLength|"
   "Bijective|Method.*|.*Seconds|.*Iterations|Untangle.*|Newton.*|Refine.*)$";
 
@@ -62,6 +64,7 @@ void FlatteningClient::startup()
   new CutDisplays(this); // first, so that cameras see what is left of the cuts
   new FlatMapCameras(this);
   new FlatteningCommands(this);
+  new PadProposals(this);
   new PercentBars(this);
   new RegionViews(this);
   new SeamPreviews(this);

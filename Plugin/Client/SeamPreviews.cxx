@@ -12,6 +12,7 @@
 #include <vtkSMProperty.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMProxySelectionModel.h>
+#include <vtkSMSession.h>
 #include <vtkSMSessionProxyManager.h>
 #include <vtkSMSourceProxy.h>
 #include <vtkSMViewProxy.h>
@@ -97,10 +98,11 @@ void SeamPreviews::watch(pqPipelineSource* source)
     proxy->GetProperty(name)->AddObserver(
       vtkCommand::UncheckedPropertyModifiedEvent, this, &SeamPreviews::changed);
   }
+  // Later, for this comes while a view goes through what it draws.
   connect(source,
     qOverload<pqPipelineSource*>(&pqPipelineSource::dataUpdated),
     this,
-    [this] { this->remove(); });
+    [this] { this->Later.start(); });
 }
 
 void SeamPreviews::changed(vtkObject* property, unsigned long, void*)
@@ -114,6 +116,11 @@ void SeamPreviews::changed(vtkObject* property, unsigned long, void*)
 void SeamPreviews::update()
 {
   vtkSMProxy* disk = this->Edited ? this->Edited->getProxy() : nullptr;
+  if (disk && disk->GetSession()->GetPendingProgress())
+  {
+    this->Later.start(); // a filter runs, and a view may be waiting for it
+    return;
+  }
   if (!disk || this->Edited->modifiedState() == pqProxy::UNMODIFIED || !picksPoints(disk))
   {
     this->remove();

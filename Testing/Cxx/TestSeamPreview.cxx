@@ -2,6 +2,7 @@
 #include "FilterTest.h"
 
 #include <vtkSeamPreview.h>
+#include <vtkSurfaceToDiskFilter.h>
 
 #include <vtkAppendPolyData.h>
 #include <vtkCell.h>
@@ -15,6 +16,8 @@
 
 namespace
 {
+
+using flattening::testing::ErrorLog;
 
 constexpr double Pi = 3.14159265358979323846;
 constexpr double Radius = 20.0;
@@ -91,6 +94,24 @@ TEST(SeamPreview, BetweenComponentsItIsAStraightLineWithoutAnError)
   const std::vector<double> found = lengths(preview->GetOutput());
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(found[0], 100.0 - 2.0 * Radius, 1e-3);
+}
+
+TEST(SeamPreview, ASeamOfAFewEdgesIsAnErrorOfTheCutThatSaysSo)
+{
+  const auto surface = sphere(0.0);
+  vtkNew<vtkSurfaceToDiskFilter> disk;
+  disk->SetInputData(surface);
+  disk->SetCutModeToSeam();
+  disk->UseSeamPointsOn();
+  disk->AddSeamPoint(Radius, 0, 0);
+  disk->AddSeamPoint(std::sqrt(Radius * Radius - 1.0), 1.0, 0); // half an edge away
+  const ErrorLog errors(disk);
+  disk->Update();
+  ASSERT_EQ(errors.messages().size(), 1u);
+  EXPECT_NE(errors.messages()[0].find("the seam is "), std::string::npos) << errors.messages()[0];
+  EXPECT_NE(
+    errors.messages()[0].find("edges of the surface, and a map cannot spread"), std::string::npos);
+  EXPECT_EQ(disk->GetOutput()->GetNumberOfCells(), 0);
 }
 
 TEST(SeamPreview, AnEmptySurfaceHasNone)

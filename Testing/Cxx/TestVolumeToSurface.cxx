@@ -170,7 +170,7 @@ TEST(VolumeToSurface, TheSuggestedIsovalueIsOtsusThreshold)
   vtkPolyData* output = filter->GetOutput();
   EXPECT_GT(figure(output, "Isovalue"), low - bin);
   EXPECT_LT(figure(output, "Isovalue"), high + bin);
-  EXPECT_NEAR(figure(output, "Separation"), separation, 1e-3);
+  EXPECT_NEAR(figure(output, "ClassSeparation"), separation, 1e-3);
   EXPECT_NEAR(figure(output, "MeanBelow"), -900.0, 5.0);
   EXPECT_NEAR(figure(output, "MeanAbove"), 80.0, 5.0);
   const auto brighter = std::count_if(
@@ -198,7 +198,7 @@ TEST(VolumeToSurface, WholeNumbersArePartedHalfway)
   filter->AutomaticIsovalueOn();
   filter->Update();
   EXPECT_NEAR(figure(filter->GetOutput(), "Isovalue"), 60.0, 0.5);
-  EXPECT_NEAR(figure(filter->GetOutput(), "Separation"), 1.0, 1e-12);
+  EXPECT_NEAR(figure(filter->GetOutput(), "ClassSeparation"), 1.0, 1e-12);
   // Without smoothing, an isovalue that voxels have is moved down: they are inside.
   const auto exact = filterAt(100.0, 0.0, volume);
   exact->Update();
