@@ -5,13 +5,13 @@
 #include "Internal/ArrayConversion.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/ImageMemory.h"
+#include "Internal/InnerProgress.h"
 #include "Internal/PatientMatrix.h"
 #include "Internal/PolyDataConversion.h"
 #include "Internal/SlabLayers.h"
 #include "Internal/VolumeSampling.h"
 #include "vtkFlatMapImage.h"
 
-#include <vtkCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -39,22 +39,6 @@ constexpr const char* NormalsName = "SurfaceNormals";
 
 constexpr const char* PixelsStage = "Looking up the pixels";
 
-// Forwards the progress of an inner filter to this one, and an abort to the inner filter.
-struct ProgressForwarding
-{
-  vtkAlgorithm* Inner;
-  flattening::ProgressCallback Progress;
-
-  void reported()
-  {
-    const char* stage = this->Inner->GetProgressText();
-    if (!this->Progress(this->Inner->GetProgress(), stage ? stage : PixelsStage))
-    {
-      this->Inner->SetAbortExecute(1);
-    }
-  }
-};
-
 // Bytes of a pixel of Flat Map Image, whose arrays are two vectors here, and of the vectors' copies.
 constexpr std::size_t BytesPerPixel = 400;
 
@@ -73,8 +57,7 @@ vtkSmartPointer<vtkImageData> pixelsOf(vtkPolyData* map,
   image->SetInputData(bare);
   image->SetSize(size);
   image->SetMargin(0);
-  ProgressForwarding forwarding{ image, progress };
-  image->AddObserver(vtkCommand::ProgressEvent, &forwarding, &ProgressForwarding::reported);
+  const flattening::InnerProgress forwarding(image, progress, PixelsStage);
   image->Update();
   flattening::report(progress, 1.0, PixelsStage); // throws if an abort left the image empty
   if (image->GetOutput()->GetNumberOfPoints() == 0)
@@ -180,11 +163,12 @@ void vtkFlatMapSlab::Execute(vtkInformationVector** inputVector, vtkInformationV
   const double sign = this->Outwards ? 1.0 : -1.0;
   const Eigen::Affine3d toVolume = flattening::surfaceToVolume(input, volume);
   if (flattening::patientMatrix(volume) && !flattening::patientMatrix(input) &&
-    !flattening::inPatientSpace(input))
+      !flattening::inPatientSpace(input))
   {
-    vtkWarningMacro(<< this->GetBlockPrefix()
-                    << "the surface does not say where it lies in the patient, though the volume does: it is "
-                       "taken to have the coordinates of the voxels");
+    vtkWarningMacro(
+      << this->GetBlockPrefix()
+      << "the surface does not say where it lies in the patient, though the volume does: it is "
+         "taken to have the coordinates of the voxels");
   }
   const flattening::VolumeSampling sampling(
     volume, this->NearestVoxel, toVolume, flattening::subrange(progress, 0.0, 0.1));

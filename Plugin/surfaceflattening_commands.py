@@ -11,6 +11,7 @@ a traceback.
 # First, for it lets Python find the modules of plugins.
 from paraview import simple  # isort: skip
 
+from surfaceflattening_present import FilterFailed
 from vtkmodules.vtkCommonCore import vtkOutputWindow
 
 
@@ -19,14 +20,16 @@ def run(name, file=""):
     something about become a message."""
     try:
         COMMANDS[name](simple.GetActiveSource(), *([file] if file else []))
+    except FilterFailed:
+        pass  # the filter has said why
     except (ValueError, RuntimeError, OSError) as error:
         vtkOutputWindow.GetInstance().DisplayErrorText(str(error))
 
 
-def _flatten_and_compare(source):
+def _flatten_and_compare(_source):
     from surfaceflattening_layout import flatten_and_compare
 
-    flatten_and_compare(source)
+    flatten_and_compare()  # which knows when several sources are selected
 
 
 def _edit_cuts(source):
@@ -48,15 +51,29 @@ def _save_flat_map(source, file):
 
 
 def _switch_colours(_source):
-    from surfaceflattening_layout import switch_colours
+    from surfaceflattening_colours import switch_colours
 
     switch_colours()
 
 
+def _do_again(_source):
+    from surfaceflattening_layout import do_again
+
+    do_again()
+
+
+def _take_back(_source):
+    from surfaceflattening_layout import take_back
+
+    take_back()
+
+
 COMMANDS = {
+    "do_again": _do_again,
     "edit_cuts": _edit_cuts,
     "fill_region_factors": _fill_region_factors,
     "flatten_and_compare": _flatten_and_compare,
     "save_flat_map": _save_flat_map,
     "switch_colours": _switch_colours,
+    "take_back": _take_back,
 }

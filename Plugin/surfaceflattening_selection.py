@@ -33,9 +33,11 @@ class SelectionMeasures:
         extent = " x ".join(f"{x:.1f}" for x in self.extent)
         return (
             f"Selection: {self.faces:,} triangles\n"
-            f"area: {self.surface_area:.1f} on the surface, {self.flat_area:.1f} on the map ({change:+.2f} %)\n"
+            f"area: {self.surface_area:.1f} on the surface,\n"
+            f"{self.flat_area:.1f} on the map ({change:+.2f} %)\n"
             f"mean error: area {percent(self.area_error)}, angle {self.angle_error:.1f}\N{DEGREE SIGN}\n"
-            f"centroid: {centroid}; extent: {extent}"
+            f"centroid: {centroid}\n"
+            f"extent: {extent}"
         )
 
 
@@ -105,8 +107,8 @@ def _areas(corners):
 INVITATION = "Select triangles or points to measure\nthem: keys S and D, then drag."
 
 
-def show_measures(source, text):
-    """Keeps the Text source @text up to date with the selection on @source."""
+def show_measures(source, text, view):
+    """Keeps the Text source @text, which is shown in @view, up to date with the selection on @source."""
 
     def update(*_):
         try:
@@ -114,7 +116,21 @@ def show_measures(source, text):
         except (ValueError, RuntimeError) as error:
             measures = error
         text.Text = str(measures) if measures else INVITATION
-        simple.RenderAllViews()
+        simple.Render(view)
 
     text.Text = INVITATION
-    return source.SMProxy.AddObserver("SelectionChangedEvent", update)
+    tag = source.SMProxy.AddObserver("SelectionChangedEvent", update)
+    _observed.append((source.SMProxy, tag))
+    return tag
+
+
+_observed = []  # proxies and tags of the observers
+
+
+def stop(kept=()):
+    """Ends the updates but those of the sources whose proxies are @kept. ParaView clears selections when it ends, and its
+    views can no longer be drawn then."""
+    for proxy, tag in list(_observed):
+        if proxy not in kept:
+            proxy.RemoveObserver(tag)
+            _observed.remove((proxy, tag))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From an image to an isosurface that can be flattened, with ParaView's stock filters.
+"""From an image to an isosurface that can be flattened, by the filter Volume To Surface or step by step.
 
     from paraview.simple import *
     from surfaceflattening_volume import isosurface
@@ -9,8 +9,8 @@
     disk = SurfaceToDisk(Input=brain)
 
 The module comes with the plugin: once that is loaded, ParaView's Python Shell and pvpython can import it.
-Every step is a function of its own and a proxy with a name of its own in the pipeline browser, where its
-settings can be changed afterwards. docs/volumes.md has the steps as clicks and what goes wrong without each.
+isosurface() takes all steps at once. Every step is also a function of its own, and a proxy with a name of its own in
+the pipeline browser, where its settings can be changed afterwards. docs/volumes.md has the steps as clicks and what goes wrong without each.
 
 The figures below are of ch2bet.nii.gz (181 x 217 x 181 voxels of 1 mm, bytes) at isovalue 40, smoothed by
 1 mm: 36 closed surfaces with 15 handles. Utilities/measurements/volume_recipe.py prints them.
@@ -28,13 +28,9 @@ from paraview import simple
 
 @dataclass
 class Isosurface:
-    """The proxies of the recipe, in their order."""
+    """What isosurface() and label_surface() return."""
 
-    floating: object
-    padded: object
-    smoothed: object
-    contour: object
-    surface: object
+    surface: object  # the proxy, a Volume To Surface
 
 
 def cast_to_float(image):
@@ -88,12 +84,7 @@ def contour(image, isovalue, name="Isosurface"):
 
     Raises ValueError if no voxel is on one of its sides.
     """
-    low, high = _value_range(image)
-    if not low < isovalue < high:
-        raise ValueError(
-            f"the isovalue {isovalue:g} is not between the least and greatest value of the image, "
-            f"{low:g} and {high:g}: look at its histogram, and smooth less if that removed the tissue"
-        )
+    _require_between(isovalue, *_value_range(image))
     return simple.Contour(
         registrationName=name,
         Input=image,
@@ -111,39 +102,56 @@ def in_patient_space(surface, name="Patient space"):
 
 
 def isosurface(
-    image, isovalue, smoothing_mm=1.0, padding=10, background=None, name="Isosurface", patient_space=True
+    image,
+    isovalue=None,
+    smoothing_mm=1.0,
+    padding=10,
+    background=None,
+    name="Isosurface",
+    patient_space=True,
+    component="All",
 ):
-    """The whole recipe: cast to float, pad, smooth, contour, move to patient space. Returns an Isosurface.
+    """The whole recipe by one filter, Volume To Surface: cast to float, pad, smooth, contour, move to patient space.
+    Returns an Isosurface.
 
     @image: a proxy of an image, as OpenDataFile returns it, in mm.
-    @isovalue: in the image's units; for CT, bone is above 200 to 400 HU.
-    @smoothing_mm: standard deviation in mm; 0: none. An image of integers that is not smoothed has voxels
-        at an isovalue that is an integer, and a surface that touches itself there. The isovalue is then
+    @isovalue: in the image's units; for CT, bone is above 200 to 400 HU. None: the one that the histogram suggests.
+    @smoothing_mm: standard deviation in mm; 0: none; None: two voxels. An image of integers that is not smoothed has
+        voxels at an isovalue that is an integer, and a surface that touches itself there. The isovalue is then
         moved down to halfway between two integers: voxels of that value are inside.
     @padding: voxels added on every side; 0: none.
     @background: the value of what is added; by default the lowest in the image.
     @patient_space: moves the surface to where it lies in the patient, if the image came from a reader of this
         plugin and its file has an orientation. Otherwise it stays in the coordinates of the voxels.
+    @component: "All", or "Largest".
 
     The surface may have several components, handles and boundaries: Surface To Disk takes it from there
     and keeps the largest component. Errors raise ValueError, as pvpython itself does not.
     """
     _require_scalar_image(image)
-    if not smoothing_mm and _has_integers(image):
-        isovalue = math.ceil(isovalue) - 0.5
-    floating = cast_to_float(image)
-    padded = pad(floating, padding, background) if padding else floating
-    smoothed = smooth(padded, smoothing_mm) if smoothing_mm else padded
-    in_voxels = contour(smoothed, isovalue, name)
+    if isovalue is not None:
+        _require_between(isovalue, *_value_range(image))
     if patient_space and hasattr(image, "FileName") and not _field(image, "PatientMatrix"):
         warnings.warn(
             "The reader of the scan does not say where it lies in the patient, so that left and right are as the "
             "voxels are stored: open it by open_scan of surfaceflattening_scans, which tells what the file has.",
             stacklevel=2,
         )
-    surface = in_patient_space(in_voxels) if patient_space else in_voxels
+    surface = _filter("VolumeToSurface")(
+        registrationName=name,
+        Input=image,
+        Margin=padding,
+        PatientSpace=int(patient_space),
+        Component=component,
+    )
+    for setting, value in (("Isovalue", isovalue), ("Smoothing", smoothing_mm), ("Air", background)):
+        setattr(surface, f"Automatic{setting}", int(value is None))
+        if value is not None:
+            setattr(surface, setting, value)
     surface.UpdatePipeline()
-    return Isosurface(floating, padded, smoothed, in_voxels, surface)
+    if surface.GetDataInformation(0).GetNumberOfCells() == 0:
+        raise ValueError("Volume To Surface has no output: its message says why")
+    return Isosurface(surface)
 
 
 def label_surface(atlas, labels, smoothing_mm=1.0, name="Structure", patient_space=True):
@@ -156,19 +164,12 @@ def label_surface(atlas, labels, smoothing_mm=1.0, name="Structure", patient_spa
     _require_scalar_image(atlas)
     array = _scalars(atlas).GetName()
     product = "*".join(f'abs("{array}"-({label}))' for label in labels)
-    # The labels are replaced: Image Pad would keep a second array and leave it without values.
     inside = simple.Calculator(
         registrationName=f"{name}, voxels", Input=atlas, ResultArrayName=array, Function=f"1-min(1,{product})"
     )
     if _value_range(inside)[1] < 1:
         raise ValueError(f"no voxel has the label {', '.join(map(str, labels))}: look at the atlas's list of labels")
-    floating = cast_to_float(inside)
-    padded = pad(floating, 10, 0.0)
-    smoothed = smooth(padded, smoothing_mm) if smoothing_mm else padded
-    in_voxels = contour(smoothed, 0.5, name)
-    surface = in_patient_space(in_voxels) if patient_space else in_voxels
-    surface.UpdatePipeline()
-    return Isosurface(floating, padded, smoothed, in_voxels, surface)
+    return isosurface(inside, 0.5, smoothing_mm, name=name, patient_space=patient_space)
 
 
 def metaimage_of_invesalius(path, folder):
@@ -251,8 +252,12 @@ def _value_range(image):
     return _scalars(image).GetComponentRange(0)
 
 
-def _has_integers(image):
-    return _scalars(image).GetDataTypeAsString() not in ("float", "double")
+def _require_between(isovalue, low, high):
+    if not low < isovalue < high:
+        raise ValueError(
+            f"the isovalue {isovalue:g} is not between the least and greatest value of the image, "
+            f"{low:g} and {high:g}: look at its histogram, and smooth less if that removed the tissue"
+        )
 
 
 def _require_scalar_image(image):

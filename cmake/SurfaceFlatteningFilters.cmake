@@ -14,4 +14,5 @@ set(surfaceflattening_filters
   PatientSpace
   PlanarWarp
   SurfaceToDisk
+  VolumeToSurface
 )

@@ -2,11 +2,7 @@
 #include "Internal/DiskReport.h"
 
 #include "Core/Base/Errors.h"
-
-#include <vtkDoubleArray.h>
-#include <vtkNew.h>
-#include <vtkStringArray.h>
-#include <vtkTable.h>
+#include "Internal/ReportRows.h"
 
 #include <algorithm>
 
@@ -36,47 +32,7 @@ double longestLoop(const SurfaceToDiskReport& report)
   return lengths.empty() ? 0.0 : *std::max_element(lengths.begin(), lengths.end());
 }
 
-std::string counted(long long number, const std::string& singular)
-{
-  return std::to_string(number) + " " + singular + (number == 1 ? "" : "s");
-}
-
-// The columns of the table.
-class Rows
-{
-public:
-  void add(double amount, const std::string& change, const std::string& setting)
-  {
-    this->Amount->InsertNextValue(amount);
-    this->Change->InsertNextValue(change);
-    this->Setting->InsertNextValue(setting);
-  }
-
-  void addChange(double amount, const std::string& change, const std::string& setting)
-  {
-    if (amount != 0.0)
-    {
-      this->add(amount, change, setting);
-    }
-  }
-
-  void fill(vtkTable* table)
-  {
-    this->Amount->SetName("Amount");
-    this->Change->SetName("Change");
-    this->Setting->SetName("Setting");
-    table->AddColumn(this->Amount);
-    table->AddColumn(this->Change);
-    table->AddColumn(this->Setting);
-  }
-
-private:
-  vtkNew<vtkDoubleArray> Amount;
-  vtkNew<vtkStringArray> Change;
-  vtkNew<vtkStringArray> Setting;
-};
-
-void addRepair(Rows& rows, const SurfaceToDiskReport& report)
+void addRepair(ReportRows& rows, const SurfaceToDiskReport& report)
 {
   rows.addChange(report.Repair.MergedPoints, "points merged into others", "Merge Tolerance");
   rows.addChange(report.Repair.DegenerateFaces, "triangles without area dropped", "");
@@ -103,7 +59,7 @@ void addRepair(Rows& rows, const SurfaceToDiskReport& report)
 
 void setReportTable(vtkTable* table, const SurfaceToDiskReport& report)
 {
-  Rows rows;
+  ReportRows rows;
   addRepair(rows, report);
   rows.addChange(report.RemovedArea, "area cut off", "Cut");
   rows.addChange(report.HoleRadius, "radius of the hole", "Hole Area Fraction");
@@ -122,8 +78,10 @@ std::vector<std::string> warningsOf(const SurfaceToDiskReport& report)
   const double loop = longestLoop(report);
   if (loop * loop / (4.0 * Pi) > SmallestHandle * report.SurfaceArea)
   {
-    warnings.push_back(counted(report.Handles.Handles, "handle") +
-                       " or tunnels were cut through and capped; the longest loop is " +
+    const bool one = report.Handles.Handles == 1;
+    warnings.push_back((one ? "a handle or tunnel was"
+                            : std::to_string(report.Handles.Handles) + " handles or tunnels were") +
+                       " cut through and capped; the " + (one ? "" : "longest ") + "loop is " +
                        formatted(loop) + " long, and the caps have an area of " +
                        formatted(report.Handles.AddedArea) +
                        ". If that is anatomy and no noise, set Handles to Cut, or smooth the scan less. "
@@ -131,11 +89,11 @@ std::vector<std::string> warningsOf(const SurfaceToDiskReport& report)
   }
   if (report.DroppedComponentArea > SmallestDropped * report.SurfaceArea)
   {
-    warnings.push_back(
-      counted(report.Components - 1, "other component") + " with an area of " +
-      formatted(report.DroppedComponentArea) + " " + (report.Components == 2 ? "was" : "were") +
-      " dropped, beside " + formatted(report.SurfaceArea) +
-      " that were kept. If one of them is meant, choose it by Component");
+    warnings.push_back(counted(report.Components - 1, "other component") + " with an area of " +
+                       formatted(report.DroppedComponentArea) + " " +
+                       (report.Components == 2 ? "was" : "were") + " dropped, beside " +
+                       formatted(report.SurfaceArea) +
+                       " that were kept. If one of them is meant, choose it by Component");
   }
   if (report.RemovedRegionPoints > 0)
   {

@@ -23,19 +23,25 @@ std::size_t bytesPerTuple(vtkDataSetAttributes* attributes)
   return bytes;
 }
 
-void requireImageMemory(int width, int height, std::size_t bytes, const std::string& remedy)
+void requireMemory(const std::string& what, double bytes, const std::string& remedy)
 {
-  const std::size_t total = static_cast<std::size_t>(width) * height * bytes;
   try
   {
-    ::operator delete(::operator new(total)); // not an expression with new, which may be optimised away
+    // Not an expression with new, which may be optimised away.
+    ::operator delete(::operator new(static_cast<std::size_t>(bytes)));
   }
   catch (const std::bad_alloc&)
   {
-    throw InvalidInput("an image of " + std::to_string(width) + " x " + std::to_string(height) +
-                       " pixels takes " + formatted(std::ceil(static_cast<double>(total) / 1e8) / 10.0) +
+    throw InvalidInput(what + " takes " + formatted(std::ceil(bytes / 1e8) / 10.0) +
                        " GB of memory, more than there is: " + remedy);
   }
+}
+
+void requireImageMemory(int width, int height, std::size_t bytes, const std::string& remedy)
+{
+  requireMemory("an image of " + std::to_string(width) + " x " + std::to_string(height) + " pixels",
+    static_cast<double>(width) * height * static_cast<double>(bytes),
+    remedy);
 }
 
 } // namespace flattening

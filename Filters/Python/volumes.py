@@ -1,80 +1,57 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From a scan to a surface, with VTK alone. Plugin/surfaceflattening_volume.py has the same steps in ParaView."""
+"""From a scan to a surface."""
 
 from __future__ import annotations
 
-import math
 import sys
 from typing import Any, Optional
 
-from vtkmodules.vtkFiltersCore import vtkContourFilter
-from vtkmodules.vtkImagingCore import vtkImageCast, vtkImageConstantPad
-from vtkmodules.vtkImagingGeneral import vtkImageGaussianSmooth
-
 from .running import Abort, Progress, run
+from .SurfaceFlatteningFilters import vtkVolumeToSurface
 
 
 def isosurface(
     image: Any,
-    isovalue: float,
-    smoothing_mm: float = 1.0,
+    isovalue: Optional[float] = None,
+    smoothing_mm: Optional[float] = 1.0,
     padding: int = 10,
     background: Optional[float] = None,
     *,
+    component: str = "All",
     progress: Progress = None,
     abort: Abort = None,
 ) -> Any:
-    """The surface of a scan at an isovalue: the image in floating point, with a margin, smoothed, contoured.
+    """The surface of a scan at an isovalue, by vtkVolumeToSurface: the image in floating point, with a margin, smoothed,
+    contoured, and carried to patient space if the image has the field array PatientMatrix.
 
     image: a vtkImageData, or PyVista's ImageData, with one value for each voxel; its spacing is in mm.
-    isovalue: in the units of the image.
-    smoothing_mm: standard deviation of the Gaussian, in mm; 0 smooths nothing. The surface of integers that are not
-        smoothed would touch itself at an isovalue that is an integer, which is then moved down by a half.
+    isovalue: in the units of the image; if it is not given, the one that the histogram suggests (Otsu).
+    smoothing_mm: standard deviation of the Gaussian, in mm; 0 smooths nothing, None smooths by two voxels. The surface
+        of integers that are not smoothed would touch itself at an isovalue that is an integer, which is then moved down
+        by a half.
     padding: voxels that are added on every side, so that the surface is closed; 0 adds none.
     background: the value of what is added; the lowest of the image if it is not given.
+    component: "All", or "Largest".
     progress, abort: see flatten().
-    Returns a vtkPolyData, or a PyVista PolyData if the image was of PyVista, in the coordinates of the image, in mm.
-    Raises ValueError if the isovalue is not between the image's values.
+    Returns a vtkPolyData, or a PyVista PolyData if the image was of PyVista, in mm. Its field data have the isovalue
+    (Isovalue) and what it makes of the voxels.
+    Raises FlatteningError with the filter's message if there is no such surface.
     """
-    _require_scalar_image(image)
-    scalars = image.GetPointData().GetScalars()
-    low, high = scalars.GetRange()
-    if not low < isovalue < high:
-        raise ValueError(f"the isovalue {isovalue:g} is not between the least and greatest value, {low:g} and {high:g}")
-    if padding < 0 or not (smoothing_mm >= 0 and math.isfinite(smoothing_mm)):
-        raise ValueError(f"smoothing_mm is {smoothing_mm} and padding {padding}: both must be 0 or more")
-    if not smoothing_mm and scalars.GetDataTypeAsString() not in ("float", "double"):
-        isovalue = math.ceil(isovalue) - 0.5
-
-    floating = vtkImageCast()
-    floating.SetInputData(image)
-    floating.SetOutputScalarTypeToFloat()
-    last = floating
-    if padding:
-        last = vtkImageConstantPad()
-        last.SetInputConnection(floating.GetOutputPort())
-        extent = image.GetExtent()
-        last.SetOutputWholeExtent(*(e + m for e, m in zip(extent, (-padding, padding) * 3)))
-        last.SetConstant(low if background is None else background)
-    if smoothing_mm:
-        smooth = vtkImageGaussianSmooth()
-        smooth.SetInputConnection(last.GetOutputPort())
-        smooth.SetStandardDeviations(*(smoothing_mm / s for s in image.GetSpacing()))
-        smooth.SetRadiusFactors(3, 3, 3)
-        last = smooth
-    contour = vtkContourFilter()
-    contour.SetInputConnection(last.GetOutputPort())
-    contour.SetValue(0, isovalue)
-    result = run(contour, progress, abort)
-    pyvista = sys.modules.get("pyvista")
-    return pyvista.wrap(result) if pyvista and isinstance(image, pyvista.DataSet) else result
-
-
-def _require_scalar_image(image: Any) -> None:
     if not (hasattr(image, "IsA") and image.IsA("vtkImageData")):
         raise TypeError(f"this is a {type(image).__name__}, not an image: give a vtkImageData or a PyVista ImageData")
-    scalars = image.GetPointData().GetScalars()
-    if scalars is None or scalars.GetNumberOfComponents() != 1:
-        raise ValueError("the image must have active scalars, one value for each voxel")
-    if min(image.GetDimensions()) < 2:
-        raise ValueError(f"the image is flat, {image.GetDimensions()} voxels: give the whole volume")
+    modes = {"all": vtkVolumeToSurface.AllComponents, "largest": vtkVolumeToSurface.LargestComponent}
+    if component.lower() not in modes:
+        raise ValueError(f"component is {component!r}: it must be All or Largest")
+    if padding < 0:
+        raise ValueError(f"padding is {padding}: it must be 0 or more")
+    surface = vtkVolumeToSurface()
+    surface.SetInputData(image)
+    surface.SetComponentMode(modes[component.lower()])
+    surface.SetMargin(padding)
+    for name, value in (("Isovalue", isovalue), ("Smoothing", smoothing_mm), ("Air", background)):
+        getattr(surface, f"SetAutomatic{name}")(value is None)
+        if value is not None:
+            getattr(surface, f"Set{name}")(value)
+    result = run(surface, progress, abort)
+    pyvista = sys.modules.get("pyvista")
+    return pyvista.wrap(result) if pyvista and isinstance(image, pyvista.DataSet) else result

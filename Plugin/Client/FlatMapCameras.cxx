@@ -69,8 +69,8 @@ void FlatMapCameras::update(pqRenderView* view)
   }
   SCOPED_UNDO_EXCLUDE();
   vtkSMProxy* proxy = view->getProxy();
-  const bool is2D = vtkSMPropertyHelper(proxy, "InteractionMode").GetAsInt() ==
-                    vtkPVRenderView::INTERACTION_MODE_2D;
+  const bool is2D =
+    vtkSMPropertyHelper(proxy, "InteractionMode").GetAsInt() == vtkPVRenderView::INTERACTION_MODE_2D;
   if (flat)
   {
     Camera camera;

@@ -9,8 +9,8 @@
 
 class pqRenderView;
 
-/// Turns the camera of a view towards a flat map and sets 2D interaction when the first flat map is shown
-/// in it. When no flat map is shown any more, the camera is where it was before.
+/// Turns the camera of a view towards a flat map and sets 2D interaction when the first flat map is
+/// shown in it. When no flat map is shown any more, the camera is where it was before.
 class FlatMapCameras : public QObject
 {
 public:

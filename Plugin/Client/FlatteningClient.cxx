@@ -6,8 +6,10 @@
 #include "FlatMapCameras.h"
 #include "FlatteningCommands.h"
 #include "MainWindow.h"
+#include "PadProposals.h"
 #include "PercentBars.h"
 #include "RegionViews.h"
+#include "SeamPreviews.h"
 
 #include <QTimer>
 
@@ -28,6 +30,9 @@ constexpr const char* ReportNames =
   "Faces|DegenerateFaces|FacesWithin.*|RootMeanSquareStretch|Mean.*(Error|Distortion|Magnitude|"
   "StretchL2|"
   "Dirichlet)|AreaWeightedMean.*|P9[59].*|Max.*|SD.*|StandardError.*|RingDistanceError|LengthScale|"
+  "AirValue|Isovalue|IsosurfaceComponents|LeftOutArea|MeanAbove|MeanBelow|NotFiniteVoxels|"
+  "ClassSeparation|"
+  "ShareBelow|SmoothingLength|"
   "Bijective|Method.*|.*Seconds|.*Iterations|Untangle.*|Newton.*|Refine.*)$";
 
 void hideReports()
@@ -59,7 +64,9 @@ void FlatteningClient::startup()
   new CutDisplays(this); // first, so that cameras see what is left of the cuts
   new FlatMapCameras(this);
   new FlatteningCommands(this);
+  new PadProposals(this);
   new PercentBars(this);
   new RegionViews(this);
+  new SeamPreviews(this);
   new ApplyNotice(this);
 }

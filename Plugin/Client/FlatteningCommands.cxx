@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FlatteningCommands.h"
 
+#include "ApplyNotice.h"
 #include "MainWindow.h"
 
 #include <pqFileDialog.h>
+#include <pqOutputPort.h>
 #include <pqPVApplicationCore.h>
 #include <pqPipelineSource.h>
 #include <pqProxyGroupMenuManager.h>
@@ -15,11 +17,15 @@
 #include <vtkObjectFactory.h>
 #include <vtkPythonInterpreter.h>
 #include <vtkSMProxyManager.h>
+#include <vtkSMProxySelectionModel.h>
+#include <vtkSMSessionProxyManager.h>
 #include <vtkSMUndoElement.h>
 
 #include <QAction>
+#include <QApplication>
 #include <QIcon>
 #include <QMenu>
+#include <QStyle>
 #include <QTimer>
 #include <QToolBar>
 
@@ -40,7 +46,7 @@ constexpr Command Commands[] = {
   { "flatten_and_compare",
     "Flatten and Compare",
     ":/SurfaceFlattening/icons/FlattenAndCompare.svg",
-    "Flatten the selected surface and show it, its maps and their distortion side by side" },
+    "Flatten the selected surface or scan and show it, its maps and their distortion side by side" },
   { "switch_colours",
     "Anatomy or Distortion",
     ":/SurfaceFlattening/icons/SwitchColours.svg",
@@ -83,11 +89,22 @@ void runPython(const QByteArray& code)
   vtkPythonInterpreter::RunSimpleString("from paraview import simple as _simple\n" + code + "\n");
 }
 
-constexpr const char* FlattenAndCompare =
-  "import surfaceflattening_commands\nsurfaceflattening_commands.run('flatten_and_compare')";
+// The file goes to Python in hexadecimal digits, as it may have any characters.
+QByteArray codeFor(const QByteArray& command, const QString& file = QString())
+{
+  return "import surfaceflattening_commands\nsurfaceflattening_commands.run('" + command +
+         "', bytes.fromhex('" + file.toUtf8().toHex() + "').decode())";
+}
 
-/// Takes back a Flatten and Compare as a whole. ParaView's own record of all its proxies, views and
-/// properties cannot be undone at once: ParaView 5.11 crashes.
+// Not as steps that ParaView's Undo takes back one by one.
+void runUnrecorded(const QByteArray& code)
+{
+  SCOPED_UNDO_EXCLUDE();
+  runPython(code);
+}
+
+/// Takes back a Flatten and Compare as a whole, and does it again. ParaView's own record of all its
+/// proxies, views and properties cannot be undone at once: ParaView 5.11 crashes.
 class ComparisonElement : public vtkSMUndoElement
 {
 public:
@@ -96,40 +113,89 @@ public:
 
   int Undo() override
   {
-    later("import surfaceflattening_layout\nsurfaceflattening_layout.take_back()");
+    if (!this->IsTakenBack)
+    {
+      later(
+        []
+        {
+          runUnrecorded(codeFor("take_back"));
+          later([] { record(true); });
+        });
+    }
+    this->IsTakenBack = true;
     return 1;
   }
 
   int Redo() override
   {
-    later(FlattenAndCompare);
+    this->IsTakenBack = false;
+    later([] { runUnrecorded(codeFor("do_again")); });
     return 1;
+  }
+
+  /// Puts a Flatten and Compare that was just done on ParaView's list of steps. ParaView forgets this
+  /// list when it closes a view, as taking a step back does, so that a step @p takenBack is put there
+  /// anew.
+  static void record(bool takenBack)
+  {
+    vtkNew<ComparisonElement> element;
+    element->SetSession(vtkSMProxyManager::GetProxyManager()->GetActiveSession());
+    element->IsTakenBack = takenBack;
+    {
+      pqScopedUndoSet undo("Flatten and Compare");
+      ADD_UNDO_ELEM(element);
+    }
+    pqUndoStack* steps = pqApplicationCore::instance()->getUndoStack();
+    if (takenBack && steps)
+    {
+      steps->undo(); // does nothing but to make it a step that can be done again
+    }
   }
 
 private:
   // When ParaView is done with its undo.
-  static void later(const char* code)
+  template <typename Action>
+  static void later(Action action)
   {
-    QTimer::singleShot(0,
-      [code]
-      {
-        SCOPED_UNDO_EXCLUDE();
-        runPython(code);
-      });
+    QTimer::singleShot(0, action);
   }
+
+  bool IsTakenBack = false;
 };
 vtkStandardNewMacro(ComparisonElement);
 
+// What is selected in the pipeline browser; null if nothing or several are.
+pqOutputPort* activePort()
+{
+  vtkSMProxySelectionModel* active =
+    vtkSMProxyManager::GetProxyManager()->GetActiveSessionProxyManager()->GetSelectionModel(
+      "ActiveSources");
+  vtkSMProxy* current = active ? active->GetCurrentProxy() : nullptr;
+  pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
+  if (auto* port = model->findItem<pqOutputPort*>(current))
+  {
+    return port;
+  }
+  auto* source = model->findItem<pqPipelineSource*>(current);
+  return source ? source->getOutputPort(0) : nullptr;
+}
+
+int sourceCount()
+{
+  return pqApplicationCore::instance()->getServerManagerModel()->findItems<pqPipelineSource*>().size();
+}
+
 void flattenAndCompare()
 {
+  const int before = sourceCount();
+  ApplyNotice::announceComparison(activePort());
+  QApplication::setOverrideCursor(Qt::WaitCursor);
+  runUnrecorded(codeFor("flatten_and_compare"));
+  QApplication::restoreOverrideCursor();
+  if (sourceCount() > before) // after an error nothing is left to be taken back
   {
-    SCOPED_UNDO_EXCLUDE();
-    runPython(FlattenAndCompare);
+    ComparisonElement::record(false);
   }
-  vtkNew<ComparisonElement> element;
-  element->SetSession(vtkSMProxyManager::GetProxyManager()->GetActiveSession());
-  pqScopedUndoSet undo("Flatten and Compare");
-  ADD_UNDO_ELEM(element);
 }
 
 void run(const Command& command)
@@ -145,8 +211,23 @@ void run(const Command& command)
     return;
   }
   pqScopedUndoSet undo(command.Text);
-  runPython("import surfaceflattening_commands\nsurfaceflattening_commands.run('" +
-            QByteArray(command.Function) + "', bytes.fromhex('" + file.toUtf8().toHex() + "').decode())");
+  runPython(codeFor(command.Function, file));
+}
+
+} // namespace
+
+namespace
+{
+
+// The measures of a selection follow it as long as there are views.
+void stopMeasures()
+{
+  if (vtkPythonInterpreter::IsInitialized())
+  {
+    vtkPythonInterpreter::RunSimpleString("import sys\n"
+                                          "_selection = sys.modules.get('surfaceflattening_selection')\n"
+                                          "_selection and _selection.stop()\n");
+  }
 }
 
 } // namespace
@@ -176,6 +257,7 @@ FlatteningCommands::FlatteningCommands(QObject* parent)
       [this] { QTimer::singleShot(0, this, [this] { this->addToMenus(); }); });
   }
   QTimer::singleShot(0, this, [this] { this->addToMenus(); });
+  connect(QCoreApplication::instance(), &QCoreApplication::aboutToQuit, this, &stopMeasures);
 }
 
 void FlatteningCommands::addToMenus()
@@ -192,16 +274,29 @@ void FlatteningCommands::addToMenus()
   }
   for (QToolBar* bar : window->findChildren<QToolBar*>(Category))
   {
-    QAction* first = bar->actions().value(0);
     if (!bar->actions().contains(this->Actions.front()))
     {
-      for (QAction* action : this->Actions)
-      {
-        if (!action->icon().isNull())
-        {
-          bar->insertAction(first, action);
-        }
-      }
+      this->addToBar(bar);
     }
   }
+}
+
+void FlatteningCommands::addToBar(QToolBar* bar)
+{
+  QAction* next = bar->actions().value(0);
+  for (QAction* action : this->Actions)
+  {
+    if (!action->icon().isNull())
+    {
+      bar->insertAction(next, action);
+      bar->widgetForAction(action)->setObjectName(action->objectName());
+    }
+  }
+  // Of a toolbar that is too wide for the window, Qt hides all but what its least width has room for:
+  // handle, extension button, and the first button with its margins.
+  QWidget* first = bar->widgetForAction(this->Actions.front());
+  QStyle* style = bar->style();
+  bar->setMinimumWidth(style->pixelMetric(QStyle::PM_ToolBarHandleExtent) +
+                       style->pixelMetric(QStyle::PM_ToolBarExtensionExtent) +
+                       2 * first->sizeHint().width());
 }

@@ -6,9 +6,11 @@
 #include <QObject>
 
 class QAction;
+class QToolBar;
 
-/// Puts the commands, which are functions of the module surfaceflattening_commands, before the filters in
-/// the menu Filters > Surface Flattening and in the toolbar of this name. A command is undone in one step.
+/// Puts the commands, which are functions of the module surfaceflattening_commands, before the filters
+/// in the menu Filters > Surface Flattening and in the toolbar of this name. A command is undone in one
+/// step.
 class FlatteningCommands : public QObject
 {
 public:
@@ -16,6 +18,7 @@ public:
 
 private:
   void addToMenus();
+  void addToBar(QToolBar* bar);
 
   QList<QAction*> Actions;
 };

@@ -68,12 +68,15 @@ void RegionViews::beginWithSelection(pqPipelineSource* source)
   }
   vtkSMProxy* proxy = source->getProxy();
   vtkSMPropertyHelper input(proxy, "Input");
-  auto* data = vtkSMSourceProxy::SafeDownCast(input.GetNumberOfElements() > 0 ? input.GetAsProxy() : nullptr);
+  auto* data =
+    vtkSMSourceProxy::SafeDownCast(input.GetNumberOfElements() > 0 ? input.GetAsProxy() : nullptr);
   vtkSMSourceProxy* selection = data ? data->GetSelectionInput(input.GetOutputPort()) : nullptr;
   if (selection && vtkSMPropertyHelper(proxy, "Selection").GetNumberOfElements() == 0)
   {
-    vtkSMPropertyHelper(proxy, kind == "FlattenRegion" ? "RegionFrom" : "WeightsFrom").Set(FromSelection);
-    vtkSMPropertyHelper(proxy, "Selection").Set(selection, data->GetSelectionInputPort(input.GetOutputPort()));
+    vtkSMPropertyHelper(proxy, kind == "FlattenRegion" ? "RegionFrom" : "WeightsFrom")
+      .Set(FromSelection);
+    vtkSMPropertyHelper(proxy, "Selection")
+      .Set(selection, data->GetSelectionInputPort(input.GetOutputPort()));
   }
 }
 

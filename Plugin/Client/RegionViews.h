@@ -8,8 +8,8 @@
 class pqPipelineSource;
 class pqRenderView;
 
-/// Sets the selection of a new Flatten Region or Area Weights to what is selected in its input, and shows
-/// the first result of a Flatten Region of a flat map in a view of its own beside the map.
+/// Sets the selection of a new Flatten Region or Area Weights to what is selected in its input, and
+/// shows the first result of a Flatten Region of a flat map in a view of its own beside the map.
 class RegionViews : public QObject
 {
 public:

@@ -134,6 +134,8 @@ def main():
     pages.write_docs()
     for path in sys.argv[3:]:
         for group in ElementTree.parse(path).getroot().iter("ProxyGroup"):
+            if group.get("name") == "internal_filters":  # what the window uses alone
+                continue
             for proxy in group.iter("SourceProxy"):
                 pages.write_filter(group.get("name"), proxy)
     pages.write_index()

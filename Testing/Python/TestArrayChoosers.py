@@ -28,7 +28,12 @@ assert surface.FieldData["Figure"] and surface.PointData["Height"] and surface.C
 tested = set()
 for path in sorted(glob.glob(os.path.join(PLUGIN, "*.xml"))):
     for proxy in xml.parse(path).getroot().iter("SourceProxy"):
-        choosers = [p.get("name") for p in proxy.iter("StringVectorProperty") if p.find("ArrayListDomain") is not None]
+        choosers = [
+            p.get("name")
+            for p in proxy.iter("StringVectorProperty")
+            for domain in p.findall("ArrayListDomain")
+            if domain.get("none_string")  # that of Volume To Surface begins with the active scalars
+        ]
         if not choosers:
             continue
         fresh = getattr(simple, proxy.get("name"))(Input=surface)

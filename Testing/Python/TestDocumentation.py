@@ -7,7 +7,7 @@ import surfaceflattening
 
 classes = {name: getattr(surfaceflattening, name) for name in dir(surfaceflattening) if name.startswith("vtk")}
 filters = {name: kind for name, kind in classes.items() if name != "vtkBlockwisePolyDataAlgorithm"}
-assert len(filters) == 13, sorted(filters)
+assert len(filters) == 15, sorted(filters)
 
 
 def text_of(method):

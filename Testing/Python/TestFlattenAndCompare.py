@@ -5,17 +5,11 @@ undo, and bad input, after which nothing is left."""
 import math
 
 from paraview import servermanager, simple
-from surfaceflattening_layout import (
-    ANATOMY,
-    DISTORTION,
-    flatten_and_compare,
-    measured_errors,
-    nice_length,
-    switch_colours,
-    take_back,
-)
+from surfaceflattening_colours import ANATOMY, DISTORTION, switch_colours
+from surfaceflattening_layout import do_again, flatten_and_compare, take_back
 from surfaceflattening_outlines import label_array, label_outlines
 from surfaceflattening_selection import measure_selection, percent
+from surfaceflattening_views import measured_errors, nice_length
 
 
 def expect_refusal(source, word):
@@ -35,7 +29,7 @@ try:
 except ValueError as error:
     assert "pipeline browser" in str(error), error
 image = simple.Wavelet()
-expect_refusal(image, "Contour")
+expect_refusal(simple.Tetrahedralize(Input=image), "Extract Surface")
 cloud = simple.PointSource(NumberOfPoints=100)
 expect_refusal(cloud, "Surface To Disk has no output")  # a message says that there are no triangles
 strip = simple.ProgrammableSource(  # a Moebius strip: the first of the filters fails
@@ -227,4 +221,34 @@ assert counts[0] == counts[1], counts
 take_back()
 take_back()
 assert set(simple.GetSources()) == names, set(simple.GetSources()) ^ names
+assert len(simple.GetLayouts()) == 1
+
+# A scan: its surface is taken first. Taken back, done again and taken back, nothing of it is left, twice.
+ball = simple.Calculator(Input=image, ResultArrayName="RTData", Function="if(mag(coords)<6, 100, 0)")
+scanned = flatten_and_compare(ball)
+surface = simple.FindSource("Surface of the scan")
+isovalue = surface.FieldData["Isovalue"].GetRange()[0]
+area = scanned.area_preserving.FieldData["SurfaceArea"].GetRange()[0]
+assert isovalue == 50, isovalue
+# The smoothing by 2 voxels moves the surface of a ball of radius 6 inwards by about 2^2 / 6.
+assert math.isclose(area, 4 * math.pi * (6 - 4 / 6) ** 2, rel_tol=0.1), area
+# Both banks of the seam have the same colours, in all three views.
+banks = [source for (name, _id), source in simple.GetSources().items() if name.startswith("Banks of the seams")]
+assert len(banks) == 3, banks
+for lines in banks:
+    line = servermanager.Fetch(lines)
+    along = line.GetPointData().GetArray("SeamDistance")
+    inner = [k for k in range(line.GetNumberOfPoints()) if along.GetTuple1(k) > 0]
+    pairs = [round(along.GetTuple1(k), 9) for k in inner]
+    twice = [value for value in pairs if pairs.count(value) >= 2]
+    # Where triangles were divided at one bank alone, a point has no twin.
+    assert len(inner) > 20 and len(twice) > 0.6 * len(pairs), (len(twice), len(pairs))
+made = set(simple.GetSources())
+take_back()
+between = set(simple.GetSources())
+assert len(between) < len(made) and simple.FindSource("Surface of the scan") is None
+do_again()
+assert {name for name, _ in simple.GetSources()} == {name for name, _ in made}
+take_back()
+assert set(simple.GetSources()) == between, set(simple.GetSources()) ^ between
 assert len(simple.GetLayouts()) == 1

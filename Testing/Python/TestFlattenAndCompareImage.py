@@ -7,7 +7,8 @@ import tempfile
 
 from ImageBaseline import expect_baseline, expect_not_baseline
 from paraview import simple
-from surfaceflattening_layout import ANATOMY, flatten_and_compare
+from surfaceflattening_colours import ANATOMY
+from surfaceflattening_layout import flatten_and_compare
 
 NAME = "FlattenAndCompare"
 SIZE = [600, 400]

@@ -113,7 +113,7 @@ for k in range(11):
 volume.GetPointData().SetScalars(values)
 skin = surfaceflattening.isosurface(volume, 12, smoothing_mm=0)
 assert abs(area(skin) / (4 * 3.14159265 * 64) - 1) < 0.03, area(skin)
-assert "between" in raised(ValueError, surfaceflattening.isosurface, volume, 99)
+assert "between" in raised(surfaceflattening.FlatteningError, surfaceflattening.isosurface, volume, 99)
 assert "not an image" in raised(TypeError, surfaceflattening.isosurface, surface, 1)
 
 # Errors are exceptions with the message of the filter alone.

@@ -100,7 +100,8 @@ def check_surface(name, path, values, affine):
     expected = nibabel.affines.apply_affine(affine, surface_in_voxels(values))
     error = greatest_difference(points, expected)
     assert error < 1e-5, (name, error)
-    voxels, voxel_faces, _data = points_and_faces(recipe.contour)
+    unmoved = isosurface(scan, 50, smoothing_mm=0, padding=0, patient_space=False)
+    voxels, voxel_faces, _data = points_and_faces(unmoved.surface)
     volume, area = volume_and_area(points, faces)
     in_voxels, _area = volume_and_area(voxels, voxel_faces)
     # A mirror image has a volume of the other sign. So has a surface that is inside out.

@@ -57,6 +57,13 @@ def volume():
     return image
 
 
+def field():
+    image = volume()
+    for i in range(image.GetNumberOfPoints()):
+        image.GetPointData().GetScalars().SetValue(i, 0.7 - math.dist(image.GetPoint(i), (0, 0, 0)))
+    return image
+
+
 def grid():
     source = vtkPlaneSource()
     source.SetResolution(16, 16)
@@ -117,6 +124,17 @@ MAKERS = (
     lambda: applied("vtkFlatMapImage", flat, Size=40),
     lambda: with_second(applied("vtkFlatMapSlab", flat, StackSize=20), volume()),
     lambda: with_second(applied("vtkFlatMapTransfer", flat), disk),
+    lambda: applied(
+        "vtkVolumeToSurface",
+        field(),
+        AutomaticIsovalue=False,
+        Isovalue=0.1,
+        AutomaticSmoothing=False,
+        Smoothing=0.1,
+        AutomaticAir=False,
+        Air=-1.0,
+    ),
+    lambda: applied("vtkVolumeToSurface", field(), ComponentMode=0),
     lambda: with_second(applied("vtkPlanarWarp", flat_plane, SubdivideLines=True), plane),
 )
 

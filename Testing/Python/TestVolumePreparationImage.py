@@ -37,7 +37,7 @@ view.CameraParallelScale = 9.0
 
 def image_of(surface, name):
     display = simple.Show(surface, view)
-    simple.ColorBy(display, None)
+    display.ColorArrayName = ["POINTS", ""]
     display.SetRepresentationType("Surface With Edges")
     display.AmbientColor = display.DiffuseColor = [0.9, 0.7, 0.3]
     display.EdgeColor = [0.0, 0.0, 0.0]

@@ -13,7 +13,7 @@ import numpy as np
 import VolumeFiles
 from paraview import servermanager, simple
 from paraview.simple import OpenDataFile, SurfaceToDisk
-from surfaceflattening_volume import contour, isosurface, metaimage_of_invesalius, pad, smooth
+from surfaceflattening_volume import cast_to_float, contour, isosurface, metaimage_of_invesalius, pad, smooth
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 SPACING = (1.0, 1.0, 1.5)  # mm
@@ -121,14 +121,22 @@ def check_readers(folder, phantom):
 
 
 def check_steps(image):
-    recipe = isosurface(image, ISOVALUE, smoothing_mm=1.5, padding=4, background=-1024)
-    assert list(recipe.smoothed.StandardDeviations) == [1.5, 1.5, 1.0]  # voxels
-    assert list(recipe.padded.OutputWholeExtent) == [-4, 43, -4, 41, -4, 28]
-    assert recipe.padded.Constant == -1024
+    # The single steps give what the filter gives, and none of them is needed.
+    floating = cast_to_float(image)
+    padded = pad(floating, 4, -1024)
+    smoothed = smooth(padded, 1.5)
+    assert list(smoothed.StandardDeviations) == [1.5, 1.5, 1.0]  # voxels
+    assert list(padded.OutputWholeExtent) == [-4, 43, -4, 41, -4, 28]
+    assert padded.Constant == -1024
+    steps = fetch(contour(smoothed, ISOVALUE, "Single steps"))
     names = {name for name, _id in simple.GetSources()}
-    assert {"Float", "Padded", "Smoothed, 1.5 mm", "Isosurface"} <= names, names
+    assert {"Float", "Padded", "Smoothed, 1.5 mm", "Single steps"} <= names, names
+    whole = fetch(isosurface(image, ISOVALUE, smoothing_mm=1.5, padding=4, background=-1024).surface)
+    assert whole.GetNumberOfPoints() == steps.GetNumberOfPoints() > 1000
+    # The points come in another order.
+    one, other = (np.sort(vtk_to_numpy(surface.GetPoints().GetData()), axis=0) for surface in (whole, steps))
+    assert np.abs(one - other).max() < 1e-4, np.abs(one - other).max()
     unsmoothed = isosurface(image, ISOVALUE, smoothing_mm=0, padding=0)
-    assert unsmoothed.smoothed == unsmoothed.padded == unsmoothed.floating
     assert fetch(SurfaceToDisk(Input=unsmoothed.surface)).GetNumberOfCells() > 0
 
 

@@ -1,22 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """One case from its file to a measured flat map, by the filters that ParaView's menus have."""
 
-import math
 import resource
 from dataclasses import dataclass, field
 
 from case_files import CaseError, Messages, is_volume, read
-from vtkmodules.vtkFiltersCore import vtkContourFilter
-from vtkmodules.vtkImagingCore import vtkImageCast, vtkImageConstantPad
-from vtkmodules.vtkImagingGeneral import vtkImageGaussianSmooth
 
 try:
     from surfaceflattening import (
         vtkConformalDiskFilter,
         vtkDistortionMetrics,
         vtkOMTAreaPreservingFilter,
-        vtkPatientSpace,
         vtkSurfaceToDiskFilter,
+        vtkVolumeToSurface,
     )
 except ImportError as error:
     raise SystemExit(
@@ -33,8 +29,8 @@ STAGES = {
     vtkConformalDiskFilter: "Conformal Disk",
     vtkOMTAreaPreservingFilter: "OMT Area Preserving",
     vtkDistortionMetrics: "Distortion Metrics",
+    vtkVolumeToSurface: "Volume To Surface",
 }
-MARGIN = 10  # voxels around a volume
 
 # Field data of the flat map that the summary has, in this order.
 FIGURES = (
@@ -77,45 +73,15 @@ def run(algorithm, warnings, announce):
 
 
 def isosurface(image, isovalue, smoothing):
-    """The steps of docs/volumes.md: cast, pad, smooth by @smoothing mm, contour, move to patient space."""
-    scalars = image.GetPointData().GetScalars()
-    if scalars is None or scalars.GetNumberOfComponents() != 1:
-        raise CaseError("the volume has no single value per voxel")
-    if not all(math.isfinite(size) and size > 0 for size in image.GetSpacing()):
-        raise CaseError(f"the voxels have the sizes {', '.join(f'{size:g}' for size in image.GetSpacing())}")
-    low, high = scalars.GetRange()
-    cast = vtkImageCast()
-    cast.SetInputData(image)
-    cast.SetOutputScalarTypeToFloat()
-    pad = vtkImageConstantPad()
-    pad.SetInputConnection(cast.GetOutputPort())
-    pad.SetOutputWholeExtent(
-        [e + m for e, m in zip(image.GetExtent(), (-MARGIN, MARGIN) * 3)]
-    )
-    pad.SetConstant(low)
-    last = pad
-    if smoothing > 0:
-        last = vtkImageGaussianSmooth()
-        last.SetInputConnection(pad.GetOutputPort())
-        last.SetStandardDeviations([smoothing / s for s in image.GetSpacing()])
-        last.SetRadiusFactors(3, 3, 3)
-    last.Update()
-    low, high = last.GetOutput().GetScalarRange()
-    if not low < isovalue < high:
-        raise CaseError(
-            f"the isovalue {isovalue:g} is not between the least and greatest value, {low:g} and {high:g}"
-        )
-    contour = vtkContourFilter()
-    contour.SetInputConnection(last.GetOutputPort())
-    contour.SetValue(0, isovalue)
-    contour.ComputeNormalsOff()
-    contour.Update()
-    if contour.GetOutput().GetFieldData().HasArray("PatientMatrix") == 0:
-        return contour.GetOutput()
-    placed = vtkPatientSpace()
-    placed.SetInputConnection(contour.GetOutputPort())
-    placed.Update()
-    return placed.GetOutput()
+    """Volume To Surface at an isovalue, smoothed by @smoothing mm, with all components."""
+    surface = vtkVolumeToSurface()
+    surface.SetInputData(image)
+    surface.AutomaticIsovalueOff()
+    surface.SetIsovalue(isovalue)
+    surface.AutomaticSmoothingOff()
+    surface.SetSmoothing(smoothing)
+    surface.SetComponentModeToAll()
+    return run(surface, [], lambda stage: None)
 
 
 def flatten(path, settings, announce=lambda stage: None):

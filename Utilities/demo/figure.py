@@ -7,7 +7,7 @@
 """
 
 from paraview import servermanager, simple
-from surfaceflattening_layout import measured_errors, split
+from surfaceflattening_views import measured_errors, split
 
 # Pixels of layout and picture alike: a chart saved larger than it is writes its titles over its labels.
 SIZE = (2100, 1180)

@@ -209,7 +209,9 @@ def proxies(repository):
     found = {
         proxy.get("name"): proxy
         for path in sorted((repository / "Plugin").glob("*.xml"))
-        for proxy in ElementTree.parse(path).getroot().iter("SourceProxy")
+        for group in ElementTree.parse(path).getroot().iter("ProxyGroup")
+        for proxy in group.iter("SourceProxy")
+        if group.get("name") != "internal_filters"  # what the window uses alone
     }
     menu = [proxy.get("name") for proxy in ElementTree.parse(repository / "Plugin/Menu.xml").getroot().iter("Proxy")]
     return [found[name] for name in [*menu, *(name for name in found if name not in menu)]]

@@ -49,7 +49,7 @@ def titled_view(layout, cell, title):
 
 def show(data, view, colour):
     display = simple.Show(data, view)
-    simple.ColorBy(display, None)
+    display.ColorArrayName = ["POINTS", ""]
     display.DiffuseColor = display.AmbientColor = colour
     return display
 

@@ -17,7 +17,7 @@ from aal_atlas import UNLABELLED, colour_of, read_names
 from figure import INK, look, region_colour_map, render_view, shade_map, show_regions
 from flattening_pipeline import ISOVALUE, LABEL_REACH, REGION, SHADE, SMOOTHING, with_shade
 from paraview import simple
-from surfaceflattening_layout import measured_errors, split
+from surfaceflattening_views import measured_errors, split
 from surfaceflattening_volume import cast_to_float, contour, pad, smooth
 
 TEMPLATES = "/usr/share/mricron/templates"

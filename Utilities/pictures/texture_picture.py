@@ -58,7 +58,7 @@ def show(source, view, texture):
     view.Background = [1.0, 1.0, 1.0]
     view.OrientationAxesVisibility = 0
     display = simple.Show(source, view)
-    simple.ColorBy(display, None)
+    display.ColorArrayName = ["POINTS", ""]
     display.DiffuseColor = [1.0, 1.0, 1.0]
     display.Texture = texture
 

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkSeamPreview.h"
+
+#include "Core/Geodesics/GeodesicPath.h"
+#include "Internal/FilterExecution.h"
+#include "Internal/PolyDataConversion.h"
+#include "Internal/TriangulatedInput.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkInformationVector.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <optional>
+
+vtkStandardNewMacro(vtkSeamPreview);
+
+namespace
+{
+
+using flattening::SurfaceMesh;
+using Line = std::vector<Eigen::Vector3d>;
+
+std::optional<SurfaceMesh> connected(const flattening::TriangleMesh& mesh)
+{
+  try
+  {
+    return flattening::toSurfaceMesh(mesh);
+  }
+  catch (const flattening::TopologyError&)
+  {
+    return std::nullopt; // it will be repaired before it is cut
+  }
+}
+
+int nearestVertex(const flattening::Points3& points, const Eigen::Vector3d& picked)
+{
+  Eigen::Index nearest = 0;
+  (points.rowwise() - picked.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+  return static_cast<int>(nearest);
+}
+
+Line legBetween(const std::optional<SurfaceMesh>& surface,
+  const flattening::Points3& points,
+  int from,
+  int to,
+  const flattening::ProgressCallback& progress)
+{
+  Line line;
+  try
+  {
+    if (surface)
+    {
+      using Vertex = SurfaceMesh::Vertex_index;
+      for (const flattening::PathPoint& point :
+        flattening::geodesicPath(*surface, Vertex(from), Vertex(to), progress).Points)
+      {
+        line.push_back(flattening::positionOf(*surface, point));
+      }
+    }
+  }
+  catch (const flattening::TopologyError&)
+  {
+    line.clear(); // the points are on different components
+  }
+  return line.empty() ? Line{ points.row(from), points.row(to) } : line;
+}
+
+} // namespace
+
+void vtkSeamPreview::SetNumberOfSeamPoints(int number)
+{
+  this->SeamPoints.resize(std::max(number, 0), { 0.0, 0.0, 0.0 });
+  this->Modified();
+}
+
+void vtkSeamPreview::SetSeamPoint(int index, double x, double y, double z)
+{
+  if (index >= 0 && index < static_cast<int>(this->SeamPoints.size()))
+  {
+    this->SeamPoints[index] = { x, y, z };
+    this->Modified();
+  }
+}
+
+void vtkSeamPreview::SetNumberOfSeamPathStarts(int number)
+{
+  this->SeamPathStarts.resize(std::max(number, 0), 0);
+  this->Modified();
+}
+
+void vtkSeamPreview::SetSeamPathStart(int index, int point)
+{
+  if (index >= 0 && index < static_cast<int>(this->SeamPathStarts.size()))
+  {
+    this->SeamPathStarts[index] = point;
+    this->Modified();
+  }
+}
+
+void vtkSeamPreview::Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const flattening::ProgressCallback progress = flattening::progressOf(this);
+  const flattening::TriangleMesh mesh =
+    flattening::toTriangleMesh(flattening::triangulate(vtkPolyData::GetData(inputVector[0])));
+  const std::optional<SurfaceMesh> surface = connected(mesh);
+  std::vector<int> vertices;
+  for (const std::array<double, 3>& point : this->SeamPoints)
+  {
+    vertices.push_back(nearestVertex(mesh.Vertices, Eigen::Vector3d(point.data())));
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkIntArray> legs;
+  legs->SetName("Leg");
+  for (int k = 1; k < static_cast<int>(vertices.size()); ++k)
+  {
+    const std::vector<int>& starts = this->SeamPathStarts;
+    if (std::find(starts.begin(), starts.end(), k) != starts.end() || vertices[k] == vertices[k - 1])
+    {
+      continue;
+    }
+    const Line leg = legBetween(surface,
+      mesh.Vertices,
+      vertices[k - 1],
+      vertices[k],
+      flattening::atFraction(progress, 0.5, "Seam"));
+    lines->InsertNextCell(static_cast<int>(leg.size()));
+    legs->InsertNextValue(k - 1);
+    for (const Eigen::Vector3d& point : leg)
+    {
+      lines->InsertCellPoint(points->InsertNextPoint(point.data()));
+    }
+  }
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  output->SetPoints(points);
+  output->SetLines(lines);
+  output->GetCellData()->AddArray(legs);
+  flattening::report(progress, 1.0, "Done");
+}
+
+void vtkSeamPreview::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SeamPoints: " << this->SeamPoints.size() << "\n";
+  os << indent << "SeamPathStarts: " << this->SeamPathStarts.size() << "\n";
+}
