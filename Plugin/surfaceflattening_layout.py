@@ -23,6 +23,7 @@ from dataclasses import dataclass
 from paraview import servermanager, simple
 from surfaceflattening_outlines import label_array, label_outlines
 from surfaceflattening_selection import percent, show_measures
+from surfaceflattening_volume import in_patient_space
 
 MEASURES = (
     # cell array, title of the axis, range of the colours and the histogram, number of bars
@@ -80,7 +81,11 @@ _earlier = []  # what there was before each flatten_and_compare()
 
 def _flatten_and_compare(surface, cut):
     disk = _updated(
-        simple.SurfaceToDisk(registrationName=_unused("Surface to disk"), Input=surface, Cut=cut)
+        simple.SurfaceToDisk(
+            registrationName=_unused("Surface to disk"),
+            Input=in_patient_space(surface, _unused("Patient space")),
+            Cut=cut,
+        )
     )
     conformal_map = _updated(
         simple.ConformalDisk(registrationName=_unused("Conformal disk"), Input=disk)

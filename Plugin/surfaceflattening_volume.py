@@ -104,8 +104,13 @@ def contour(image, isovalue, name="Isosurface"):
 
 def in_patient_space(surface, name="Patient space"):
     """The @surface of a scan where it lies in the patient: x is right, y is front, z is top, in mm (RAS+). The
-    surface itself if it is there already, or if its file has no orientation."""
-    if not _field(surface, "PatientMatrix") or _field(surface, "InPatientSpace"):
+    surface itself if it is there already, if its file has no orientation, or if it is a flat map."""
+    points = _information(surface).GetPointDataInformation()
+    if (
+        not _field(surface, "PatientMatrix")
+        or _field(surface, "InPatientSpace")
+        or points.GetArrayInformation("SurfacePoints")
+    ):
         return surface
     return _filter("PatientSpace")(registrationName=name, Input=surface)
 
@@ -138,7 +143,8 @@ def isosurface(
     if patient_space and hasattr(image, "FileName") and not _field(image, "PatientMatrix"):
         warnings.warn(
             "The reader of the scan does not say where it lies in the patient, so that left and right are as the "
-            "voxels are stored: open it by open_scan of surfaceflattening_scans, which tells what the file has.",
+            "voxels are stored: in Python open the file by surfaceflattening_scans.open_scan(path), in the window by "
+            "File > Open and Scan Reader, which tell what it has.",
             stacklevel=2,
         )
     surface = in_patient_space(in_voxels) if patient_space else in_voxels
