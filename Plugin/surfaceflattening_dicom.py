@@ -63,16 +63,17 @@ class DICOMScan(Scan):
         return volume
 
     def _pixels(self, pydicom, file):
-        item = pydicom.dcmread(file)
         try:
+            item = pydicom.dcmread(file)
             pixels = item.pixel_array
         except (ImportError, RuntimeError, NotImplementedError) as error:
+            absent = "handlers" in str(error)  # what pydicom says of them helps nobody
             raise ScanError(
-                f"{file}: its compression, {item.file_meta.TransferSyntaxUID.name}, cannot be read here "
-                f"(the package python3-gdcm brings most of them): {CONVERTER}. {error}"
+                f"{file}: its compression, {item.file_meta.TransferSyntaxUID.name}, cannot be read here (the package "
+                f"python3-gdcm brings most of them): {CONVERTER}{'' if absent else f'. {error}'}"
             ) from None
-        except (AttributeError, ValueError) as error:
-            raise ScanError(f"{file}: the pixels cannot be read: {error}") from None
+        except Exception as error:  # decoders have exceptions of their own for damaged files
+            raise ScanError(f"{file}: the pixels cannot be read, the file may be damaged: {error}") from None
         if pixels.ndim != 2:
             raise ScanError(f"{file}: an image has {pixels.ndim} dimensions, not 2: {CONVERTER}")
         slope, intercept = float(item.get("RescaleSlope", 1)), float(item.get("RescaleIntercept", 0))
@@ -106,6 +107,7 @@ def _series(path, warnings):
             item = pydicom.dcmread(file, stop_before_pixels=True)
         except (pydicom.errors.InvalidDicomError, OSError, ValueError, KeyError):
             continue
+        item.filename = file  # pydicom has none for deflated files
         if "Rows" in item and "SeriesInstanceUID" in item:
             series.setdefault(item.SeriesInstanceUID, []).append(item)
     if not series:

@@ -7,8 +7,10 @@ import tempfile
 import gdcm
 import nibabel
 import numpy as np
+import pydicom
 import VolumeFiles
 from paraview import servermanager, simple
+from pydicom.pixel_data_handlers import numpy_handler
 from surfaceflattening_scans import ScanError, open_scan, read_scan, scan_of
 from surfaceflattening_volume import isosurface
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -291,11 +293,17 @@ def check_dicom(folder):
 
 
 def check_compressed(folder):
-    """Slices in JPEG without loss, as archives send them, made by GDCM."""
+    """Slices compressed without loss, as archives send them, made by GDCM."""
     values, affine = marker(), affine_of(np.eye(3), SIZES["1 x 1 x 3 mm"])
     path = os.path.join(folder, "compressed")
     VolumeFiles.write_dicom_series(path, values.T, None, LPS @ affine)
-    for syntax in (gdcm.TransferSyntax.JPEGLosslessProcess14_1, gdcm.TransferSyntax.JPEG2000Lossless):
+    for syntax in (
+        gdcm.TransferSyntax.JPEGLosslessProcess14_1,
+        gdcm.TransferSyntax.JPEG2000Lossless,
+        gdcm.TransferSyntax.JPEGLSLossless,
+        gdcm.TransferSyntax.RLELossless,
+        gdcm.TransferSyntax.DeflatedExplicitVRLittleEndian,
+    ):
         for name in os.listdir(path):
             reader, change, writer = gdcm.ImageReader(), gdcm.ImageChangeTransferSyntax(), gdcm.ImageWriter()
             file = os.path.join(path, name)
@@ -310,6 +318,22 @@ def check_compressed(folder):
             assert writer.Write()
         check_surface(f"DICOM, {gdcm.TransferSyntax(syntax)}", path, values, affine)
         clear()
+        if syntax == gdcm.TransferSyntax.JPEGLSLossless:
+            check_without_decoder(path)
+
+
+def check_without_decoder(path):
+    """Without GDCM the message says which compression it is, and what to install or to do."""
+    handlers, pydicom.config.pixel_data_handlers = pydicom.config.pixel_data_handlers, [numpy_handler]
+    try:
+        read_scan(path)
+        raise AssertionError("JPEG-LS was read without a decoder")
+    except ScanError as error:
+        for word in ("JPEG-LS Lossless", "package python3-gdcm", "package dcm2niix"):
+            assert word in str(error), error
+        print(error)
+    finally:
+        pydicom.config.pixel_data_handlers = handlers
 
 
 with tempfile.TemporaryDirectory() as scratch:
