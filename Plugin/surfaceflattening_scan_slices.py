@@ -25,12 +25,14 @@ def show_scan_slices(source=None, view=None):
     Raises ValueError.
     """
     source = source or simple.GetActiveSource()
-    scan = _scan_of(source)
+    images = _images_of(source)
     view = view or simple.GetActiveViewOrCreate("RenderView")
-    volume = _in_patient_space(scan)
+    volume = _in_patient_space(images[-1])
     middle = source if _field(source, "InPatientSpace") else volume
     bounds = middle.GetDataInformation().GetBounds()
-    simple.Hide(scan, view)  # which the view has at its rows and columns
+    for image in images:  # which the view has at their rows and columns
+        if not _field(image, "InPatientSpace"):
+            simple.Hide(image, view)
     slices = []
     for name, normal in PLANES.items():
         item = simple.Slice(registrationName=f"{name} slice", Input=volume, SliceType="Plane")
@@ -39,24 +41,26 @@ def show_scan_slices(source=None, view=None):
         item.Triangulatetheslice = 0
         _show_in_grey(item, volume, view)
         slices.append(item)
+    if source in images:
+        simple.ResetCamera(view)
     simple.SetActiveSource(source)
     view.StillRender()
     return slices
 
 
-def _scan_of(source):
-    """The first image with a place in the patient on the way to the source, which may be that image: the scan itself, not
-    a smoothed one."""
+def _images_of(source):
+    """The images with a place in the patient on the way to the source, which may be one, and last the first of them: the
+    scan itself."""
     if source is None:
         raise ValueError("select a scan, or a surface that was made of one, in the pipeline browser")
-    found, item = None, source
+    found, item = [], source
     while hasattr(item, "UpdatePipeline"):
         item.UpdatePipeline()
         is_image = item.GetDataInformation().GetDataSetTypeAsString() in IMAGES
         if is_image and (_field(item, "PatientMatrix") or _field(item, "InPatientSpace")):
-            found = item
+            found.append(item)
         item = getattr(item, "Input", None)
-    if found is None:
+    if not found:
         raise ValueError(
             "there is no scan before this that says where it lies in the patient: open the scan with a reader of Surface "
             "Flattening, and look whether its file has an orientation"

@@ -280,16 +280,50 @@ def check_dicom(folder):
     # A missing slice within the marker, whose neighbours are the same.
     os.remove(VolumeFiles.dicom_slice_path(path, 4, SHAPE[2]))
     scan, text = messages_of(path)
-    assert "1 slices are missing" in text and scan.shape == SHAPE, text
+    assert "1 slice is missing" in text and scan.shape == SHAPE, text
     check_surface("DICOM, a slice missing", path, values, affine)
-    for name, use in (("half", 0.5),):
-        path = os.path.join(folder, name)
-        VolumeFiles.write_dicom_series(path, values.T, None, LPS @ affine, move={5: use})
-        try:
-            scan_of(path)
-            raise AssertionError("slices that are not evenly spaced were read")
-        except ScanError as error:
-            assert "evenly spaced" in str(error), error
+    path = os.path.join(folder, "half")
+    VolumeFiles.write_dicom_series(path, values.T, None, LPS @ affine, move={5: 0.5})
+    assert "evenly spaced" in refusal(path)
+    check_odd_dicom(folder, values, affine)
+
+
+def refusal(path):
+    try:
+        read_scan(path)
+    except ScanError as error:
+        assert str(error).startswith(path), error
+        return str(error)
+    raise AssertionError(f"{path} was read")
+
+
+def check_odd_dicom(folder, values, affine):
+    """Series that are no volume, or not one that can be placed, say what to do."""
+    path = os.path.join(folder, "odd")
+    for words, change in (
+        ("mosaic of several slices: dcm2niix", {"ImageType": ["ORIGINAL", "PRIMARY", "M", "MOSAIC"]}),
+        ("several frames each: dcm2niix", {"NumberOfFrames": 2}),
+        ("do not say where they lie in the patient: dcm2niix", {"ImageOrientationPatient": None}),
+        ("cannot be understood", {"ImagePositionPatient": [1.0, 2.0]}),
+        ("not at right angles", {"ImageOrientationPatient": [1, 0, 0, 1, 0, 0]}),
+        ("one slice", {"ImagePositionPatient": [1.0, 2.0, 3.0]}),
+        ("may be damaged", {"PixelData": bytes(100)}),
+    ):
+        VolumeFiles.write_dicom_series(path, values.T, None, LPS @ affine)
+        for name in os.listdir(path):
+            item = pydicom.dcmread(os.path.join(path, name))
+            for key, value in change.items():
+                if value is None:
+                    delattr(item, key)
+                else:
+                    setattr(item, key, value)
+            item.save_as(os.path.join(path, name))
+        text = refusal(path)
+        assert words in text, (words, text)
+        print(text)
+    with open(os.path.join(folder, "no.dcm"), "wb") as stream:
+        stream.write(b"nothing")
+    assert "no DICOM image" in refusal(os.path.join(folder, "no.dcm"))
 
 
 def check_compressed(folder):

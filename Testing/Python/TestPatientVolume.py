@@ -124,8 +124,11 @@ def ball(affine):
     return (np.clip(100 * (7 - away), 0, 200) * right).astype(np.float32), middle
 
 
-def picture(folder, name, surface, slices):
+def picture(folder, name, surface, slices, middle):
     view = simple.GetActiveView()
+    view.CameraParallelProjection, view.CameraParallelScale = 1, 11.0
+    view.CameraFocalPoint, view.CameraViewUp = middle, [0, 0, 1]
+    view.CameraPosition = middle + np.array([30.0, 60.0, 40.0])
     for item in slices:
         simple.Show(item, view)
     display = simple.Show(surface, view)
@@ -170,14 +173,11 @@ def check_slices(folder):
     assert more[0].Input == slices[0].Input
     for item in (recipe.contour, *more, *slices):
         simple.Hide(item, view)
-    view.CameraParallelProjection, view.CameraParallelScale = 1, 11.0
-    view.CameraFocalPoint, view.CameraViewUp = middle, [0, 0, 1]
-    view.CameraPosition = middle + np.array([30.0, 60.0, 40.0])
-    expect_baseline(picture(folder, "PatientVolume", recipe.surface, slices), "PatientVolume")
-    expect_not_baseline(picture(folder, "in_voxels", recipe.contour, slices), "PatientVolume", "a surface in voxels")
+    expect_baseline(picture(folder, "PatientVolume", recipe.surface, slices, middle), "PatientVolume")
+    expect_not_baseline(picture(folder, "in_voxels", recipe.contour, slices, middle), "PatientVolume", "a surface in voxels")
     mirrored = simple.OpenDataFile(saved(folder, values[::-1], AFFINES["oblique"], "mirrored.nii"))
     wrong = show_scan_slices(mirrored, view)
-    expect_not_baseline(picture(folder, "mirrored", recipe.surface, wrong), "PatientVolume", "left for right")
+    expect_not_baseline(picture(folder, "mirrored", recipe.surface, wrong, middle), "PatientVolume", "left for right")
 
 
 def message(error, function, *arguments):
