@@ -4,7 +4,8 @@
 import tempfile
 
 import numpy as np
-from surfaceflattening_scans import MetaImageScan, ScanError
+from surfaceflattening_scans import ScanError
+from surfaceflattening_voxel_files import MetaImageScan
 
 
 class InVesaliusScan(MetaImageScan):
