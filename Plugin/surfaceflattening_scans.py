@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Readers of scans that know where the patient is: NIfTI, DICOM, MetaImage, NRRD and InVesalius.
+"""Readers of scans that know where the patient is: NIfTI, DICOM, MetaImage, NRRD, FreeSurfer and InVesalius.
 
     from surfaceflattening_scans import open_scan
     scan = open_scan("head.nii.gz")  # a source in ParaView's pipeline browser
@@ -134,6 +134,10 @@ def scan_of(path, volume=0):
         from surfaceflattening_voxel_files import MetaImageScan, NRRDScan
 
         return (MetaImageScan if name.endswith((".mha", ".mhd")) else NRRDScan)(path)
+    if name.endswith((".mgz", ".mgh")):
+        from surfaceflattening_mgh import MGHScan
+
+        return MGHScan(path, volume)
     if name.endswith(".inv3"):
         from surfaceflattening_invesalius import InVesaliusScan
 

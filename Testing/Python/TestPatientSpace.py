@@ -225,8 +225,7 @@ def check_odd_headers(folder):
         path = os.path.join(folder, name)
         values = np.random.default_rng(1).integers(0, 99, SHAPE, np.int16)
         nibabel.save(nibabel.Nifti1Image(values, good), path)
-        with open(path, "r+b") as stream:
-            stream.truncate(os.path.getsize(path) - cut)
+        os.truncate(path, os.path.getsize(path) - cut)
         try:
             read_scan(path)
             raise AssertionError(f"{name} was read")
@@ -245,8 +244,10 @@ def check_other_formats(folder):
                 "MetaImage": stem + ".mha",
                 "NRRD": stem + ".nrrd",
                 "NRRD in RAS": stem + "_ras.nrrd",
+                "FreeSurfer": stem + ".mgz",
                 "DICOM": stem,
             }
+            nibabel.save(nibabel.MGHImage(values, affine), files["FreeSurfer"])
             VolumeFiles.write_metaimage(files["MetaImage"], values.T, None, LPS @ affine)
             VolumeFiles.write_nrrd(files["NRRD"], values.T, None, LPS @ affine)
             VolumeFiles.write_nrrd(files["NRRD in RAS"], values.T, None, affine, "RAS")
@@ -265,6 +266,24 @@ def check_other_formats(folder):
         write(path, values.T, (1, 1, 1.5))
         scan, text = messages_of(path)
         assert scan.placement.matrix is None and "left and right" in text, (kind, text)
+
+
+def check_mgh(folder):
+    values, path = marker(), os.path.join(folder, "odd.mgz")
+    image = nibabel.MGHImage(np.stack([values, values + 1], -1), affine_of(np.eye(3), np.eye(3)))
+    nibabel.save(image, path)
+    scan, text = messages_of(path)
+    assert "2 volumes: volume 0 is taken" in text and np.array_equal(scan.load(), values), text
+    assert np.array_equal(scan_of(path, 1).load(), values + 1)
+    os.truncate(path, os.path.getsize(path) // 2)
+    assert "cut short" in refusal(path)
+    path = os.path.join(folder, "plain.mgh")
+    nibabel.save(image, path)
+    with open(path, "r+b") as stream:
+        stream.seek(28)  # goodRASFlag
+        stream.write(bytes(2))
+    scan, text = messages_of(path)
+    assert scan.placement.matrix is None and "left and right" in text, text
 
 
 def check_dicom(folder):
@@ -376,5 +395,6 @@ with tempfile.TemporaryDirectory() as scratch:
     check_values(scratch)
     check_odd_headers(scratch)
     check_other_formats(scratch)
+    check_mgh(scratch)
     check_dicom(scratch)
     check_compressed(scratch)
