@@ -11,7 +11,22 @@ from vtkmodules.vtkFiltersCore import vtkContourFilter
 from vtkmodules.vtkImagingCore import vtkImageCast, vtkImageConstantPad
 from vtkmodules.vtkImagingGeneral import vtkImageGaussianSmooth
 
+from .SurfaceFlatteningFilters import vtkPatientSpace
 from .running import Abort, Progress, run
+
+
+def read_scan(path: str, volume: int = 0, warn: Any = print) -> Any:
+    """The volume in a file, with the values of its header and its place in the patient, as vtkImageData.
+
+    path: NIfTI, MetaImage, NRRD, .mgz of FreeSurfer (which needs nibabel), an InVesalius project, or a DICOM series by one
+        of its files or its folder (which needs pydicom).
+    volume: of a file with several. warn: is told what is odd about the file, a sentence each.
+    isosurface() puts its surface where the patient is: x is right, y is front, z is top, in mm.
+    Raises ValueError if the file cannot be read.
+    """
+    import surfaceflattening_scans
+
+    return surfaceflattening_scans.read_scan(path, volume=volume, warn=warn)
 
 
 def isosurface(
@@ -20,6 +35,7 @@ def isosurface(
     smoothing_mm: float = 1.0,
     padding: int = 10,
     background: Optional[float] = None,
+    patient_space: bool = True,
     *,
     progress: Progress = None,
     abort: Abort = None,
@@ -32,8 +48,10 @@ def isosurface(
         smoothed would touch itself at an isovalue that is an integer, which is then moved down by a half.
     padding: voxels that are added on every side, so that the surface is closed; 0 adds none.
     background: the value of what is added; the lowest of the image if it is not given.
+    patient_space: moves the surface of a scan of read_scan() to where the patient is; False leaves it in its voxels.
     progress, abort: see flatten().
-    Returns a vtkPolyData, or a PyVista PolyData if the image was of PyVista, in the coordinates of the image, in mm.
+    Returns a vtkPolyData, or a PyVista PolyData if the image was of PyVista, in mm, in patient space or otherwise in the
+    coordinates of the image.
     Raises ValueError if the isovalue is not between the image's values.
     """
     _require_scalar_image(image)
@@ -66,6 +84,10 @@ def isosurface(
     contour.SetInputConnection(last.GetOutputPort())
     contour.SetValue(0, isovalue)
     result = run(contour, progress, abort)
+    if patient_space and image.GetFieldData().GetArray("PatientMatrix"):
+        to_patient = vtkPatientSpace()
+        to_patient.SetInputData(result)
+        result = run(to_patient, progress, abort)
     pyvista = sys.modules.get("pyvista")
     return pyvista.wrap(result) if pyvista and isinstance(image, pyvista.DataSet) else result
 
