@@ -11,7 +11,7 @@ import surfaceflattening_orientation as orientation
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkIdTypeArray, vtkOutputWindow
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
-from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkImagingCore import vtkImageReslice
 
@@ -133,25 +133,31 @@ class ScanInPatientSpace(VTKPythonAlgorithmBase):
         self.Modified()
 
     def RequestInformation(self, _request, inputs, outputs):
-        # The place is in the field data, which are there once the scan has been read.
+        # The place is in the field data, which are there once the scan has been read; a process may have a part of it.
         self.GetInputAlgorithm(0, 0).Update(self.GetInputConnection(0, 0).GetIndex())
         image = vtkImageData.GetData(inputs[0], 0)
         try:
-            grid = Grid(patient_matrix(image), image.GetExtent(), image.GetOrigin(), image.GetSpacing())
+            matrix = patient_matrix(image)
         except PatientVolumeError:
             return 1  # RequestData says so
+        grid = Grid(matrix, self._whole_extent(inputs), image.GetOrigin(), image.GetSpacing())
         information = outputs.GetInformationObject(0)
         information.Set(vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT(), grid.extent(), 6)
         information.Set(vtkDataObject.SPACING(), list(grid.sizes), 3)
         information.Set(vtkDataObject.ORIGIN(), list(grid.origin), 3)
+        information.Set(vtkAlgorithm.CAN_PRODUCE_SUB_EXTENT(), 1)
         return 1
 
     def RequestUpdateExtent(self, _request, inputs, _outputs):
         # A part of the output may need any part of the scan.
         information = inputs[0].GetInformationObject(0)
-        whole = information.Get(vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT())
-        information.Set(vtkStreamingDemandDrivenPipeline.UPDATE_EXTENT(), whole, 6)
+        information.Set(vtkStreamingDemandDrivenPipeline.UPDATE_EXTENT(), self._whole_extent(inputs), 6)
+        information.Set(vtkStreamingDemandDrivenPipeline.UPDATE_PIECE_NUMBER(), 0)
+        information.Set(vtkStreamingDemandDrivenPipeline.UPDATE_NUMBER_OF_PIECES(), 1)
         return 1
+
+    def _whole_extent(self, inputs):
+        return inputs[0].GetInformationObject(0).Get(vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT())
 
     def RequestData(self, _request, inputs, outputs):
         image = vtkImageData.GetData(inputs[0], 0)

@@ -43,6 +43,7 @@ def show_scan_slices(source=None, view=None):
         slices.append(item)
     if source in images:
         simple.ResetCamera(view)
+        source = volume  # what is shown now, so that Show Patient Axes puts its letters around it
     simple.SetActiveSource(source)
     view.StillRender()
     return slices

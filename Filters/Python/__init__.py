@@ -4,8 +4,8 @@
     from surfaceflattening import flatten
     flat = flatten(surface)  # a vtkPolyData, a PyVista PolyData, or (points, faces) as arrays
 
-flatten() does all steps; to_disk(), conformal(), area_preserving(), distortion(), region() and isosurface() do one each.
-read_scan() opens a scan where the patient is.
+flatten() does all steps; to_disk(), conformal(), area_preserving(), distortion(), region() and isosurface() do one
+each. read_scan() opens a scan where the patient is.
 They raise FlatteningError where a filter would leave its output empty. The VTK filters themselves are here too,
 vtkSurfaceToDiskFilter and so on, for pipelines.
 

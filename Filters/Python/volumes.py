@@ -18,8 +18,8 @@ from .running import Abort, Progress, run
 def read_scan(path: str, volume: int = 0, warn: Any = print) -> Any:
     """The volume in a file, with the values of its header and its place in the patient, as vtkImageData.
 
-    path: NIfTI, MetaImage, NRRD, .mgz of FreeSurfer (which needs nibabel), an InVesalius project, or a DICOM series by one
-        of its files or its folder (which needs pydicom).
+    path: NIfTI, MetaImage, NRRD, .mgz of FreeSurfer (which needs nibabel), an InVesalius project, or a DICOM series by
+        one of its files or its folder (which needs pydicom).
     volume: of a file with several. warn: is told what is odd about the file, a sentence each.
     isosurface() puts its surface where the patient is: x is right, y is front, z is top, in mm.
     Raises ValueError if the file cannot be read.
@@ -50,8 +50,8 @@ def isosurface(
     background: the value of what is added; the lowest of the image if it is not given.
     patient_space: moves the surface of a scan of read_scan() to where the patient is; False leaves it in its voxels.
     progress, abort: see flatten().
-    Returns a vtkPolyData, or a PyVista PolyData if the image was of PyVista, in mm, in patient space or otherwise in the
-    coordinates of the image.
+    Returns a vtkPolyData, or a PyVista PolyData if the image was of PyVista, in mm, in patient space or otherwise in
+    the coordinates of the image.
     Raises ValueError if the isovalue is not between the image's values.
     """
     _require_scalar_image(image)

@@ -170,7 +170,7 @@ def check_slices(folder):
         # Twice interpolated.
         assert len(met) > 40 and abs(np.median(met) - 100) < 8, (k, len(met), np.median(met))
     more = show_scan_slices(scan, view)
-    assert more[0].Input == slices[0].Input
+    assert more[0].Input == slices[0].Input == simple.GetActiveSource()
     for item in (recipe.contour, *more, *slices):
         simple.Hide(item, view)
     expect_baseline(picture(folder, "PatientVolume", recipe.surface, slices, middle), "PatientVolume")
