@@ -44,10 +44,28 @@ def _fill_region_factors(source):
     fill_region_factors(source)
 
 
+def _flatten_cortex(source):
+    from surfaceflattening_cortex import flatten_cortex_and_show
+
+    flatten_cortex_and_show(source)
+
+
+def _patient_axes(source):
+    from surfaceflattening_axes import patient_axes
+
+    patient_axes(source)
+
+
 def _save_flat_map(source, file):
     from surfaceflattening_files import save_flat_map
 
     save_flat_map(source, file)
+
+
+def _scan_slices(source):
+    from surfaceflattening_scan_slices import show_scan_slices
+
+    show_scan_slices(source)
 
 
 def _switch_colours(_source):
@@ -73,7 +91,10 @@ COMMANDS = {
     "edit_cuts": _edit_cuts,
     "fill_region_factors": _fill_region_factors,
     "flatten_and_compare": _flatten_and_compare,
+    "flatten_cortex": _flatten_cortex,
+    "patient_axes": _patient_axes,
     "save_flat_map": _save_flat_map,
+    "scan_slices": _scan_slices,
     "switch_colours": _switch_colours,
     "take_back": _take_back,
 }

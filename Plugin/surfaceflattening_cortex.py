@@ -7,7 +7,7 @@
     cortex.table      # the areas of the regions on the surface and on the map
     cortex.patch      # flat/lh.flat.patch.3d, for FreeSurfer and pycortex
 
-The steps are sources and filters in the pipeline browser, and can be changed there. The macro "Flatten Cortex" does the
+The steps are sources and filters in the pipeline browser, and can be changed there. The command "Flatten Cortex" does the
 same with the surface that is selected.
 """
 

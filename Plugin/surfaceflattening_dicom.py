@@ -23,12 +23,22 @@ LEAST_TILT = 0.1
 # Difference of direction cosines between slices of one stack: they are written with six digits.
 SAME_DIRECTION = 1e-4
 
+# Cosine of the angle between rows and columns, which are at right angles in every image: six digits leave 1e-6.
+PERPENDICULAR = 1e-2
+
 
 class DICOMScan(Scan):
     name = "DICOM"
 
     def __init__(self, path):
-        self._path = path
+        try:
+            self._read_headers(path)
+        except ScanError:
+            raise
+        except Exception as error:  # a number that is none, a list of three that has two
+            raise ScanError(f"{path}: the headers of the series cannot be understood: {error}. {CONVERTER}") from None
+
+    def _read_headers(self, path):
         warnings = []
         slices = _stack(_series(path, warnings), path, warnings)
         self._files = [item.filename for item in slices]
@@ -63,16 +73,17 @@ class DICOMScan(Scan):
         return volume
 
     def _pixels(self, pydicom, file):
-        item = pydicom.dcmread(file)
         try:
+            item = pydicom.dcmread(file)
             pixels = item.pixel_array
         except (ImportError, RuntimeError, NotImplementedError) as error:
+            absent = "handlers" in str(error)  # what pydicom says of them helps nobody
             raise ScanError(
-                f"{file}: its compression, {item.file_meta.TransferSyntaxUID.name}, cannot be read here "
-                f"(the package python3-gdcm brings most of them): {CONVERTER}. {error}"
+                f"{file}: its compression, {item.file_meta.TransferSyntaxUID.name}, cannot be read here (the package "
+                f"python3-gdcm brings most of them): {CONVERTER}{'' if absent else f'. {error}'}"
             ) from None
-        except (AttributeError, ValueError) as error:
-            raise ScanError(f"{file}: the pixels cannot be read: {error}") from None
+        except Exception as error:  # decoders have exceptions of their own for damaged files
+            raise ScanError(f"{file}: the pixels cannot be read, the file may be damaged: {error}") from None
         if pixels.ndim != 2:
             raise ScanError(f"{file}: an image has {pixels.ndim} dimensions, not 2: {CONVERTER}")
         slope, intercept = float(item.get("RescaleSlope", 1)), float(item.get("RescaleIntercept", 0))
@@ -106,6 +117,7 @@ def _series(path, warnings):
             item = pydicom.dcmread(file, stop_before_pixels=True)
         except (pydicom.errors.InvalidDicomError, OSError, ValueError, KeyError):
             continue
+        item.filename = file  # pydicom has none for deflated files
         if "Rows" in item and "SeriesInstanceUID" in item:
             series.setdefault(item.SeriesInstanceUID, []).append(item)
     if not series:
@@ -126,8 +138,10 @@ def _series(path, warnings):
 
 def _stack(images, path, warnings):
     """The images that lie in parallel planes, sorted along their normal, one for each position."""
-    if any(int(item.get("NumberOfFrames", 1)) > 1 for item in images):
+    if any(int(item.get("NumberOfFrames", 1) or 1) > 1 for item in images):
         raise ScanError(f"{path}: these files have several frames each: {CONVERTER}")
+    if any("MOSAIC" in (item.get("ImageType") or []) for item in images):
+        raise ScanError(f"{path}: each of these images is a mosaic of several slices: {CONVERTER}")
     placed = [item for item in images if "ImageOrientationPatient" in item and "ImagePositionPatient" in item]
     if not placed or any("PixelSpacing" not in item for item in placed):
         raise ScanError(f"{path}: the images do not say where they lie in the patient: {CONVERTER}")
@@ -140,7 +154,10 @@ def _stack(images, path, warnings):
     ]
     if len(parallel) < len(images):
         warnings.append(f"{len(images) - len(parallel)} images of another size or direction are left out")
-    normal = np.cross(*_axes(first))
+    x, y = _axes(first)
+    if not abs(x @ y) < PERPENDICULAR:
+        raise ScanError(f"{path}: the orientation cannot be used, because rows and columns are not at right angles")
+    normal = np.cross(x, y)
     parallel.sort(key=lambda item: (_position(item) @ normal, int(item.get("InstanceNumber", 0) or 0)))
     stack = parallel[:1]
     for item in parallel[1:]:
@@ -173,8 +190,9 @@ def _places(slices, warnings):
     places = [0, *np.cumsum(counts).astype(int).tolist()]
     if places[-1] >= len(places):
         after = int(np.argmax(counts > 1))
+        missing = places[-1] + 1 - len(places)
         warnings.append(
-            f"{places[-1] + 1 - len(places)} slices are missing (the first after slice {after + 1} of "
+            f"{missing} {'slice is' if missing == 1 else 'slices are'} missing (the first after slice {after + 1} of "
             f"{len(slices)}): their place is filled by interpolation"
         )
     return places, (positions[-1] - positions[0]) / places[-1]
@@ -185,8 +203,8 @@ def _report_tilt(x, y, step, warnings):
     tilt = np.degrees(np.arccos(min(cosine, 1.0)))
     if tilt > LEAST_TILT:
         warnings.append(
-            f"the gantry was tilted by {tilt:.2f} degrees: the voxels are sheared, and areas are right only after "
-            "Patient Space"
+            f"the way from slice to slice is tilted by {tilt:.2f} degrees, as by a tilted gantry: the voxels are sheared, "
+            "and areas are right only after Patient Space"
         )
 
 

@@ -1,18 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The volume of an InVesalius project (.inv3) as a Scan."""
 
+import os
+import plistlib
+import tarfile
 import tempfile
 
 import numpy as np
-from surfaceflattening_scans import MetaImageScan, ScanError
+from surfaceflattening_scans import ScanError
+from surfaceflattening_voxel_files import MetaImageScan
 
 
 class InVesaliusScan(MetaImageScan):
     """A project has no orientation of the patient, as its slices come from InVesalius's own reader."""
 
     def __init__(self, path):
-        from surfaceflattening_volume import metaimage_of_invesalius
-
         self._folder = tempfile.TemporaryDirectory()
         try:
             super().__init__(metaimage_of_invesalius(path, self._folder.name))
@@ -24,3 +26,44 @@ class InVesaliusScan(MetaImageScan):
 
     def load(self):
         return np.array(super().load())
+
+
+def metaimage_of_invesalius(path, folder):
+    """Unpacks the volume of an InVesalius project (.inv3) into @folder and writes a MetaImage header beside
+    it. Returns the header's path, for OpenDataFile.
+
+    A project is a tar archive, compressed or not, with a property list, main.plist, that names a file of
+    raw voxels, their type, their number along z, y and x, and their size in mm.
+    """
+    with tarfile.open(path) as archive:
+        members = {os.path.basename(member.name): member for member in archive.getmembers()}
+        try:
+            with archive.extractfile(members["main.plist"]) as stream:
+                project = plistlib.load(stream)
+            matrix = project["matrix"]
+            spacing = project["spacing"]
+            voxels = archive.extractfile(members[matrix["filename"]])
+        except KeyError as missing:
+            raise ValueError(f"{path} is no InVesalius project: it has no {missing}") from None
+        types = {"int16": "MET_SHORT", "uint16": "MET_USHORT", "uint8": "MET_UCHAR"}
+        if matrix["dtype"] not in types:
+            raise ValueError(
+                f"{path} has voxels of type {matrix['dtype']}: known are {', '.join(types)}"
+            )
+        stem = os.path.splitext(os.path.basename(path))[0]
+        os.makedirs(folder, exist_ok=True)
+        with voxels, open(os.path.join(folder, stem + ".raw"), "wb") as raw:
+            while block := voxels.read(1 << 20):
+                raw.write(block)
+    header = os.path.join(folder, stem + ".mhd")
+    with open(header, "w", encoding="ascii") as lines:
+        lines.write(
+            "ObjectType = Image\n"
+            "NDims = 3\n"
+            f"DimSize = {' '.join(str(n) for n in reversed(matrix['shape']))}\n"
+            f"ElementSpacing = {' '.join(repr(float(s)) for s in spacing)}\n"
+            f"ElementType = {types[matrix['dtype']]}\n"
+            "ElementByteOrderMSB = False\n"
+            f"ElementDataFile = {stem}.raw\n"
+        )
+    return header

@@ -19,6 +19,7 @@ from dataclasses import dataclass
 from paraview import servermanager, simple
 from surfaceflattening_present import LINK, FilterFailed, Present, links, unused
 from surfaceflattening_views import layout_of, show_series
+from surfaceflattening_volume import in_patient_space
 
 DISPLACEMENT = "SurfaceDisplacement"
 VOLUMES = ("vtkImageData", "vtkUniformGrid")
@@ -133,7 +134,7 @@ def _flattenable(source):
 
 def _surface_of(source):
     if source.GetDataInformation().GetDataSetTypeAsString() not in VOLUMES:
-        return source
+        return in_patient_space(source, unused("Patient space"))
     return _updated(simple.VolumeToSurface(registrationName=unused("Surface of the scan"), Input=source))
 
 

@@ -284,9 +284,13 @@ def _scanner_of_surface(information):
 
 
 def _gifti(path):
-    image = nibabel().load(path)
-    if not hasattr(image, "darrays"):
-        raise CortexError("this is no GIFTI file")
+    # Not mapped into memory: nibabel takes mapped columns for rows.
+    image = nibabel().gifti.GiftiImage.from_filename(path, mmap=False)
+    for array in image.darrays:
+        # Of text nibabel makes a row of each line, which the format does not ask for.
+        order = "F" if array.ind_ord == 2 else "C"
+        if array.encoding == 1:
+            array.data = np.ravel(array.data).reshape(array.dims, order=order)
     return image
 
 

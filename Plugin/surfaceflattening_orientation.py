@@ -137,7 +137,7 @@ def nrrd_placement(fields):
         "left-posterior-superior": RAS_OF_LPS,
         "lps": RAS_OF_LPS,
     }.get(space)
-    axes = [_vector(word) for word in fields.get("space directions", "").split(")") if "(" in word]
+    axes = [axis for axis in nrrd_directions(fields) if axis is not None]
     if to_ras is None or len(axes) != 3 or any(len(axis) != 3 for axis in axes):
         return Placement(
             None, "none", [_without("the header has no space, as left-posterior-superior, with three directions")]
@@ -149,18 +149,39 @@ def nrrd_placement(fields):
     return _checked(to_ras @ matrix, "space directions")
 
 
+def nrrd_directions(fields):
+    """The vectors of the axes of a NRRD, None for an axis that is not in space; nothing without space directions."""
+    words = fields.get("space directions", "").replace(")", ") ").split()
+    # A vector may have spaces within.
+    text = " ".join(words).replace(", ", ",").replace("( ", "(").replace(" )", ")")
+    return [None if word.lower() == "none" else _vector(word.rstrip(")")) for word in text.split()]
+
+
 def header_fields(path, separator):
-    """The lines "name separator value" at the beginning of a file, with the names in lower case. They end with
-    an empty line, or with ElementDataFile."""
-    fields = {}
+    """The lines "name separator value" at the beginning of a file, with the names in lower case; the lines of a list of
+    files that the header ends with; and the number of bytes of the header. It ends with an empty line, or with
+    ElementDataFile."""
+    fields, lines, ended = {}, [], False
     with open(path, "rb") as stream:
+        end = 0
         for line in stream:
-            name, found, value = line.decode("latin-1").strip().partition(separator)
-            if found:
-                fields[name.strip().lower()] = value.lstrip("=").strip()
-            if not line.strip() or name.strip() == "ElementDataFile" or stream.tell() > 1 << 20:
+            text = line.decode("latin-1").strip()
+            if ended:
+                lines.append(text)
+                continue
+            end = stream.tell()
+            name, found, value = text.partition(separator)
+            value = value.lstrip("=").strip()
+            if found and not text.startswith("#"):
+                fields[name.strip().lower()] = value
+            if not text or end > 1 << 20:
                 break
-    return fields
+            if name.strip() == "ElementDataFile" or name.strip().lower() in ("data file", "datafile"):
+                if value.split()[:1] == ["LIST"]:
+                    ended = True
+                elif name.strip() == "ElementDataFile":
+                    break
+    return fields, [line for line in lines if line], end
 
 
 def nearest_ras(matrix):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Readers of scans that know where the patient is: NIfTI, DICOM, MetaImage, NRRD and InVesalius.
+"""Readers of scans that know where the patient is: NIfTI, DICOM, MetaImage, NRRD, FreeSurfer and InVesalius.
 
     from surfaceflattening_scans import open_scan
     scan = open_scan("head.nii.gz")  # a source in ParaView's pipeline browser
@@ -19,7 +19,7 @@ from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkOutputWindow, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkStreamingDemandDrivenPipeline
-from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkNIFTIImageReader, vtkNrrdReader
+from vtkmodules.vtkIOImage import vtkNIFTIImageReader
 
 
 class ScanError(ValueError):
@@ -114,32 +114,6 @@ class NIfTIScan(_VTKScan):
         return true_values(values, self._reader.GetRescaleSlope(), self._reader.GetRescaleIntercept())
 
 
-class MetaImageScan(_VTKScan):
-    name = "MetaImage"
-
-    def __init__(self, path):
-        super().__init__(vtkMetaImageReader(), path)
-        self._fields = orientation.header_fields(path, "=")
-        self.placement = orientation.metaimage_placement(self._fields)
-
-    def load(self):
-        values = super().load()
-        try:
-            slope = float(self._fields.get("elementtointensityfunctionslope", 1))
-            offset = float(self._fields.get("elementtointensityfunctionoffset", 0))
-        except ValueError:
-            raise ScanError(f"{self._path}: ElementToIntensityFunction is no number") from None
-        return true_values(values, slope, offset)
-
-
-class NRRDScan(_VTKScan):
-    name = "ImageFile"
-
-    def __init__(self, path):
-        super().__init__(vtkNrrdReader(), path)
-        self.placement = orientation.nrrd_placement(orientation.header_fields(path, ":"))
-
-
 def true_values(values, slope, intercept):
     """Slope and intercept applied; a slope of 0 or none means that there are none (NIfTI)."""
     if not np.isfinite([slope, intercept]).all() or slope == 0 or (slope, intercept) == (1, 0):
@@ -156,10 +130,14 @@ def scan_of(path, volume=0):
     name = path.lower()
     if name.endswith((".nii", ".nii.gz", ".hdr", ".img")):
         return NIfTIScan(path, volume)
-    if name.endswith((".mha", ".mhd")):
-        return MetaImageScan(path)
-    if name.endswith((".nrrd", ".nhdr")):
-        return NRRDScan(path)
+    if name.endswith((".mha", ".mhd", ".nrrd", ".nhdr")):
+        from surfaceflattening_voxel_files import MetaImageScan, NRRDScan
+
+        return (MetaImageScan if name.endswith((".mha", ".mhd")) else NRRDScan)(path)
+    if name.endswith((".mgz", ".mgh")):
+        from surfaceflattening_mgh import MGHScan
+
+        return MGHScan(path, volume)
     if name.endswith(".inv3"):
         from surfaceflattening_invesalius import InVesaliusScan
 

@@ -17,13 +17,11 @@ The figures below are of ch2bet.nii.gz (181 x 217 x 181 voxels of 1 mm, bytes) a
 """
 
 import math
-import os
-import plistlib
-import tarfile
 import warnings
 from dataclasses import dataclass
 
 from paraview import simple
+from surfaceflattening_invesalius import metaimage_of_invesalius  # noqa: F401
 
 
 @dataclass
@@ -95,8 +93,13 @@ def contour(image, isovalue, name="Isosurface"):
 
 def in_patient_space(surface, name="Patient space"):
     """The @surface of a scan where it lies in the patient: x is right, y is front, z is top, in mm (RAS+). The
-    surface itself if it is there already, or if its file has no orientation."""
-    if not _field(surface, "PatientMatrix") or _field(surface, "InPatientSpace"):
+    surface itself if it is there already, if its file has no orientation, or if it is a flat map."""
+    points = _information(surface).GetPointDataInformation()
+    if (
+        not _field(surface, "PatientMatrix")
+        or _field(surface, "InPatientSpace")
+        or points.GetArrayInformation("SurfacePoints")
+    ):
         return surface
     return _filter("PatientSpace")(registrationName=name, Input=surface)
 
@@ -134,7 +137,8 @@ def isosurface(
     if patient_space and hasattr(image, "FileName") and not _field(image, "PatientMatrix"):
         warnings.warn(
             "The reader of the scan does not say where it lies in the patient, so that left and right are as the "
-            "voxels are stored: open it by open_scan of surfaceflattening_scans, which tells what the file has.",
+            "voxels are stored: in Python open the file by surfaceflattening_scans.open_scan(path), in the window by "
+            "File > Open and Scan Reader, which tell what it has.",
             stacklevel=2,
         )
     surface = _filter("VolumeToSurface")(
@@ -170,47 +174,6 @@ def label_surface(atlas, labels, smoothing_mm=1.0, name="Structure", patient_spa
     if _value_range(inside)[1] < 1:
         raise ValueError(f"no voxel has the label {', '.join(map(str, labels))}: look at the atlas's list of labels")
     return isosurface(inside, 0.5, smoothing_mm, name=name, patient_space=patient_space)
-
-
-def metaimage_of_invesalius(path, folder):
-    """Unpacks the volume of an InVesalius project (.inv3) into @folder and writes a MetaImage header beside
-    it. Returns the header's path, for OpenDataFile.
-
-    A project is a tar archive, compressed or not, with a property list, main.plist, that names a file of
-    raw voxels, their type, their number along z, y and x, and their size in mm.
-    """
-    with tarfile.open(path) as archive:
-        members = {os.path.basename(member.name): member for member in archive.getmembers()}
-        try:
-            with archive.extractfile(members["main.plist"]) as stream:
-                project = plistlib.load(stream)
-            matrix = project["matrix"]
-            spacing = project["spacing"]
-            voxels = archive.extractfile(members[matrix["filename"]])
-        except KeyError as missing:
-            raise ValueError(f"{path} is no InVesalius project: it has no {missing}") from None
-        types = {"int16": "MET_SHORT", "uint16": "MET_USHORT", "uint8": "MET_UCHAR"}
-        if matrix["dtype"] not in types:
-            raise ValueError(
-                f"{path} has voxels of type {matrix['dtype']}: known are {', '.join(types)}"
-            )
-        stem = os.path.splitext(os.path.basename(path))[0]
-        os.makedirs(folder, exist_ok=True)
-        with voxels, open(os.path.join(folder, stem + ".raw"), "wb") as raw:
-            while block := voxels.read(1 << 20):
-                raw.write(block)
-    header = os.path.join(folder, stem + ".mhd")
-    with open(header, "w", encoding="ascii") as lines:
-        lines.write(
-            "ObjectType = Image\n"
-            "NDims = 3\n"
-            f"DimSize = {' '.join(str(n) for n in reversed(matrix['shape']))}\n"
-            f"ElementSpacing = {' '.join(repr(float(s)) for s in spacing)}\n"
-            f"ElementType = {types[matrix['dtype']]}\n"
-            "ElementByteOrderMSB = False\n"
-            f"ElementDataFile = {stem}.raw\n"
-        )
-    return header
 
 
 def _filter(name):

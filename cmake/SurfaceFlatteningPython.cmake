@@ -18,6 +18,25 @@ endforeach ()
 list(TRANSFORM python_files PREPEND "Filters/Python/")
 install(FILES ${python_files} DESTINATION "${SURFACEFLATTENING_PYTHON_DESTINATION}/surfaceflattening")
 
+# Modules of the plugin that need VTK alone: readers of scans, files of the cortex, the table of regions. One per line.
+set(plugin_modules
+  surfaceflattening_dicom.py
+  surfaceflattening_invesalius.py
+  surfaceflattening_mgh.py
+  surfaceflattening_neuro.py
+  surfaceflattening_neuro_writers.py
+  surfaceflattening_orientation.py
+  surfaceflattening_patient_volume.py
+  surfaceflattening_region_table.py
+  surfaceflattening_scans.py
+  surfaceflattening_voxel_files.py
+)
+foreach (file IN LISTS plugin_modules)
+  configure_file("Plugin/${file}" "${package_directory}/${file}" COPYONLY)
+endforeach ()
+list(TRANSFORM plugin_modules PREPEND "Plugin/")
+install(FILES ${plugin_modules} DESTINATION "${SURFACEFLATTENING_PYTHON_DESTINATION}")
+
 if (SKBUILD)
   # Type stubs of the wrapped classes. (VTK's own way to them works within VTK's build alone.)
   set(stubs "${package_directory}/surfaceflattening/SurfaceFlatteningFilters.pyi")

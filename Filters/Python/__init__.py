@@ -4,7 +4,8 @@
     from surfaceflattening import flatten
     flat = flatten(surface)  # a vtkPolyData, a PyVista PolyData, or (points, faces) as arrays
 
-flatten() does all steps; to_disk(), conformal(), area_preserving(), distortion(), region() and isosurface() do one each.
+flatten() does all steps; to_disk(), conformal(), area_preserving(), distortion(), region() and isosurface() do one
+each. read_scan() opens a scan where the patient is.
 They raise FlatteningError where a filter would leave its output empty. The VTK filters themselves are here too,
 vtkSurfaceToDiskFilter and so on, for pipelines.
 
@@ -24,7 +25,7 @@ except ImportError as error:
 from .SurfaceFlatteningFilters import *  # noqa: F401,F403
 from .errors import Cancelled, FlatteningError, FlatteningWarning
 from .functions import Distortion, area_preserving, conformal, distortion, flatten, region, to_disk
-from .volumes import isosurface
+from .volumes import isosurface, read_scan
 
 __all__ = [name for name in dir() if name.startswith("vtk")] + [
     "Cancelled",
@@ -36,6 +37,7 @@ __all__ = [name for name in dir() if name.startswith("vtk")] + [
     "distortion",
     "flatten",
     "isosurface",
+    "read_scan",
     "region",
     "to_disk",
 ]

@@ -10,12 +10,27 @@ from .running import Abort, Progress, run
 from .SurfaceFlatteningFilters import vtkVolumeToSurface
 
 
+def read_scan(path: str, volume: int = 0, warn: Any = print) -> Any:
+    """The volume in a file, with the values of its header and its place in the patient, as vtkImageData.
+
+    path: NIfTI, MetaImage, NRRD, .mgz of FreeSurfer (which needs nibabel), an InVesalius project, or a DICOM series by
+        one of its files or its folder (which needs pydicom).
+    volume: of a file with several. warn: is told what is odd about the file, a sentence each.
+    isosurface() puts its surface where the patient is: x is right, y is front, z is top, in mm.
+    Raises ValueError if the file cannot be read.
+    """
+    import surfaceflattening_scans
+
+    return surfaceflattening_scans.read_scan(path, volume=volume, warn=warn)
+
+
 def isosurface(
     image: Any,
     isovalue: Optional[float] = None,
     smoothing_mm: Optional[float] = 1.0,
     padding: int = 10,
     background: Optional[float] = None,
+    patient_space: bool = True,
     *,
     component: str = "All",
     progress: Progress = None,
@@ -31,10 +46,11 @@ def isosurface(
         by a half.
     padding: voxels that are added on every side, so that the surface is closed; 0 adds none.
     background: the value of what is added; the lowest of the image if it is not given.
+    patient_space: moves the surface of a scan of read_scan() to where the patient is; False leaves it in its voxels.
     component: "All", or "Largest".
     progress, abort: see flatten().
-    Returns a vtkPolyData, or a PyVista PolyData if the image was of PyVista, in mm. Its field data have the isovalue
-    (Isovalue) and what it makes of the voxels.
+    Returns a vtkPolyData, or a PyVista PolyData if the image was of PyVista, in mm, in patient space or otherwise in
+    the coordinates of the image. Its field data have the isovalue (Isovalue) and what it makes of the voxels.
     Raises FlatteningError with the filter's message if there is no such surface.
     """
     if not (hasattr(image, "IsA") and image.IsA("vtkImageData")):
@@ -48,6 +64,7 @@ def isosurface(
     surface.SetInputData(image)
     surface.SetComponentMode(modes[component.lower()])
     surface.SetMargin(padding)
+    surface.SetPatientSpace(patient_space)
     for name, value in (("Isovalue", isovalue), ("Smoothing", smoothing_mm), ("Air", background)):
         getattr(surface, f"SetAutomatic{name}")(value is None)
         if value is not None:

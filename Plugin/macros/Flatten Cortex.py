@@ -2,7 +2,7 @@
 """Macro: flattens the cortex that is selected in the pipeline browser: map, table of regions, FreeSurfer's patch."""
 
 # First, for it lets Python find the modules of plugins.
-from paraview import simple  # isort: skip
-from surfaceflattening_cortex import flatten_cortex_and_show
+from paraview import simple  # isort: skip  # noqa: F401
+import surfaceflattening_commands
 
-flatten_cortex_and_show(simple.GetActiveSource())
+surfaceflattening_commands.run("flatten_cortex")

@@ -252,3 +252,28 @@ assert {name for name, _ in simple.GetSources()} == {name for name, _ in made}
 take_back()
 assert set(simple.GetSources()) == between, set(simple.GetSources()) ^ between
 assert len(simple.GetLayouts()) == 1
+
+# The surface of a scan is moved to where the patient is first: only there the voxels, twice as high as they are broad, have
+# their areas. The hemisphere becomes half of a spheroid with the half-axes 10, 10 and 20.
+scanned = simple.ProgrammableFilter(
+    Input=sphere,
+    Script="""
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+matrix = vtkDoubleArray()
+matrix.SetName("PatientMatrix")
+matrix.SetNumberOfComponents(16)
+matrix.InsertNextTuple([-1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1])
+output.GetFieldData().AddArray(matrix)
+""",
+)
+in_patient = flatten_and_compare(scanned)
+assert in_patient.disk.Input.GetXMLName() == "PatientSpace" and in_patient.disk.Input.Input == scanned
+bounds = in_patient.morph.GetDataInformation().GetBounds()
+assert math.dist(bounds, (-35, -15, 30, 50, 100, 120)) < 0.3, bounds
+eccentricity = math.sqrt(1 - 0.5**2)
+spheroid = math.pi * RADIUS**2 * (1 + 2 / eccentricity * math.asin(eccentricity))
+measured = in_patient.area_preserving.FieldData["SurfaceArea"].GetRange()[0]
+assert math.isclose(measured, spheroid, rel_tol=5e-3), (measured, spheroid)
+take_back()
+assert scanned in simple.GetSources().values() and len(simple.GetLayouts()) == 1
+assert "PatientSpace" not in {source.GetXMLName() for source in simple.GetSources().values()}

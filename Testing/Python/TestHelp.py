@@ -25,6 +25,7 @@ pages = {name: data.decode("utf-8") for name, data in files.items() if name.ends
 
 # Their panels have little to see.
 WITHOUT_PICTURE = (
+    "AnatomicalScanReader",
     "CortexReader",
     "DICOMFolderReader",
     "ImageCast",
@@ -32,7 +33,7 @@ WITHOUT_PICTURE = (
     "NIFTIImageReader",
     "PatientSpace",
     "RegionTable",
-    "ScanReader",
+    "ScanInPatientSpace",
 )
 
 # ParaView looks a filter's page up as <group>.<name>.html.

@@ -7,8 +7,10 @@ import tempfile
 import gdcm
 import nibabel
 import numpy as np
+import pydicom
 import VolumeFiles
 from paraview import servermanager, simple
+from pydicom.pixel_data_handlers import numpy_handler
 from surfaceflattening_scans import ScanError, open_scan, read_scan, scan_of
 from surfaceflattening_volume import isosurface
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -224,8 +226,7 @@ def check_odd_headers(folder):
         path = os.path.join(folder, name)
         values = np.random.default_rng(1).integers(0, 99, SHAPE, np.int16)
         nibabel.save(nibabel.Nifti1Image(values, good), path)
-        with open(path, "r+b") as stream:
-            stream.truncate(os.path.getsize(path) - cut)
+        os.truncate(path, os.path.getsize(path) - cut)
         try:
             read_scan(path)
             raise AssertionError(f"{name} was read")
@@ -244,8 +245,10 @@ def check_other_formats(folder):
                 "MetaImage": stem + ".mha",
                 "NRRD": stem + ".nrrd",
                 "NRRD in RAS": stem + "_ras.nrrd",
+                "FreeSurfer": stem + ".mgz",
                 "DICOM": stem,
             }
+            nibabel.save(nibabel.MGHImage(values, affine), files["FreeSurfer"])
             VolumeFiles.write_metaimage(files["MetaImage"], values.T, None, LPS @ affine)
             VolumeFiles.write_nrrd(files["NRRD"], values.T, None, LPS @ affine)
             VolumeFiles.write_nrrd(files["NRRD in RAS"], values.T, None, affine, "RAS")
@@ -266,6 +269,24 @@ def check_other_formats(folder):
         assert scan.placement.matrix is None and "left and right" in text, (kind, text)
 
 
+def check_mgh(folder):
+    values, path = marker(), os.path.join(folder, "odd.mgz")
+    image = nibabel.MGHImage(np.stack([values, values + 1], -1), affine_of(np.eye(3), np.eye(3)))
+    nibabel.save(image, path)
+    scan, text = messages_of(path)
+    assert "2 volumes: volume 0 is taken" in text and np.array_equal(scan.load(), values), text
+    assert np.array_equal(scan_of(path, 1).load(), values + 1)
+    os.truncate(path, os.path.getsize(path) // 2)
+    assert "cut short" in refusal(path)
+    path = os.path.join(folder, "plain.mgh")
+    nibabel.save(image, path)
+    with open(path, "r+b") as stream:
+        stream.seek(28)  # goodRASFlag
+        stream.write(bytes(2))
+    scan, text = messages_of(path)
+    assert scan.placement.matrix is None and "left and right" in text, text
+
+
 def check_dicom(folder):
     values = marker()
     tilted = np.array([[1.0, 0, 0], [0, 1, 3 * np.tan(np.radians(12))], [0, 0, 3]])
@@ -279,24 +300,64 @@ def check_dicom(folder):
     # A missing slice within the marker, whose neighbours are the same.
     os.remove(VolumeFiles.dicom_slice_path(path, 4, SHAPE[2]))
     scan, text = messages_of(path)
-    assert "1 slices are missing" in text and scan.shape == SHAPE, text
+    assert "1 slice is missing" in text and scan.shape == SHAPE, text
     check_surface("DICOM, a slice missing", path, values, affine)
-    for name, use in (("half", 0.5),):
-        path = os.path.join(folder, name)
-        VolumeFiles.write_dicom_series(path, values.T, None, LPS @ affine, move={5: use})
-        try:
-            scan_of(path)
-            raise AssertionError("slices that are not evenly spaced were read")
-        except ScanError as error:
-            assert "evenly spaced" in str(error), error
+    path = os.path.join(folder, "half")
+    VolumeFiles.write_dicom_series(path, values.T, None, LPS @ affine, move={5: 0.5})
+    assert "evenly spaced" in refusal(path)
+    check_odd_dicom(folder, values, affine)
+
+
+def refusal(path):
+    try:
+        read_scan(path)
+    except ScanError as error:
+        assert str(error).startswith(path), error
+        return str(error)
+    raise AssertionError(f"{path} was read")
+
+
+def check_odd_dicom(folder, values, affine):
+    """Series that are no volume, or not one that can be placed, say what to do."""
+    path = os.path.join(folder, "odd")
+    for words, change in (
+        ("mosaic of several slices: dcm2niix", {"ImageType": ["ORIGINAL", "PRIMARY", "M", "MOSAIC"]}),
+        ("several frames each: dcm2niix", {"NumberOfFrames": 2}),
+        ("do not say where they lie in the patient: dcm2niix", {"ImageOrientationPatient": None}),
+        ("cannot be understood", {"ImagePositionPatient": [1.0, 2.0]}),
+        ("not at right angles", {"ImageOrientationPatient": [1, 0, 0, 1, 0, 0]}),
+        ("one slice", {"ImagePositionPatient": [1.0, 2.0, 3.0]}),
+        ("may be damaged", {"PixelData": bytes(100)}),
+    ):
+        VolumeFiles.write_dicom_series(path, values.T, None, LPS @ affine)
+        for name in os.listdir(path):
+            item = pydicom.dcmread(os.path.join(path, name))
+            for key, value in change.items():
+                if value is None:
+                    delattr(item, key)
+                else:
+                    setattr(item, key, value)
+            item.save_as(os.path.join(path, name))
+        text = refusal(path)
+        assert words in text, (words, text)
+        print(text)
+    with open(os.path.join(folder, "no.dcm"), "wb") as stream:
+        stream.write(b"nothing")
+    assert "no DICOM image" in refusal(os.path.join(folder, "no.dcm"))
 
 
 def check_compressed(folder):
-    """Slices in JPEG without loss, as archives send them, made by GDCM."""
+    """Slices compressed without loss, as archives send them, made by GDCM."""
     values, affine = marker(), affine_of(np.eye(3), SIZES["1 x 1 x 3 mm"])
     path = os.path.join(folder, "compressed")
     VolumeFiles.write_dicom_series(path, values.T, None, LPS @ affine)
-    for syntax in (gdcm.TransferSyntax.JPEGLosslessProcess14_1, gdcm.TransferSyntax.JPEG2000Lossless):
+    for syntax in (
+        gdcm.TransferSyntax.JPEGLosslessProcess14_1,
+        gdcm.TransferSyntax.JPEG2000Lossless,
+        gdcm.TransferSyntax.JPEGLSLossless,
+        gdcm.TransferSyntax.RLELossless,
+        gdcm.TransferSyntax.DeflatedExplicitVRLittleEndian,
+    ):
         for name in os.listdir(path):
             reader, change, writer = gdcm.ImageReader(), gdcm.ImageChangeTransferSyntax(), gdcm.ImageWriter()
             file = os.path.join(path, name)
@@ -311,6 +372,22 @@ def check_compressed(folder):
             assert writer.Write()
         check_surface(f"DICOM, {gdcm.TransferSyntax(syntax)}", path, values, affine)
         clear()
+        if syntax == gdcm.TransferSyntax.JPEGLSLossless:
+            check_without_decoder(path)
+
+
+def check_without_decoder(path):
+    """Without GDCM the message says which compression it is, and what to install or to do."""
+    handlers, pydicom.config.pixel_data_handlers = pydicom.config.pixel_data_handlers, [numpy_handler]
+    try:
+        read_scan(path)
+        raise AssertionError("JPEG-LS was read without a decoder")
+    except ScanError as error:
+        for word in ("JPEG-LS Lossless", "package python3-gdcm", "package dcm2niix"):
+            assert word in str(error), error
+        print(error)
+    finally:
+        pydicom.config.pixel_data_handlers = handlers
 
 
 with tempfile.TemporaryDirectory() as scratch:
@@ -319,5 +396,6 @@ with tempfile.TemporaryDirectory() as scratch:
     check_values(scratch)
     check_odd_headers(scratch)
     check_other_formats(scratch)
+    check_mgh(scratch)
     check_dicom(scratch)
     check_compressed(scratch)

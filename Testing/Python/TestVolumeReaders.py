@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One phantom in every format that scans come in becomes the same disk: ParaView's readers, the recipe of
-surfaceflattening_volume and Surface To Disk."""
+"""One phantom in every format that scans come in becomes the same disk: the readers that OpenDataFile takes, which are
+those that keep the orientation, the recipe of surfaceflattening_volume and Surface To Disk."""
 
 import io
 import math
@@ -90,6 +90,10 @@ def check_readers(folder, phantom):
         "DICOM series": simple.DICOMReaderdirectory(FileName=path("series")),
         "InVesalius": OpenDataFile(metaimage_of_invesalius(path("phantom.inv3"), path("unpacked"))),
     }
+    slices = os.listdir(path("series"))
+    scans = [images[name] for name in ("MetaImage", "NRRD", "InVesalius")]
+    for image in (*scans, OpenDataFile(path("phantom.inv3")), OpenDataFile(os.path.join(path("series"), slices[0]))):
+        assert image.GetXMLName() == "AnatomicalScanReader", (image.FileName, image.GetXMLName())
     expected = None
     for name, image in images.items():
         volume = fetch(image)

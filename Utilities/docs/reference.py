@@ -223,16 +223,26 @@ def guides(repository):
     return dict(re.findall(r"^- \[([^\]]+)\]\(docs/reference\.md#[^)]+\).*?\(docs/(\w+\.md)\b", readme, re.M))
 
 
+def page_of(proxy, repository):
+    """The page of a proxy that is no filter of README.md's list: one of a reader, or of VTK's or Python's filters."""
+    neuro = ElementTree.parse(repository / "Plugin/NeuroFiles.xml").getroot().iter("SourceProxy")
+    return "cortex.md" if proxy.get("name") in [other.get("name") for other in neuro] else "volumes.md"
+
+
 def section(proxy, repository):
-    name, kind, label = proxy.get("name"), proxy.get("class"), proxy.get("label")
+    kind, label = proxy.get("class"), proxy.get("label")
     header = repository / "Filters" / f"{kind}.h"
     yield f"## {label}"
-    yield wrapped(f"`{name}` in scripts, `{kind}` in C++. {sentence_of(proxy)}")
+    language = "C++" if kind.startswith("vtk") else "Python"
+    # paraview.simple has the label, without its spaces.
+    yield wrapped(f"`{label.replace(' ', '')}` in scripts, `{kind}` in {language}. {sentence_of(proxy)}")
     if label in guides(repository):
         page = guides(repository)[label]
         yield f"More: [{page}]({page})."
     elif not header.exists():
-        yield "More: [volumes.md](volumes.md). The class is VTK's own."
+        own = " The class is VTK's own." if kind.startswith("vtk") else ""
+        page = page_of(proxy, repository)
+        yield f"More: [{page}]({page}).{own}"
     if inputs_of(proxy):
         yield f"### {label}: inputs"
         yield "\n".join(inputs(proxy))
