@@ -171,10 +171,11 @@ def check_slices(folder):
         assert len(met) > 40 and abs(np.median(met) - 100) < 8, (k, len(met), np.median(met))
     more = show_scan_slices(scan, view)
     assert more[0].Input == slices[0].Input == simple.GetActiveSource()
-    for item in (recipe.contour, *more, *slices):
+    for item in (recipe.surface, *more, *slices):
         simple.Hide(item, view)
     expect_baseline(picture(folder, "PatientVolume", recipe.surface, slices, middle), "PatientVolume")
-    expect_not_baseline(picture(folder, "in_voxels", recipe.contour, slices, middle), "PatientVolume", "a surface in voxels")
+    in_voxels = isosurface(scan, 100, smoothing_mm=0, patient_space=False).surface
+    expect_not_baseline(picture(folder, "in_voxels", in_voxels, slices, middle), "PatientVolume", "a surface in voxels")
     mirrored = simple.OpenDataFile(saved(folder, values[::-1], AFFINES["oblique"], "mirrored.nii"))
     wrong = show_scan_slices(mirrored, view)
     expect_not_baseline(picture(folder, "mirrored", recipe.surface, wrong, middle), "PatientVolume", "left for right")
