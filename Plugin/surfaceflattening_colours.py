@@ -24,7 +24,7 @@ def switch_colours(view=None):
         colour(display, wanted)
         simple.HideUnusedScalarBars(v)
     if wanted == DISTORTION:
-        # Where there is least beside the map.
+        # The colour bar goes to the view that shows the fewest things beside the map.
         _show_distortion_bar(*min(shown, key=lambda pair: len(pair[0].Representations)))
     simple.RenderAllViews()
 

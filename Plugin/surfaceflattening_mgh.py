@@ -5,7 +5,8 @@ import numpy as np
 from surfaceflattening_orientation import Placement, fault_of
 from surfaceflattening_scans import Scan, ScanError
 
-# Where the header says whether it has an orientation. nibabel replaces one that is absent by a usual one, and keeps silent.
+# The byte of the header that says whether it has an orientation. Where there is none, nibabel takes a usual one and does not
+# say so.
 GOOD_RAS = 28
 
 

@@ -9,7 +9,7 @@ class vtkPolyData;
 namespace flattening
 {
 
-/// What components a surface had.
+/// The number of components of a surface, and their areas in its units squared.
 struct ComponentAreas
 {
   long long Count = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The histogram of a volume, and the value that parts it best.
+/// The histogram of a volume, and the value that divides it best into two classes. VTK has no such
+/// search.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +40,8 @@ struct OtsuThreshold
 /// @param low, high the least and the greatest value
 Histogram histogramOf(vtkFloatArray* values, double low, double high, bool wholeNumbers);
 
-/// What a threshold makes of the voxels, by whole bins: a bin is below if its centre is.
+/// The two classes into which @p threshold divides the voxels. A bin belongs to the class below as a
+/// whole if its centre is below the threshold.
 OtsuThreshold classesAt(const Histogram& histogram, double threshold);
 
 /// The threshold for which the variance between the two classes is greatest: N. Otsu, "A Threshold

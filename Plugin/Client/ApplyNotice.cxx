@@ -44,7 +44,8 @@ constexpr double SecondsOfComparison = 8.0e-5;
 // brain and 7.6 for a head.
 constexpr double FacesOfScan = 7.5;
 
-// Where work is that long, the notice says what would shorten it. A convention.
+// If the work is expected to take at least so many seconds, the notice says what would shorten it. A
+// convention.
 constexpr double LongWork = 30.0;
 
 QString duration(double seconds)

@@ -176,7 +176,7 @@ private:
 };
 vtkStandardNewMacro(ComparisonElement);
 
-// What is selected in the pipeline browser; null if nothing or several are.
+// The output that is selected in the pipeline browser; null if none or several are selected.
 pqOutputPort* activePort()
 {
   vtkSMProxySelectionModel* active =
@@ -304,8 +304,9 @@ void FlatteningCommands::addToBar(QToolBar* bar)
       bar->widgetForAction(action)->setObjectName(action->objectName());
     }
   }
-  // Of a toolbar that is too wide for the window, Qt hides all but what its least width has room for:
-  // handle, extension button, and the first button with its margins.
+  // Qt shrinks a toolbar that is too wide for the window to its least width and hides the buttons that
+  // have no room. The least width set here has room for the handle, the extension button, and the first
+  // button with its margins.
   QWidget* first = bar->widgetForAction(this->Actions.front());
   QStyle* style = bar->style();
   bar->setMinimumWidth(style->pixelMetric(QStyle::PM_ToolBarHandleExtent) +

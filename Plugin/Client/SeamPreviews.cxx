@@ -32,7 +32,7 @@ constexpr const char* Watched[] = { "SeamPoints", "SeamPathStarts", "UseSeamPoin
 constexpr int Seam = 1; // of CutMode
 constexpr int Automatic = 5;
 
-// What stands in the panel, whether it was applied or not.
+// The value of a property in the panel, whether it was applied or not.
 int inPanel(vtkSMProxy* disk, const char* name)
 {
   vtkSMPropertyHelper helper(disk, name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Where a seam will run, drawn while its points are picked.
+/// The preview of a seam: the line along which it will run, drawn while its points are picked.
 #pragma once
 
 #include <QObject>

@@ -19,9 +19,9 @@ constexpr double DeformationShares[] = { 1.0, 0.5, 0.25 };
 // The share of all faces that a deformation may flip where they are free to. A guard: one that flips
 // more bends thin faces, and the rounds take longer than without it.
 constexpr double MostNewlyFlipped = 1e-4;
-// Where faces may not flip: the greatest share of the faces that a deformation may flip before they are
-// untangled, and the greatest number of vertices that are moved together to untangle them. Guards for
-// the time: beyond them a smaller share of the deformation is tried.
+// In stages in which faces may not flip, these are the greatest share of the faces that a deformation
+// may flip before they are untangled, and the greatest number of vertices that are moved together to
+// untangle them. Guards for the time: beyond them a smaller share of the deformation is tried.
 constexpr double MostFlipped = 0.05;
 constexpr int LargestUntangledPatch = 200;
 

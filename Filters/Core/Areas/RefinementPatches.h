@@ -29,9 +29,9 @@ public:
   /// @p chart (n x 2) is a map in which patches are compact, such as the conformal map, whose small
   /// parts have the shapes that they have on the surface. In the map that is refined, faces may be
   /// stretched a thousand to one along the boundary. A patch that is compact there is a few faces long
-  /// and hundreds wide, so that area hardly moves along the boundary: beside a small hole the passes
-  /// took a quarter longer and left 1.5 instead of 1.3 % of the faces wrong.
-  /// The arguments must live as long as this does.
+  /// along the boundary and hundreds wide across it, so that area hardly moves along the boundary:
+  /// beside a small hole the passes took a quarter longer and left 1.5 instead of 1.3 % of the faces
+  /// wrong. The arguments must live as long as this does.
   RefinementPatches(const RefinementTerms& terms,
     const VertexFaces& facesOf,
     const DegreesOfFreedom& dofs,
