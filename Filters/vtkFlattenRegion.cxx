@@ -232,6 +232,10 @@ void vtkFlattenRegion::Execute(vtkInformationVector** inputVector, vtkInformatio
     vtkTable::GetData(outputVector, 1), measures, this->LengthUnit, output->GetFieldData());
   flattening::fillCurves(vtkPolyData::GetData(outputVector, 2), measures, disk, positions);
   setReport(output->GetFieldData(), region, margin, map);
+  if (const std::string warning = flattening::leftOutWarning(region, measures); !warning.empty())
+  {
+    vtkWarningMacro(<< this->GetBlockPrefix() << warning);
+  }
   flattening::report(progress, 1.0, "Done");
 }
 

@@ -7,7 +7,8 @@
  * surface in space. The region is given by a label in an array of labels, such as `SaliencyRegion` of
  * vtkMeshSaliency, or by a selection (port 1). With labels or selected points, a triangle belongs to
  * the region if two of its corners do. The largest connected piece is cut out as a disk with a margin
- * around it, mapped conformally, and then transported and refined so that it keeps its areas.
+ * around it, mapped conformally, and then transported and refined so that it keeps its areas. A warning
+ * says which area was left out with the other pieces.
  *
  * Output port 0 is the flat region with its margin, in the plane z = 0, with the area of the surface
  * and all arrays of the input. Output port 1 is a vtkTable with the rows `Area`, `GreatestDiameter`,

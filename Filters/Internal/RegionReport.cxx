@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Internal/RegionReport.h"
 
+#include "Core/Base/Errors.h"
 #include "Internal/PolyDataConversion.h"
+#include "Internal/ReportRows.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -21,6 +23,10 @@ namespace flattening
 {
 namespace
 {
+
+// Pieces with more than this share of the area of the region are no noise. A convention, the same as that
+// of Surface To Disk.
+constexpr double SmallestPieceLeftOut = 1e-3;
 
 struct NamedCurve
 {
@@ -181,6 +187,19 @@ void fillCurves(vtkPolyData* output,
   output->GetPointData()->AddArray(surface);
   output->GetCellData()->AddArray(names);
   output->GetCellData()->AddArray(lengths);
+}
+
+std::string leftOutWarning(const RegionDisk& region, const RegionReport& measures)
+{
+  if (region.DroppedArea <= SmallestPieceLeftOut * measures.Area)
+  {
+    return {};
+  }
+  const long long others = region.Pieces - 1;
+  return "the region is not connected: " + counted(others, "piece") + " with an area of " +
+         formatted(region.DroppedArea) + (others == 1 ? " was" : " were") +
+         " left out, beside the largest with " + formatted(measures.Area) +
+         ". To flatten another, select it alone";
 }
 
 } // namespace flattening

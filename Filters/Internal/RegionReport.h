@@ -34,6 +34,9 @@ RegionReport measureRegion(const RegionDisk& region,
   const Points2& positions,
   const ProgressCallback& progress);
 
+/// A sentence about the pieces of the region that were left out; empty if there are none, or only noise.
+std::string leftOutWarning(const RegionDisk& region, const RegionReport& measures);
+
 /// Writes a row per measure to the table and an array of one tuple per measure to the field data.
 void fillMeasures(vtkTable* table,
   const RegionReport& measures,

@@ -5,6 +5,7 @@ import math
 
 from paraview import servermanager
 from paraview.simple import Calculator, FlattenRegion, IDSelectionSource, OutputPort, Sphere
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
 ball = Sphere(Radius=20, ThetaResolution=120, PhiResolution=120)
 labelled = Calculator(Input=ball, ResultArrayName="Region", Function="1 + 6*(coordsX > 12) - (coordsX > 19.5)")
@@ -54,6 +55,20 @@ behind = [i for i in range(surface.GetNumberOfPoints()) if surface.GetPoint(i)[0
 selection = IDSelectionSource(IDs=[v for i in behind for v in (-1, i)], FieldType="POINT")
 chosen, rows = flat(RegionFrom="Selection", Selection=selection)
 assert math.isclose(rows["Area"][0], 2 * math.pi * 400 * (1 - 0.6), rel_tol=0.02)
+
+# A selection that is not connected: the largest piece is flattened, and one message says so.
+ahead = [i for i in range(surface.GetNumberOfPoints()) if surface.GetPoint(i)[0] > 15]
+selection = IDSelectionSource(IDs=[v for i in behind + ahead for v in (-1, i)], FieldType="POINT")
+window, messages = vtkOutputWindow.GetInstance(), vtkStringOutputWindow()
+vtkOutputWindow.SetInstance(messages)
+apart, rows = flat(RegionFrom="Selection", Selection=selection)
+vtkOutputWindow.SetInstance(window)
+assert math.isclose(rows["Area"][0], 2 * math.pi * 400 * (1 - 0.6), rel_tol=0.02)
+assert apart.FieldData["RegionPieces"].GetRange()[0] == 2
+dropped = apart.FieldData["DroppedArea"].GetRange()[0]
+assert math.isclose(dropped, 2 * math.pi * 400 * (1 - 0.75), rel_tol=0.04), dropped
+text = messages.GetOutput()
+assert text.count("the region is not connected") == 1 and f"1 piece with an area of {dropped:.6g} was left out" in text, text
 
 # A region that is not a disk: the message names the remedy, which works.
 failed, rows = flat(LargestHoles=0, **region)
