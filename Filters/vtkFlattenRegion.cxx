@@ -181,7 +181,8 @@ std::vector<char> vtkFlattenRegion::LabelledFaces(vtkPolyData* input, const Tria
   const flattening::ChosenArray chosen = flattening::chosenArray(this, input);
   if (!chosen.Array)
   {
-    throw InvalidInput("no array of labels is chosen: choose a point or cell array, or select triangles on the map and set Region From to Selection");
+    throw InvalidInput("no array of labels is chosen: choose a point or cell array, or select triangles "
+                       "on the map and set Region From to Selection");
   }
   const std::vector<long long> labels = flattening::labelsOf(chosen);
   std::vector<char> inside(mesh.faceCount());

@@ -28,8 +28,8 @@
  * Output arrays of port 1:
  * - row `Measure` (string): name of the measure.
  * - row `OnSurface` (double, unit of the row): value on the surface.
- * - row `StandardDeviation` (double, unit of the row): standard deviation of OnSurface, as the boundary lies
- *   somewhere between points: for the area and the two lengths, it is taken as uniformly distributed
+ * - row `StandardDeviation` (double, unit of the row): standard deviation of OnSurface, as the boundary
+ * lies somewhere between points: for the area and the two lengths, it is taken as uniformly distributed
  *   within half an edge, independently at each edge; for the perimeter, it is the change if the
  *   boundary is smoothed twice as far.
  * - row `OnMap` (double, unit of the row): value of the same faces or the same curve on the flat map.

@@ -24,8 +24,8 @@ namespace flattening
 namespace
 {
 
-// Pieces with more than this share of the area of the region are no noise. A convention, the same as that
-// of Surface To Disk.
+// Pieces with more than this share of the area of the region are no noise. A convention, the same as
+// that of Surface To Disk.
 constexpr double SmallestPieceLeftOut = 1e-3;
 
 struct NamedCurve
