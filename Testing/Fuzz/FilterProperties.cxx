@@ -14,6 +14,7 @@
 #include <vtkOMTAreaPreservingFilter.h>
 #include <vtkPlanarWarp.h>
 #include <vtkSurfaceToDiskFilter.h>
+#include <vtkVolumeToSurface.h>
 
 #include <stdexcept>
 
@@ -229,6 +230,20 @@ std::vector<Property> planarWarp()
     flag("NearestPixel", &F::SetNearestPixel) };
 }
 
+std::vector<Property> volumeToSurface()
+{
+  using F = vtkVolumeToSurface;
+  return { flag("AutomaticIsovalue", &F::SetAutomaticIsovalue),
+    number("Isovalue", Kind::Fraction, -1100, 1100, &F::SetIsovalue),
+    flag("AutomaticSmoothing", &F::SetAutomaticSmoothing),
+    number("Smoothing", Kind::Length, 1e-3, 1, &F::SetSmoothing),
+    number("Margin", Kind::Count, 0, 20, &F::SetMargin),
+    flag("AutomaticAir", &F::SetAutomaticAir),
+    number("Air", Kind::Fraction, -1100, 1100, &F::SetAir),
+    number("ComponentMode", Kind::Choice, 0, 1, &F::SetComponentMode),
+    flag("PatientSpace", &F::SetPatientSpace) };
+}
+
 const std::map<std::string, std::vector<Property>>& allProperties()
 {
   static const std::map<std::string, std::vector<Property>> all = { { "SurfaceToDisk", surfaceToDisk() },
@@ -240,6 +255,7 @@ const std::map<std::string, std::vector<Property>>& allProperties()
     { "FlattenRegion", flattenRegion() },
     { "FlatMapSlab", flatMapSlab() },
     { "PlanarWarp", planarWarp() },
+    { "VolumeToSurface", volumeToSurface() },
     { "ContextResolution",
       { number("ContextFaces", Kind::Count, 1, 1000, &vtkContextResolution::SetContextFaces) } },
     { "FlatMapImage",

@@ -21,6 +21,7 @@
 #include <vtkSelection.h>
 #include <vtkSelectionNode.h>
 #include <vtkSphere.h>
+#include <vtkVolumeToSurface.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -159,6 +160,12 @@ vtkSmartPointer<vtkAlgorithm> newFilter(const std::string& name,
     filter->SetInputDataObject(1, carried);
     return filter;
   }
+  if (name == "VolumeToSurface")
+  {
+    auto filter = vtkSmartPointer<vtkVolumeToSurface>::New();
+    filter->SetInputData(volumeAround(random, input));
+    return filter;
+  }
   return name == "MeshSaliency"        ? newFilter<vtkMeshSaliency>(input)
          : name == "ContextResolution" ? newFilter<vtkContextResolution>(input)
          : name == "FlatMapImage"      ? newFilter<vtkFlatMapImage>(input)
@@ -177,7 +184,8 @@ const std::vector<std::string>& otherFilters()
     "FlatMapTransfer",
     "FlattenRegion",
     "MeshSaliency",
-    "PlanarWarp" };
+    "PlanarWarp",
+    "VolumeToSurface" };
   return names;
 }
 
