@@ -68,6 +68,12 @@ def _scan_slices(source):
     show_scan_slices(source)
 
 
+def _show_seams(source):
+    from surfaceflattening_seams import show_seams
+
+    show_seams(source)
+
+
 def _switch_colours(_source):
     from surfaceflattening_colours import switch_colours
 
@@ -95,6 +101,7 @@ COMMANDS = {
     "patient_axes": _patient_axes,
     "save_flat_map": _save_flat_map,
     "scan_slices": _scan_slices,
+    "show_seams": _show_seams,
     "switch_colours": _switch_colours,
     "take_back": _take_back,
 }

@@ -13,6 +13,7 @@ from paraview import simple
 from surfaceflattening_colours import ANATOMY, colour
 from surfaceflattening_outlines import label_array, label_outlines
 from surfaceflattening_present import unused
+from surfaceflattening_seams import has_seams, show_banks
 from surfaceflattening_selection import percent, show_measures
 
 MEASURES = (
@@ -21,9 +22,6 @@ MEASURES = (
     ("AngleDistortion", "angle distortion (log of the axis ratio)", (0.0, 1.5), 30),
 )
 COLUMNS = ("Faces", "FacesWithin2Percent", "FlatArea", "MeanAngleError", "MeanAreaError", "Region", "SurfaceArea")
-SEAM_DISTANCE = "SeamDistance"
-# Red, yellow, green, cyan, blue, magenta.
-HUES = ((1, 0, 0), (1, 1, 0), (0, 0.8, 0), (0, 1, 1), (0.1, 0.2, 1), (1, 0, 1))
 OUTLINE_COLOUR = (0.8, 0.1, 0.1)
 MAP_COLOURS = {"conformal": (0.85, 0.45, 0.15), "area-preserving": (0.15, 0.45, 0.70)}
 
@@ -67,7 +65,8 @@ def layout_of(morph, conformal, area_preserving):
     for view, source, (cell, _) in zip(above, (morph, conformal, area_preserving), cells):
         if labels:
             _show_outlines(view, source, labels)
-        _show_banks(view, source)
+        if has_seams(source):
+            show_banks(source, view)
         layout.AssignView(cell, view)
         simple.ResetCamera(view)
     _show_scale_bar(above[2], area_preserving)
@@ -121,31 +120,6 @@ def _solid(display, colour, width):
 def _show_outlines(view, source, labels):
     outlines = label_outlines(source, *labels, unused(f"Outlines of {labels[1]}"))
     _solid(simple.Show(outlines, view), OUTLINE_COLOUR, 2)
-
-
-def _show_banks(view, source):
-    """Draws the seams in colours by the distance along them, which is the same on both banks: where the colours agree,
-    the map was one piece on the surface."""
-    length = source.PointData[SEAM_DISTANCE].GetRange()[1] if SEAM_DISTANCE in source.PointData.keys() else 0.0
-    if not length > 0.0:
-        return
-    border = simple.FeatureEdges(
-        registrationName=unused("Banks of the seams"),
-        Input=source,
-        BoundaryEdges=1,
-        FeatureEdges=0,
-        NonManifoldEdges=0,
-        ManifoldEdges=0,
-        Coloring=0,
-    )
-    display = simple.Show(border, view)
-    simple.ColorBy(display, ("POINTS", SEAM_DISTANCE))
-    colours = simple.GetColorTransferFunction(SEAM_DISTANCE)
-    colours.ColorSpace = "RGB"
-    colours.RGBPoints = [value for k, hue in enumerate(HUES) for value in (length * k / (len(HUES) - 1), *hue)]
-    display.SetScalarBarVisibility(view, False)
-    display.Ambient, display.Diffuse, display.LineWidth = 1.0, 0.0, 3
-    display.Pickable = 0  # so that the map below is selected
 
 
 def nice_length(longest):

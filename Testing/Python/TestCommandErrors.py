@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flatten and Compare on what it cannot flatten: one sentence that names the cause, and nothing is left."""
+"""Flatten and Compare on what it cannot flatten, and Show Seams on what has none: one sentence that names the cause, and
+nothing is left."""
 
 # First, for it lets Python find the modules of plugins.
 from paraview import servermanager, simple  # isort: skip
@@ -28,21 +29,21 @@ SCALARS = "self.GetOutput().GetPointData().SetScalars(array)"
 LABELS = "self.GetOutput().GetCellData().AddArray(array)"
 
 
-def said_by_flattening():
+def said_by(command):
     """What the command says, line by line, without what VTK writes before a message."""
     window = vtkStringOutputWindow()
     earlier = vtkOutputWindow.GetInstance()
     vtkOutputWindow.SetInstance(window)
-    surfaceflattening_commands.run("flatten_and_compare")
+    surfaceflattening_commands.run(command)
     vtkOutputWindow.SetInstance(earlier)
     lines = [line.split("): ", 1)[-1] for line in window.GetOutput().splitlines()]
     return [line for line in lines if line.strip() and not line.startswith(("ERROR:", "Warning:"))]
 
 
-def expect(words, source):
+def expect(words, source, command="flatten_and_compare"):
     simple.SetActiveSource(source)
     before = (set(simple.GetSources()), len(simple.GetLayouts()))
-    said = said_by_flattening()
+    said = said_by(command)
     assert len(said) == 1 and words in said[0], (words, said)
     assert (set(simple.GetSources()), len(simple.GetLayouts())) == before, words
 
@@ -54,7 +55,10 @@ def with_array(source, addition, **parts):
 
 
 expect("no source is selected", None)
+expect("no source is selected", None, "show_seams")
 wavelet = simple.Wavelet()
+expect("has no seams", wavelet, "show_seams")
+expect("has no seams", simple.SurfaceToDisk(Input=simple.Sphere(EndPhi=90)), "show_seams")  # a disk as it is
 expect("a single slice, of 21 x 21 x 1 voxels", simple.Wavelet(WholeExtent=[-10, 10, -10, 10, 0, 0]))
 expect(
     "all voxels have the value 7",
@@ -74,10 +78,10 @@ simple.SetActiveSource(sphere)
 selected = servermanager.ProxyManager().GetSelectionModel("ActiveSources")
 selected.Select(cone.SMProxy, 2)  # adds
 assert selected.GetNumberOfSelectedProxies() == 2, selected.GetNumberOfSelectedProxies()
-assert any("several sources are selected" in line for line in said_by_flattening())
+assert any("several sources are selected" in line for line in said_by("flatten_and_compare"))
 
 # Labels that are strings are no outlines, and no error. The input is a disk.
 names = with_array(sphere, LABELS, kind="String", components=1, count="GetNumberOfCells", value="'ab'[i % 2]")
 simple.SetActiveSource(names)
-assert said_by_flattening() == []
+assert said_by("flatten_and_compare") == []
 assert len(simple.GetLayouts()) == 1
