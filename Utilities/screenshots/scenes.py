@@ -36,7 +36,7 @@ def core_filter(name):
 
 def linked_selection():
     """Brushes a fold on the area-preserving map, as a drag with the S key does."""
-    comparison = flatten_and_compare(brain(), cut="Plane")
+    comparison = flatten_and_compare(brain())
     view = next(
         view
         for view in simple.GetViewsInLayout(comparison.layout)

@@ -43,6 +43,10 @@ scene() { # scene <name>: its window, and a dump of the screen
     sleep 0.5
   done
   still_screen
+  if [ "$1" != error_message ]; then # messages, as of dropped components, would cover a part of the picture
+    xdotool search --onlyvisible --name '^Output Messages' windowunmap 2>/dev/null || true
+    still_screen
+  fi
   if [ "$1" != linked_selection ]; then # a wider panel
     xdotool mousemove 296 750 sleep 0.3 mousedown 1 sleep 0.3 mousemove 350 750 sleep 0.3 mousemove 440 750 sleep 0.3 mouseup 1
     still_screen
