@@ -4,6 +4,8 @@ assertion that fails is an error."""
 
 import csv
 import math
+import os
+import time
 
 from paraview import simple
 
@@ -14,7 +16,10 @@ for name in ("ScaledCurvature", "SurfacePoints"):
     assert read.PointData[name].GetRange() == flat.PointData[name].GetRange(), name
 assert read.GetDataInformation().GetBounds() == flat.GetDataInformation().GetBounds()
 path = list(read.FileName)[0]
-with open(path.replace(".vtp", "_Summary.csv"), encoding="utf-8") as stream:
+table = path.replace(".vtp", "_Summary.csv")
+# Both were written a moment ago, and not by an earlier run.
+assert time.time() - 120 < os.path.getmtime(path) <= os.path.getmtime(table), (path, table)
+with open(table, encoding="utf-8") as stream:
     (row,) = csv.DictReader(stream)
 for name in ("SurfaceArea", "FlatArea", "FacesWithin2Percent"):
     figure = flat.FieldData[name].GetRange()[0]
