@@ -3,6 +3,7 @@
 
 #include "Core/Base/Errors.h"
 
+#include <vtkCellData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -93,6 +94,10 @@ VolumeSampling::VolumeSampling(vtkImageData* volume,
   , ToVolume(toVolume)
 {
   this->Volume->CopyStructure(volume);
+  // VTK 9.3 copies the marks of hidden voxels with the structure: they would be taken for the first
+  // array, and leave hidden voxels without values that older versions of VTK give them.
+  this->Volume->GetPointData()->Initialize();
+  this->Volume->GetCellData()->Initialize();
   const int count = volume->GetPointData()->GetNumberOfArrays();
   for (int a = 0; a < count; ++a)
   {

@@ -246,6 +246,13 @@ void stopMeasures()
   }
 }
 
+// ParaView calls the toolbar as the category is called; later versions put the group of proxies before
+// it, "filters.Surface Flattening".
+bool isOurs(const QToolBar& bar)
+{
+  return bar.objectName().section('.', -1) == Category;
+}
+
 } // namespace
 
 FlatteningCommands::FlatteningCommands(QObject* parent)
@@ -288,9 +295,9 @@ void FlatteningCommands::addToMenus()
       menu->insertSeparator(first);
     }
   }
-  for (QToolBar* bar : window->findChildren<QToolBar*>(Category))
+  for (QToolBar* bar : window->findChildren<QToolBar*>())
   {
-    if (!bar->actions().contains(this->Actions.front()))
+    if (isOurs(*bar) && !bar->actions().contains(this->Actions.front()))
     {
       this->addToBar(bar);
     }

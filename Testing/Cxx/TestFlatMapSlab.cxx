@@ -5,6 +5,7 @@
 #include <vtkConformalDiskFilter.h>
 #include <vtkFlatMapSlab.h>
 
+#include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>
@@ -153,6 +154,34 @@ void expectDistances(vtkImageData* stack, int size, int layers)
   std::cout << "greatest difference from radius - depth in the stack: " << greatest << " voxels\n";
   EXPECT_LT(greatest, InterpolationError + 0.02);
   EXPECT_NEAR(seen, layers * 0.25 * Pi * size * size, layers * size * 5 / 6);
+}
+
+// Voxels that are marked as hidden, as Resample To Image marks those without values, are sampled like
+// all others by every version of VTK, and their marks are an array like the others.
+TEST_F(FlatMapSlab, HiddenVoxelsKeepTheirValues)
+{
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->SetName(vtkDataSetAttributes::GhostArrayName());
+  vtkNew<vtkImageData> volume;
+  volume->DeepCopy(Distance);
+  for (vtkIdType i = 0; i < volume->GetNumberOfPoints(); ++i)
+  {
+    marks->InsertNextValue(i % 3 == 0 ? vtkDataSetAttributes::HIDDENPOINT : 0);
+  }
+  volume->GetPointData()->AddArray(marks);
+  vtkNew<vtkFlatMapSlab> slab;
+  connect(slab);
+  slab->SetInputDataObject(1, volume);
+  setDepths(slab, { 0.0, 1.0 });
+  slab->Update();
+  vtkDataArray* values = slab->GetOutput()->GetPointData()->GetArray("DistanceSlab");
+  ASSERT_NE(values, nullptr);
+  double greatest = 0.0;
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    greatest = std::max(greatest, std::abs(values->GetComponent(i, 0) - Radius));
+  }
+  EXPECT_LT(greatest, InterpolationError);
 }
 
 TEST_F(FlatMapSlab, TheStackHasALayerPerDepth)
