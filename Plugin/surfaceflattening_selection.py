@@ -34,7 +34,7 @@ class SelectionMeasures:
         return (
             f"Selection: {self.faces:,} triangles\n"
             f"area: {self.surface_area:.1f} on the surface,\n"
-            f"{self.flat_area:.1f} on the map ({change:+.2f} %)\n"
+            f"{self.flat_area:.1f} on the map ({round(change, 2) + 0.0:+.2f} %)\n"  # no -0.00
             f"mean error: area {percent(self.area_error)}, angle {self.angle_error:.1f}\N{DEGREE SIGN}\n"
             f"centroid: {centroid}\n"
             f"extent: {extent}"
