@@ -14,13 +14,14 @@ packages=(
   python3 python3-dev
   libopenmpi-dev openmpi-bin libutfcpp-dev libdouble-conversion-dev libfreetype-dev libgl-dev libglew-dev
   xvfb xauth libgl1-mesa-dri iproute2
+  mricron-data # the scan of the demo, of the pages and of their tests
   python3-nibabel python3-pydicom python3-gdcm # files of FreeSurfer, GIFTI and DICOM, when they are opened
 )
 if [ "${1:-}" = --vtk ]; then
   # python3-vtk9 and python3-paraview exclude each other on Debian 12 and 13.
   packages+=(libvtk9-dev python3-vtk9)
 else
-  packages+=(paraview paraview-dev python3-paraview mricron-data)
+  packages+=(paraview paraview-dev python3-paraview)
   # Qt puts the icons and the part in ParaView's window into the plugin, which goes without them otherwise. The other
   # packages make the plugin's pages in ParaView's help. Without libqt5svg5 or qt6-svg-plugins ParaView shows no icons.
   case $(. /etc/os-release && echo "${VERSION_CODENAME:-sid}") in
