@@ -241,7 +241,7 @@ for lines in banks:
     inner = [k for k in range(line.GetNumberOfPoints()) if along.GetTuple1(k) > 0]
     pairs = [round(along.GetTuple1(k), 9) for k in inner]
     twice = [value for value in pairs if pairs.count(value) >= 2]
-    # Where triangles were divided at one bank alone, a point has no twin.
+    # A point has no twin on the other bank where the triangles of its bank alone were divided.
     assert len(inner) > 20 and len(twice) > 0.6 * len(pairs), (len(twice), len(pairs))
 made = set(simple.GetSources())
 take_back()

@@ -14,7 +14,7 @@ distances = [round(along.GetTuple1(k), 9) for k in range(line.GetNumberOfPoints(
 if source.GetXMLName() == "ConformalDisk":  # in space both banks lie in the same place
     inside = [d for d in distances if 0.0 < d < max(distances)]
     twice = [d for d in inside if inside.count(d) >= 2]
-    # Where triangles were divided at one bank alone, a point has no twin.
+    # A point has no twin on the other bank where the triangles of its bank alone were divided.
     assert len(twice) > 0.6 * len(inside), sorted(distances)
 points = banks[0].LookupTable.RGBPoints
 assert points[0] == 0.0 and abs(points[-4] - max(distances)) < 1e-6, list(points)
