@@ -2,15 +2,15 @@
 #include "Geodesics/GeodesicPath.h"
 
 #include "Base/Errors.h"
-#include "Base/InterruptibleCall.h"
+#include "Geodesics/GeodesicSearch.h"
+#include "Mesh/Halfedges.h"
 
-#include <CGAL/Surface_mesh_shortest_path.h>
 #include <CGAL/boost/graph/properties_Surface_mesh.h>
 
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 
 #include <algorithm>
-#include <memory>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -22,8 +22,6 @@ namespace
 using Vertex = SurfaceMesh::Vertex_index;
 using Halfedge = SurfaceMesh::Halfedge_index;
 using Face = SurfaceMesh::Face_index;
-using ShortestPath =
-  CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, SurfaceMesh>>;
 
 // Half the width of the first strip, in edges. The path does not depend on it unless several are locally
 // shortest: narrow strips are searched fast but often, wide ones slowly.
@@ -31,10 +29,9 @@ constexpr int FirstRings = 4;
 
 constexpr const char* PathStage = "looking for the geodesic";
 
-Vertex numberIn(const std::vector<Vertex>& sorted, Vertex v)
+int numberIn(const std::vector<Vertex>& sorted, Vertex v)
 {
-  return Vertex(static_cast<SurfaceMesh::size_type>(
-    std::lower_bound(sorted.begin(), sorted.end(), v) - sorted.begin()));
+  return static_cast<int>(std::lower_bound(sorted.begin(), sorted.end(), v) - sorted.begin());
 }
 
 struct Arrived
@@ -124,22 +121,26 @@ public:
   }
 
   // The strip as a mesh of its own. Sets the original of each of its vertices.
-  SurfaceMesh mesh(std::vector<Vertex>& original) const
+  TriangleMesh mesh(std::vector<Vertex>& original) const
   {
     original = this->Inner;
     original.insert(original.end(), this->Rim.begin(), this->Rim.end());
     std::sort(original.begin(), original.end());
-    SurfaceMesh part;
-    for (const Vertex v : original)
+    const std::vector<Face> faces = this->faces();
+    TriangleMesh part;
+    part.Vertices.resize(static_cast<Eigen::Index>(original.size()), 3);
+    for (std::size_t v = 0; v < original.size(); ++v)
     {
-      part.add_vertex(this->Mesh.point(v));
+      const Kernel::Point_3& point = this->Mesh.point(original[v]);
+      part.Vertices.row(static_cast<Eigen::Index>(v)) << point.x(), point.y(), point.z();
     }
-    for (const Face face : this->faces())
+    part.Faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
+    for (std::size_t f = 0; f < faces.size(); ++f)
     {
-      const Halfedge h = this->Mesh.halfedge(face);
-      part.add_face(numberIn(original, this->Mesh.source(h)),
+      const Halfedge h = this->Mesh.halfedge(faces[f]);
+      part.Faces.row(static_cast<Eigen::Index>(f)) << numberIn(original, this->Mesh.source(h)),
         numberIn(original, this->Mesh.target(h)),
-        numberIn(original, this->Mesh.target(this->Mesh.next(h))));
+        numberIn(original, this->Mesh.target(this->Mesh.next(h)));
     }
     return part;
   }
@@ -167,37 +168,6 @@ private:
   std::vector<Vertex> Inner; // vertices whose faces all belong to the strip
   std::vector<Vertex> Rim;   // the other vertices
   std::vector<char> Taken;
-};
-
-struct PathCollector
-{
-  std::vector<PathPoint>& Points;
-
-  void operator()(Vertex v) { this->Points.push_back({ v, SurfaceMesh::null_halfedge(), 0.0 }); }
-  void operator()(Halfedge edge, double fraction)
-  {
-    this->Points.push_back({ SurfaceMesh::null_vertex(), edge, fraction });
-  }
-  // Only for paths that end inside a face.
-  void operator()(Face, const ShortestPath::Barycentric_coordinates&) {}
-};
-
-// The search for the geodesic in a strip. It owns everything that it uses, because an abort may leave it
-// behind.
-struct StripGeodesic
-{
-  SurfaceMesh Strip;
-  Vertex From;
-  Vertex To;
-  GeodesicPath Path;
-
-  void find()
-  {
-    ShortestPath geodesics(this->Strip);
-    geodesics.add_source_point(this->To);
-    PathCollector collector{ this->Path.Points };
-    this->Path.Length = geodesics.shortest_path_sequence_to_source_points(this->From, collector).first;
-  }
 };
 
 std::vector<Vertex> cornersOf(const SurfaceMesh& mesh, const PathPoint& point)
@@ -245,10 +215,55 @@ bool isPathOverFaces(const SurfaceMesh& mesh, const std::vector<PathPoint>& poin
   return std::adjacent_find(places.begin(), places.end()) == places.end();
 }
 
-// Whether the point lies on the border of the mesh.
-bool isAtBorder(const SurfaceMesh& mesh, const PathPoint& point)
+// A path in a strip of the surface.
+struct StripPath
 {
-  return point.isVertex() ? mesh.is_border(point.Vertex) : mesh.is_border(mesh.edge(point.Edge));
+  GeodesicPath Path;       // over the surface; without points if the strip has none
+  bool IsHeldBack = false; // whether it touches the border of the strip inside the surface
+};
+
+bool isAtBorder(const UnfoldableFaces& faces, int place)
+{
+  const auto begin = faces.Corners.begin();
+  return std::any_of(begin + faces.CornerStarts[place],
+    begin + faces.CornerStarts[place + 1],
+    [&faces](int h) { return faces.Opposite[h] < 0 || faces.Opposite[previousHalfedge(h)] < 0; });
+}
+
+StripPath pathInStrip(const SurfaceMesh& mesh,
+  const Strip& strip,
+  Vertex from,
+  Vertex to,
+  const ProgressCallback& progress)
+{
+  std::vector<Vertex> original;
+  const UnfoldableFaces faces(strip.mesh(original), Seams::Open);
+  GeodesicSearch search(faces, Paths::Kept);
+  StripPath found;
+  found.Path.Length = search.to({ numberIn(original, from) },
+    numberIn(original, to),
+    [&progress] { report(progress, 0.5, PathStage); })[0];
+  if (!std::isfinite(found.Path.Length))
+  {
+    return found;
+  }
+  // Where seams are open, places are vertices.
+  for (const PathCrossing& crossing : search.pathFrom(numberIn(original, from)))
+  {
+    if (crossing.Place >= 0)
+    {
+      const Vertex v = original[crossing.Place];
+      found.IsHeldBack |= isAtBorder(faces, crossing.Place) && !mesh.is_border(v);
+      found.Path.Points.push_back({ v, SurfaceMesh::null_halfedge(), 0.0 });
+    }
+    else
+    {
+      const Halfedge edge = mesh.halfedge(original[faces.Origin[crossing.Halfedge]],
+        original[faces.Origin[nextHalfedge(crossing.Halfedge)]]);
+      found.Path.Points.push_back({ SurfaceMesh::null_vertex(), edge, crossing.Fraction });
+    }
+  }
+  return found;
 }
 
 } // namespace
@@ -283,44 +298,24 @@ GeodesicPath geodesicPath(const SurfaceMesh& mesh,
     report(progress, 0.5, PathStage);
     Strip strip(mesh, middle);
     const bool isPart = strip.widen(rings);
-    std::vector<Vertex> original;
-    const auto geodesic = std::make_shared<StripGeodesic>();
-    geodesic->Strip = strip.mesh(original);
-    geodesic->From = numberIn(original, from);
-    geodesic->To = numberIn(original, to);
-    callInterruptibly([geodesic]() { geodesic->find(); }, progress, 0.5, PathStage);
-    const SurfaceMesh& part = geodesic->Strip;
-    GeodesicPath path = std::move(geodesic->Path);
-    const bool isWhole = path.Points.size() > 1 && isPathOverFaces(part, path.Points);
-
-    // If the border of the strip holds the path back, a strip around that path lets the next path come
-    // closer to the geodesic.
-    bool touches = false;
-    middle = isWhole ? std::vector<Vertex>() : middle;
-    for (PathPoint& point : path.Points)
+    StripPath found = pathInStrip(mesh, strip, from, to, progress);
+    const bool isWhole = found.Path.Points.size() > 1 && isPathOverFaces(mesh, found.Path.Points);
+    if (isWhole && !found.IsHeldBack)
     {
-      const bool atBorder = isAtBorder(part, point);
-      if (point.isVertex())
-      {
-        point.Vertex = original[point.Vertex];
-        middle.push_back(point.Vertex);
-      }
-      else
-      {
-        point.Edge = mesh.halfedge(original[part.source(point.Edge)], original[part.target(point.Edge)]);
-        middle.push_back(mesh.source(point.Edge));
-        middle.push_back(mesh.target(point.Edge));
-      }
-      touches |= atBorder && !isAtBorder(mesh, point);
-    }
-    if (isWhole && !touches)
-    {
-      return path;
+      return std::move(found.Path);
     }
     if (!isPart)
     {
       throw TopologyError("the geodesic between two points of the surface could not be found: repair "
                           "or remesh the surface");
+    }
+    // If the border of the strip holds the path back, a strip around that path lets the next path come
+    // closer to the geodesic.
+    middle = isWhole ? std::vector<Vertex>() : middle;
+    for (const PathPoint& point : found.Path.Points)
+    {
+      const std::vector<Vertex> corners = cornersOf(mesh, point);
+      middle.insert(middle.end(), corners.begin(), corners.end());
     }
   }
 }

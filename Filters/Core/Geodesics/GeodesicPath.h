@@ -32,8 +32,7 @@ struct GeodesicPath
   double Length = 0.0;           ///< input units
 };
 
-/// The exact geodesic between two vertices (Xin, Wang 2009, "Improving Chen and Han's algorithm on the
-/// discrete geodesic problem"; CGAL Surface_mesh_shortest_path) in a strip around the shortest edge
+/// The exact geodesic between two vertices (see GeodesicSearch) in a strip around the shortest edge
 /// path. While the path touches the strip's border, it is sought again in a strip around itself that is
 /// half as wide again; in the end it is as straight as the surface allows. A shorter one on the far side
 /// of a hill may exist. From a vertex to itself it is that vertex.

@@ -18,11 +18,6 @@ constexpr double Infinite = std::numeric_limits<double>::infinity();
 // they would reach is reached, to the square of this share, past the ends of their neighbours.
 constexpr double NarrowestWindow = 1e-12;
 
-// Paths whose lengths differ by less than this share are as long as each other. Neighbouring windows
-// reach a vertex that lies in one line with the vertex between them by paths that differ by rounding
-// only, and both must go on.
-constexpr double RoundingOfDistance = 1e-12;
-
 // Without the care of std::hypot for extreme numbers, which takes most of the time.
 double norm(double x, double y)
 {
@@ -41,10 +36,12 @@ double GeodesicSearch::Window::nearest() const
   return this->distanceAt(std::clamp(this->X, this->Begin, this->End));
 }
 
-GeodesicSearch::GeodesicSearch(const UnfoldableFaces& faces)
+GeodesicSearch::GeodesicSearch(const UnfoldableFaces& faces, Paths paths)
   : Faces(faces)
+  , KeptPaths(paths)
   , Width(faces.MeanLength)
   , Distances(faces.placeCount(), Infinite)
+  , Arrivals(faces.placeCount())
   , Views(faces.halfedgeCount(), { Infinite, 0.0 })
 {
 }
@@ -100,9 +97,10 @@ void GeodesicSearch::start(int source, double limit)
   }
   this->ReachedPlaces.clear();
   this->ViewedHalfedges.clear();
+  this->Trails.clear();
   this->Current = 0;
   this->Limit = limit;
-  this->lower(this->Faces.PlaceOf[source], 0.0);
+  this->lower(this->Faces.PlaceOf[source], 0.0, { this->Faces.PlaceOf[source] });
 }
 
 bool GeodesicSearch::advance(const Checkpoint& checkpoint)
@@ -149,7 +147,7 @@ std::size_t GeodesicSearch::bucketOf(double distance) const
 }
 
 // Notes a path of the given length to a place.
-void GeodesicSearch::lower(int place, double distance)
+void GeodesicSearch::lower(int place, double distance, const Arrival& arrival)
 {
   double& known = this->Distances[place];
   if (!(distance < known) || distance > this->Limit)
@@ -161,6 +159,7 @@ void GeodesicSearch::lower(int place, double distance)
     this->ReachedPlaces.push_back(place);
   }
   known = distance;
+  this->Arrivals[place] = arrival;
   const std::size_t index = this->bucketOf(distance);
   if (index >= this->Buckets.size())
   {
@@ -178,14 +177,15 @@ void GeodesicSearch::spreadFrom(int place)
   {
     const int h = this->Faces.Corners[c];
     const int across = nextHalfedge(h);
-    this->lower(this->Faces.Origin[across], distance + this->Faces.Sides[h].Length);
-    this->lower(
-      this->Faces.Origin[previousHalfedge(h)], distance + this->Faces.Sides[previousHalfedge(h)].Length);
+    const int before = previousHalfedge(h);
+    this->lower(this->Faces.Origin[across], distance + this->Faces.Sides[h].Length, { place });
+    this->lower(this->Faces.Origin[before], distance + this->Faces.Sides[before].Length, { place });
     const int opposite = this->Faces.Opposite[across];
     if (bends && opposite >= 0)
     {
       const PlanarSide& side = this->Faces.Sides[across];
-      this->push({ opposite, 0.0, side.Length, side.Length - side.ApexX, -side.ApexY, distance });
+      this->push(
+        { opposite, 0.0, side.Length, side.Length - side.ApexX, -side.ApexY, distance, place, -1 });
     }
   }
 }
@@ -201,7 +201,9 @@ void GeodesicSearch::enterFace(const Window& window)
   // The path to the apex bends at an end of the window if the apex is out of its sight.
   const double nearest = std::clamp(crossing, window.Begin, window.End);
   const double distance = window.distanceAt(nearest) + norm(side.ApexX - nearest, side.ApexY);
-  this->lower(this->Faces.Origin[previousHalfedge(h)], distance);
+  this->lower(this->Faces.Origin[previousHalfedge(h)],
+    distance,
+    { window.Origin, window.Trail, nearest, window.X, window.Y });
   if (crossing <= window.Begin)
   {
     this->pushRight(window, window.Begin, window.End);
@@ -212,35 +214,39 @@ void GeodesicSearch::enterFace(const Window& window)
   }
   else
   {
-    const ApexView best = this->Views[h];
-    const bool first = this->isFirstAtApex(window, crossing, distance);
-    // Several windows of a half-edge may see the apex. The window with the shortest path to the apex
-    // goes on at both sides of it, the others at one side: on the far side of the shortest path, their
-    // paths would cross that path ("one angle, one split", Chen and Han).
-    if (first || crossing < best.Crossing)
-    {
-      this->pushLeft(window, window.Begin, crossing);
-    }
-    if (first || crossing > best.Crossing)
-    {
-      this->pushRight(window, crossing, window.End);
-    }
+    this->splitAtApex(window, crossing, distance);
   }
 }
 
-bool GeodesicSearch::isFirstAtApex(const Window& window, double crossing, double distance)
+// Several windows of a half-edge may see the apex. The window with the shortest path to the apex goes on
+// at both sides of it, the others at one side: on the far side of the shortest path, their paths would
+// cross that path ("one angle, one split", Chen and Han).
+void GeodesicSearch::splitAtApex(const Window& window, double crossing, double distance)
 {
-  ApexView& view = this->Views[window.Halfedge];
-  if (distance > (1.0 + RoundingOfDistance) * view.Distance)
+  ApexView& best = this->Views[window.Halfedge];
+  if (distance < best.Distance)
   {
-    return false;
+    if (best.Distance == Infinite)
+    {
+      this->ViewedHalfedges.push_back(window.Halfedge);
+    }
+    best = { distance, crossing };
+    this->pushLeft(window, window.Begin, crossing);
+    this->pushRight(window, crossing, window.End);
+    return;
   }
-  if (view.Distance == Infinite)
+  // Windows that meet in the line through the vertex between them and the apex see the apex in one
+  // place, and rounding decides which is first. Each goes on at its own side.
+  const double aside = crossing - best.Crossing;
+  const bool isSame = std::abs(aside) <= NarrowestWindow * this->Faces.Sides[window.Halfedge].Length;
+  if (isSame ? crossing - window.Begin > window.End - crossing : aside < 0.0)
   {
-    this->ViewedHalfedges.push_back(window.Halfedge);
+    this->pushLeft(window, window.Begin, crossing);
   }
-  view = { distance, crossing };
-  return true;
+  else
+  {
+    this->pushRight(window, crossing, window.End);
+  }
 }
 
 // The part [begin, end] of a window leaves the face through the side from the half-edge's begin to the
@@ -268,7 +274,9 @@ void GeodesicSearch::pushLeft(const Window& window, double begin, double end)
     leavesAt(end),
     window.X * x + window.Y * y,
     window.Y * x - window.X * y,
-    window.Before };
+    window.Before,
+    window.Origin,
+    window.Trail };
   // A path from the far end of the half-edge that meets all lines of the window.
   const int far = this->Faces.Origin[nextHalfedge(window.Halfedge)];
   const double aside = norm(next.Begin * x - side.Length, next.Begin * y);
@@ -300,9 +308,14 @@ void GeodesicSearch::pushRight(const Window& window, double begin, double end)
   };
   const double toX = window.X - side.ApexX;
   const double toY = window.Y - side.ApexY;
-  const Window next{
-    opposite, leavesAt(begin), leavesAt(end), toX * x + toY * y, toY * x - toX * y, window.Before
-  };
+  const Window next{ opposite,
+    leavesAt(begin),
+    leavesAt(end),
+    toX * x + toY * y,
+    toY * x - toX * y,
+    window.Before,
+    window.Origin,
+    window.Trail };
   const int far = this->Faces.Origin[window.Halfedge];
   const double aside = norm(side.ApexX + next.End * x, side.ApexY + next.End * y);
   if (this->Distances[far] + aside > next.distanceAt(next.End))
@@ -321,7 +334,7 @@ bool GeodesicSearch::isBeaten(const Window& window) const
          end + length - window.Begin <= window.distanceAt(window.Begin);
 }
 
-void GeodesicSearch::push(const Window& window)
+void GeodesicSearch::push(Window window)
 {
   const double length = this->Faces.Sides[window.Halfedge].Length;
   if (!(window.End - window.Begin > NarrowestWindow * length) || !(window.Y < 0.0) ||
@@ -338,6 +351,11 @@ void GeodesicSearch::push(const Window& window)
   if (index >= this->Buckets.size())
   {
     this->Buckets.resize(index + 1);
+  }
+  if (this->KeptPaths == Paths::Kept)
+  {
+    this->Trails.push_back({ window.Halfedge, window.Trail });
+    window.Trail = static_cast<int>(this->Trails.size()) - 1;
   }
   this->Buckets[index].Windows.push_back(window);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Exact distances along a surface of triangles.
+/// Exact distances and shortest paths along a surface of triangles.
 #pragma once
 
 #include "Geodesics/UnfoldableFaces.h"
@@ -18,6 +18,21 @@ struct ReachedVertex
   double Distance; ///< from the source, input units
 };
 
+/// A place or a point of a half-edge where a path passes.
+struct PathCrossing
+{
+  int Place;             ///< -1 between the ends of a half-edge
+  int Halfedge = -1;     ///< -1 at a place
+  double Fraction = 0.0; ///< share of the way from the half-edge's begin to its end, in (0, 1)
+};
+
+/// Whether a search keeps what its paths are made of, about a hundred bytes per face.
+enum class Paths
+{
+  Dropped, ///< it finds distances alone
+  Kept     ///< pathFrom() may be called
+};
+
 /// The exact geodesic distances from one vertex after the other of a surface of triangles: the lengths
 /// of the shortest paths over its faces. The search propagates windows, the intervals of edges that
 /// straight lines from one point reach (Chen, Han 1990, "Shortest paths on a polyhedron"), in buckets by
@@ -25,8 +40,10 @@ struct ReachedVertex
 /// distances on meshes"). It drops windows that a path through a vertex beats (Xin, Wang 2009,
 /// "Improving Chen and Han's algorithm on the discrete geodesic problem").
 ///
-/// CGAL's Surface_mesh_shortest_path, which geodesicPath() uses, does not end at a distance and cannot
-/// close seams.
+/// CGAL's Surface_mesh_shortest_path (CGAL 5.5 to 6.2) is not used: it cannot end at a distance and
+/// cannot close seams, and it crashes where a loop of edges is so short that a path does not grow by it
+/// in double precision. Here a distance is only replaced by a smaller one, so that no path can end its
+/// own beginning.
 class GeodesicSearch
 {
 public:
@@ -34,7 +51,7 @@ public:
   using Checkpoint = std::function<void()>;
 
   /// Several searches may share the @p faces, each in its own thread; the faces must outlive them.
-  explicit GeodesicSearch(const UnfoldableFaces& faces);
+  explicit GeodesicSearch(const UnfoldableFaces& faces, Paths paths = Paths::Dropped);
 
   /// The vertices no farther than @p limit (input units; may be infinite) from vertex @p source, in
   /// ascending order, itself among them.
@@ -43,6 +60,10 @@ public:
   /// The distances of @p targets from vertex @p source, in their order (input units); infinite where no
   /// path leads.
   std::vector<double> to(const std::vector<int>& targets, int source, const Checkpoint& checkpoint = {});
+
+  /// The shortest path from vertex @p target, which the last search has reached, back to its source,
+  /// both ends included; consecutive crossings lie on one face. Only for a search that keeps paths.
+  std::vector<PathCrossing> pathFrom(int target) const;
 
 private:
   // The interval of a half-edge that straight lines from one point reach before they enter its face.
@@ -55,9 +76,28 @@ private:
     double X; // of the point
     double Y;
     double Before; // distance of the point from the source
+    int Origin;    // the place that the point is an image of
+    int Trail;     // of the half-edges before this one, until push(); then with this one
 
     double distanceAt(double position) const;
     double nearest() const;
+  };
+  // A half-edge that the lines of a window cross, and the number of the trail of those before; -1 if
+  // there are none.
+  struct Trail
+  {
+    int Halfedge;
+    int Before;
+  };
+  // How the shortest path so far comes to a place: along an edge from another place, or in a straight
+  // line over faces.
+  struct Arrival
+  {
+    int Origin;            // the place before
+    int Trail = -1;        // of the half-edges that the line crosses; -1 along an edge
+    double Position = 0.0; // where it crosses the last one
+    double X = 0.0;        // of the image of the place before, in the plane of the last half-edge's face
+    double Y = 0.0;
   };
   struct PlaceEvent
   {
@@ -81,23 +121,27 @@ private:
   void start(int source, double limit);
   // Processes the next bucket. Returns false if none is left.
   bool advance(const Checkpoint& checkpoint);
-  void lower(int place, double distance);
+  void lower(int place, double distance, const Arrival& arrival);
   void spreadFrom(int place);
   void enterFace(const Window& window);
-  bool isFirstAtApex(const Window& window, double crossing, double distance);
+  void splitAtApex(const Window& window, double crossing, double distance);
   void pushLeft(const Window& window, double begin, double end);
   void pushRight(const Window& window, double begin, double end);
-  void push(const Window& window);
+  void push(Window window);
   bool isBeaten(const Window& window) const;
   std::size_t bucketOf(double distance) const;
+  void appendLine(const Arrival& arrival, std::vector<PathCrossing>& path) const;
 
   const UnfoldableFaces& Faces;
+  const Paths KeptPaths;
   double Width; // of a bucket
   double Limit = 0.0;
   std::size_t Current = 0;
   std::vector<Bucket> Buckets;
   std::vector<double> Distances; // of the places; infinite where not reached
+  std::vector<Arrival> Arrivals; // at the places that are reached
   std::vector<int> ReachedPlaces;
+  std::vector<Trail> Trails;   // empty if paths are not kept
   std::vector<ApexView> Views; // by half-edge
   std::vector<int> ViewedHalfedges;
 };
