@@ -14,7 +14,7 @@
 namespace flattening
 {
 
-/// What the refinement asks for.
+/// The options of the face refinement.
 struct FaceRefinementOptions
 {
   /// The weight of angles against areas, in [0, 1): 0 asks for areas, with just enough weight of the
@@ -29,7 +29,7 @@ struct FaceRefinementOptions
 /// @throws InvalidInput if AngleWeight is out of its range.
 double shapeWeight(const FaceRefinementOptions& options);
 
-/// The map to be refined, and what it came from.
+/// The map to be refined, and the maps from which it was made.
 struct TransportedMap
 {
   std::shared_ptr<const ConvexDomain> Domain;

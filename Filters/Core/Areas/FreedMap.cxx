@@ -12,8 +12,8 @@ namespace
 {
 
 // The share of the faces that a free outline may leave wrong beyond those that are wrong in the domain:
-// where more are, weights or horns ask for more than a free outline can give, and the map stays in its
-// domain.
+// where more are, area weights or thin protrusions ask for more than a free outline can give, and the
+// map stays in its domain.
 constexpr double GreatestLoss = 0.01;
 
 } // namespace

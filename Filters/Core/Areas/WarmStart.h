@@ -13,8 +13,8 @@
 namespace flattening
 {
 
-/// A result for the same surface and domain with other area weights. What does not fit counts for
-/// nothing: the map is then the one that is found without a warm start, in every bit.
+/// A result for the same surface and domain with other area weights. Arrays of other sizes are ignored:
+/// the map is then the one that is found without a warm start, in every bit.
 struct WarmStart
 {
   /// AreaPreservingMap::PowerWeights of that result (n), or empty. They are taken if no cell is off by

@@ -28,7 +28,7 @@ using Vertex = EditableSurface::Vertex;
 using Halfedge = EditableSurface::Halfedge;
 using Face = EditableSurface::Face;
 
-constexpr double Pi = 3.14159265358979323846;
+constexpr double Pi = EIGEN_PI;
 // The longest edge that the isoline may cross, in mean distances of the boundary vertices asked for.
 // Derived: an isoline crosses more than two edges per edge length, so enough vertices are left after
 // short edges are collapsed. Smaller values refine more, larger ones need more rounds.

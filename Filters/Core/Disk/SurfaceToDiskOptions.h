@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What surfaceToDisk is asked to do, and what it returns.
+/// The options of surfaceToDisk, and its result.
 #pragma once
 
 #include "Disk/BoundaryChoice.h"
@@ -103,7 +103,7 @@ struct SurfaceToDiskOptions
 /// @throws InvalidInput if one is out of range, or flags do not fit the @p soup of triangles.
 void requireValid(const SurfaceToDiskOptions& options, const TriangleMesh& soup);
 
-/// What was changed, and measures of the disk. Lengths and areas are in input units.
+/// The changes that were made, and measures of the disk. Lengths and areas are in input units.
 struct SurfaceToDiskReport
 {
   RepairReport Repair;

@@ -22,7 +22,7 @@ using Vertex = SurfaceMesh::Vertex_index;
 // The least length of the shorter end of a tube, as a share of the longer one. A convention: a shorter
 // end would become a hole that the flat map stretches much.
 constexpr double LeastEnd = 0.25;
-// What a move must make the seam shorter by, as a share of its length. A guard against moves by
+// The least share of its length by which a move must shorten the seam. A guard against moves by
 // rounding.
 constexpr double LeastGain = 1e-6;
 

@@ -15,10 +15,9 @@ namespace flattening
 namespace
 {
 
-// The sine of the angle at a point below which the point is no corner, the area of an outline over its
-// squared size below which it has none. A guard far
-// above the rounding of coordinates; with 0 the corners of ConvexPolygon would not all be strictly
-// convex.
+// A point is no corner if the sine of the angle there is smaller, and an outline has no area if its area
+// over its squared size is. A guard, chosen far above the rounding of coordinates; with 0 the corners of
+// ConvexPolygon would not all be strictly convex.
 constexpr double OnTheLine = 1e-9;
 // The least size of an outline over its largest coordinate. A guard: smaller ones have lost their shape
 // to rounding.
