@@ -7,7 +7,6 @@
 #include "Mesh/Halfedges.h"
 
 #include <array>
-#include <utility>
 #include <vector>
 
 namespace flattening
@@ -18,9 +17,6 @@ namespace flattening
 class HalfedgeSurface
 {
 public:
-  /// Weights of original vertices; sum 1.
-  using Origin = std::vector<std::pair<int, double>>;
-
   /// @throws TopologyError if @p mesh is not an oriented manifold.
   explicit HalfedgeSurface(const TriangleMesh& mesh);
 

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -175,15 +174,12 @@ private:
   {
     for (std::size_t i = 0; i < cut.Cap.Inside.size(); ++i)
     {
-      std::map<int, double> weights;
+      std::vector<std::pair<Origin, double>> parts;
       for (const auto& [corner, share] : cut.Cap.Weights[i])
       {
-        for (const auto& [vertex, weight] : this->Surface.origin(cut.Vertices[corner]))
-        {
-          weights[vertex] += share * weight;
-        }
+        parts.emplace_back(this->Surface.origin(cut.Vertices[corner]), share);
       }
-      this->Surface.addVertex(cut.Cap.Inside[i], { weights.begin(), weights.end() });
+      this->Surface.addVertex(cut.Cap.Inside[i], combined(parts));
     }
   }
 
@@ -192,7 +188,7 @@ private:
     double greatest = 0.0;
     for (int v = 0; v < this->Surface.vertexCount(); ++v)
     {
-      const HalfedgeSurface::Origin origin = this->Surface.origin(v);
+      const Origin origin = this->Surface.origin(v);
       if (origin.size() == 1) // kept, or a copy
       {
         const Eigen::Vector3d before = this->Original.Vertices.row(origin[0].first).transpose();

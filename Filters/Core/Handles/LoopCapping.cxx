@@ -110,9 +110,9 @@ bool hasCap(const TriangleMesh& cone)
 
 // The weights of the loop's vertices at a point of a coarse triangulation of the loop. Its vertices may
 // include the centre of the loop, which is made of all of them in equal shares.
-HalfedgeSurface::Origin weightsAt(const SurfacePoint& point, const TriangleMesh& coarse, int loopSize)
+Origin weightsAt(const SurfacePoint& point, const TriangleMesh& coarse, int loopSize)
 {
-  HalfedgeSurface::Origin weights;
+  Origin weights;
   double share = 0.0; // of each vertex in the centre's weight
   for (int k = 0; k < 3; ++k)
   {
@@ -130,7 +130,7 @@ HalfedgeSurface::Origin weightsAt(const SurfacePoint& point, const TriangleMesh&
   {
     return weights;
   }
-  HalfedgeSurface::Origin all;
+  Origin all;
   for (int i = 0; i < loopSize; ++i)
   {
     all.emplace_back(i, share);

@@ -18,7 +18,7 @@ struct LoopCap
 {
   std::vector<Eigen::Vector3d> Inside; ///< positions of the inner vertices
   /// Per inner vertex: the weights of the loop's vertices that it is made of; sum 1.
-  std::vector<HalfedgeSurface::Origin> Weights;
+  std::vector<Origin> Weights;
   std::vector<std::array<int, 3>> Faces; ///< with the loop's sides in its direction
 };
 
