@@ -200,14 +200,6 @@ int HalfedgeSurface::splitEdge(int h)
   return m;
 }
 
-int HalfedgeSurface::eulerCharacteristic() const
-{
-  const auto used = static_cast<int>(
-    std::count_if(this->Outgoing.begin(), this->Outgoing.end(), [](int h) { return h >= 0; }));
-  const auto boundary = static_cast<int>(std::count(this->Twins.begin(), this->Twins.end(), -1));
-  return used - (this->halfedgeCount() + boundary) / 2 + this->faceCount();
-}
-
 TriangleMesh HalfedgeSurface::mesh() const
 {
   TriangleMesh mesh;

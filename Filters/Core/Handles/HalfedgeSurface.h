@@ -88,9 +88,6 @@ public:
   /// face(h), then a part of the face of its twin.
   int splitEdge(int h);
 
-  /// Vertices in use - edges + faces.
-  int eulerCharacteristic() const;
-
   TriangleMesh mesh() const;
   DerivedMesh derived() const;
 

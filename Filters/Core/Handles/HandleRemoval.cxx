@@ -46,8 +46,6 @@ public:
   explicit HandleRemover(const TriangleMesh& mesh)
     : Original(mesh)
     , Surface(mesh)
-    , Euler(this->Surface.eulerCharacteristic())
-    , Boundaries(this->Surface.boundaryLoops())
   {
   }
 
@@ -202,10 +200,11 @@ private:
   void requireHandlesGone(const SurfaceWithoutHandles& result) const
   {
     const TriangleMesh& mesh = result.Surface.Mesh;
+    const MeshTopology before = analyseTopology(this->Original.Faces, this->Original.vertexCount());
     const MeshTopology topology = analyseTopology(mesh.Faces, mesh.vertexCount());
     if (topology.Genus != 0 || topology.Components != 1 ||
-        topology.eulerCharacteristic() != this->Euler + 2 * result.Report.Handles ||
-        this->Surface.boundaryLoops() != this->Boundaries)
+        topology.eulerCharacteristic() != before.eulerCharacteristic() + 2 * result.Report.Handles ||
+        topology.BoundaryLoops != before.BoundaryLoops)
     {
       throw TopologyError("the handles of the surface could not be removed, genus " +
                           std::to_string(topology.Genus) +
@@ -215,8 +214,6 @@ private:
 
   const TriangleMesh& Original;
   HalfedgeSurface Surface;
-  int Euler;
-  std::vector<std::vector<int>> Boundaries;
   std::optional<FaceIntersections> Intersections;
   int KnownFaces = 0; // number of faces in Intersections
   HandleRemovalReport Report;
