@@ -28,8 +28,7 @@ struct LoopCap
 /// vertices.
 LoopCap spanningCap(const std::vector<Eigen::Vector3d>& loop);
 
-/// A cone over the loop, remeshed to the mean length of its sides (CGAL isotropic_remeshing) unless a
-/// face of the cone is a sliver by rounding (slivers::CapAltitude), as over a loop on a straight line.
+/// A cone over the loop: faces from its sides to its centre, which fit any loop.
 LoopCap coneCap(const std::vector<Eigen::Vector3d>& loop);
 
 /// Splits the edges inside the cap whose ends are neighbours in the surface already: there would be two
