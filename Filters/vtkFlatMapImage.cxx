@@ -48,23 +48,15 @@ PixelGrid gridOver(const flattening::TextureSquare& square, int size)
 // The weights of the corners of the triangle under each pixel: a row per pixel, empty outside the map.
 flattening::VertexOrigins cornersOf(const std::vector<MapPlace>& places,
   const FaceMatrix& faces,
-  Eigen::Index vertices)
+  int vertices)
 {
-  std::vector<Eigen::Triplet<double>> weights;
-  weights.reserve(3 * places.size());
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    for (int k = 0; places[i].Face >= 0 && k < 3; ++k)
+  return flattening::originMatrix(places,
+    vertices,
+    [&faces](const MapPlace& place)
     {
-      if (places[i].Weights[k] > 0.0)
-      {
-        weights.emplace_back(static_cast<int>(i), faces(places[i].Face, k), places[i].Weights[k]);
-      }
-    }
-  }
-  flattening::VertexOrigins origins(static_cast<Eigen::Index>(places.size()), vertices);
-  origins.setFromTriplets(weights.begin(), weights.end());
-  return origins;
+      return place.Face >= 0 ? flattening::originOf(faces, place.Face, place.Weights)
+                             : flattening::Origin();
+    });
 }
 
 void addCellArrays(vtkPolyData* map, const std::vector<MapPlace>& places, vtkPointData* pixels)

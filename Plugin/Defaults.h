@@ -2,6 +2,6 @@
 /// Defaults of ParaView that the plugin changes when it is loaded, in the window and in scripts.
 #pragma once
 
-/// Adds colour maps for the arrays of the plugin, and saves VTK XML files as binary, to ParaView's default
-/// settings. What a user has set counts more.
+/// Adds colour maps for the arrays of the plugin, and saves VTK XML files as binary, to ParaView's
+/// default settings. A setting of the user takes precedence.
 void surfaceFlatteningDefaults();

@@ -3,8 +3,8 @@
 
 #include "Core/Mesh/ClosestPointWalk.h"
 #include "Internal/ArrayConversion.h"
-#include "Internal/AttributeTransfer.h"
 #include "Internal/PolyDataConversion.h"
+#include "Internal/RegionOutput.h"
 
 #include <Eigen/Geometry>
 
@@ -12,10 +12,11 @@
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
-#include <vtkIdTypeArray.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
 
 namespace flattening
 {
@@ -59,28 +60,7 @@ void setDisk(vtkPolyData* output,
   const DiskSurface& disk)
 {
   const DerivedMesh& surface = disk.Surface;
-  std::vector<vtkIdType> points(surface.Mesh.vertexCount(), -1);
-  for (int v = 0; v < surface.Mesh.vertexCount(); ++v)
-  {
-    if (surface.Vertices.innerVector(v).nonZeros() == 1)
-    {
-      points[v] = VertexOrigins::InnerIterator(surface.Vertices, v).col();
-    }
-  }
-  std::vector<vtkIdType> cells(surface.Mesh.faceCount(), -1);
-  std::vector<char> filled(surface.Mesh.faceCount(), 1);
-  for (int f = 0; f < surface.Mesh.faceCount(); ++f)
-  {
-    if (surface.Faces[f] >= 0)
-    {
-      cells[f] = cellOfTriangle[surface.Faces[f]];
-      filled[f] = 0;
-    }
-  }
-
-  setTriangles(output, surface.Mesh);
-  transferPointData(input->GetPointData(), surface.Vertices, output->GetPointData());
-  transferCellData(input->GetCellData(), cells, output->GetCellData());
+  setRegion(output, input, surface, cellOfTriangle);
   if (vtkDataArray* normals = output->GetPointData()->GetNormals())
   {
     alignNormals(normals, vertexNormals(surface.Mesh));
@@ -89,9 +69,10 @@ void setDisk(vtkPolyData* output,
   {
     alignNormals(normals, faceSides(surface.Mesh));
   }
-  output->GetPointData()->AddArray(newArray<vtkIdTypeArray>(OriginalPointIdsName, points));
+  std::vector<char> filled(surface.Faces.size());
+  std::transform(
+    surface.Faces.begin(), surface.Faces.end(), filled.begin(), [](int origin) { return origin < 0; });
   output->GetPointData()->AddArray(newArray<vtkUnsignedCharArray>("Seam", disk.Seam));
-  output->GetCellData()->AddArray(newArray<vtkIdTypeArray>(OriginalCellIdsName, cells));
   output->GetCellData()->AddArray(newArray<vtkUnsignedCharArray>("Filled", filled));
 }
 

@@ -11,8 +11,6 @@ namespace flattening
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
-
 // A hole of fewer mean triangles is worth a warning. Measured on spheres with a hole of 0.1 % of the
 // area: 31 % of the triangles keep their areas within 2 % with a hole as large as 0.7 of them, 75 % with
 // 10, 92 % with 39, and 98 % on a brain with 260.
@@ -76,7 +74,7 @@ std::vector<std::string> warningsOf(const SurfaceToDiskReport& report)
 {
   std::vector<std::string> warnings;
   const double loop = longestLoop(report);
-  if (loop * loop / (4.0 * Pi) > SmallestHandle * report.SurfaceArea)
+  if (loop * loop / (4.0 * EIGEN_PI) > SmallestHandle * report.SurfaceArea)
   {
     const bool one = report.Handles.Handles == 1;
     warnings.push_back((one ? "a handle or tunnel was"

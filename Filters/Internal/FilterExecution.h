@@ -93,7 +93,7 @@ int runFilter(vtkAlgorithm* filter, vtkInformationVector* outputs, Body&& body)
   }
   catch (const std::exception& error)
   {
-    // What libraries throw, oneTBB for instance where no thread can be started.
+    // Libraries throw other exceptions, such as oneTBB where no thread can be started.
     reportError(filter,
       std::string("a library has failed (") + error.what() +
         "): if memory or the number of threads is limited, raise the limit or reduce the input");

@@ -15,7 +15,7 @@ namespace flattening
 class InnerProgress
 {
 public:
-  /// @param stage what the callback is told if the inner filter does not say what it does
+  /// @param stage the stage that the callback is told where the inner filter names none
   InnerProgress(vtkAlgorithm* inner, ProgressCallback progress, const char* stage)
     : Inner(inner)
     , Progress(std::move(progress))

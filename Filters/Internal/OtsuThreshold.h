@@ -24,7 +24,7 @@ struct Histogram
   }
 };
 
-/// A threshold between two classes of voxels, and what it makes of them.
+/// A threshold between two classes of voxels, and measures of the two classes.
 struct OtsuThreshold
 {
   double Value = 0.0;

@@ -17,31 +17,30 @@
 
 namespace flattening
 {
-namespace
-{
 
-// The only original of a vertex; -1 if it is interpolated between several.
-vtkIdType originalPoint(const VertexOrigins& origins, int v)
+void setRegion(vtkPolyData* output,
+  vtkPolyData* original,
+  const DerivedMesh& part,
+  const std::vector<vtkIdType>& cells)
 {
-  const VertexOrigins::InnerIterator first(origins, v);
-  return first.value() == 1.0 ? first.col() : -1;
-}
-
-} // namespace
-
-void setRegion(vtkPolyData* output, vtkPolyData* original, const DerivedMesh& part)
-{
-  setTriangles(output, part.Mesh);
-  std::vector<vtkIdType> points(part.Mesh.vertexCount());
+  std::vector<vtkIdType> originalPoints(part.Mesh.vertexCount(), -1);
   for (int v = 0; v < part.Mesh.vertexCount(); ++v)
   {
-    points[v] = originalPoint(part.Vertices, v);
+    if (part.Vertices.innerVector(v).nonZeros() == 1)
+    {
+      originalPoints[v] = VertexOrigins::InnerIterator(part.Vertices, v).col();
+    }
   }
-  const std::vector<vtkIdType> cells(part.Faces.begin(), part.Faces.end());
+  std::vector<vtkIdType> originalCells(part.Faces.begin(), part.Faces.end());
+  for (vtkIdType& cell : originalCells)
+  {
+    cell = cell < 0 || cells.empty() ? cell : cells[cell];
+  }
+  setTriangles(output, part.Mesh);
   transferPointData(original->GetPointData(), part.Vertices, output->GetPointData());
-  transferCellData(original->GetCellData(), cells, output->GetCellData());
-  output->GetPointData()->AddArray(newArray<vtkIdTypeArray>(OriginalPointIdsName, points));
-  output->GetCellData()->AddArray(newArray<vtkIdTypeArray>(OriginalCellIdsName, cells));
+  transferCellData(original->GetCellData(), originalCells, output->GetCellData());
+  output->GetPointData()->AddArray(newArray<vtkIdTypeArray>(OriginalPointIdsName, originalPoints));
+  output->GetCellData()->AddArray(newArray<vtkIdTypeArray>(OriginalCellIdsName, originalCells));
 }
 
 void setFlatRegion(vtkPolyData* output,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The table in which a filter reports what it did, and words for numbers of things.
+/// The table in which a filter reports its changes, and numbers with the nouns that they count.
 #pragma once
 
 #include <vtkDoubleArray.h>

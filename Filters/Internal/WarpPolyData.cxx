@@ -29,7 +29,7 @@ namespace
 using Cell = std::vector<vtkIdType>;
 
 // A point of the output: (1 - Share) of input point A and Share of B.
-struct Origin
+struct PointOnLine
 {
   vtkIdType A;
   vtkIdType B;
@@ -82,7 +82,7 @@ private:
   vtkPolyData* Input;
   const WarpRules& Rules;
   Points3 Before; // positions of the input's points and of the inserted ones
-  std::vector<Origin> Origins;
+  std::vector<PointOnLine> Origins;
   std::vector<Cell> Lines; // with the inserted points
   WarpedInSpace Warped;
   std::vector<vtkIdType> KeptAs; // id of each point in the output; -1: not kept
@@ -112,7 +112,7 @@ void PolyDataWarp::subdivideLines()
   this->Before.resize(static_cast<Eigen::Index>(this->Origins.size()), 3);
   for (Eigen::Index i = 0; i < this->Before.rows(); ++i)
   {
-    const Origin& from = this->Origins[i];
+    const PointOnLine& from = this->Origins[i];
     this->Before.row(i) =
       from.A == from.B
         ? ends.row(from.A)
@@ -187,25 +187,22 @@ vtkSmartPointer<vtkCellArray> PolyDataWarp::runsOfLines()
 
 VertexOrigins PolyDataWarp::keptOrigins() const
 {
-  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<PointOnLine> kept;
   for (std::size_t i = 0; i < this->Origins.size(); ++i)
   {
     if (this->kept(static_cast<vtkIdType>(i)))
     {
-      const auto row = static_cast<int>(this->KeptAs[i]);
-      const Origin& from = this->Origins[i];
-      entries.emplace_back(row, static_cast<int>(from.A), 1.0 - from.Share);
-      if (from.Share > 0.0)
-      {
-        entries.emplace_back(row, static_cast<int>(from.B), from.Share);
-      }
+      kept.push_back(this->Origins[i]);
     }
   }
-  VertexOrigins origins(
-    static_cast<int>(this->Kept), static_cast<int>(this->Input->GetNumberOfPoints()));
-  origins.setFromTriplets(
-    entries.begin(), entries.end()); // the weights of a line back to its own point are added to 1
-  return origins;
+  // The weights of a point of the input, which is both ends of its line, are added to 1.
+  return originMatrix(kept,
+    static_cast<int>(this->Input->GetNumberOfPoints()),
+    [](const PointOnLine& point)
+    {
+      return Origin{ { static_cast<int>(point.A), 1.0 - point.Share },
+        { static_cast<int>(point.B), point.Share } };
+    });
 }
 
 WarpCounts PolyDataWarp::write(vtkPolyData* output)

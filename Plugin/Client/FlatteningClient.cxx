@@ -21,8 +21,8 @@
 namespace
 {
 
-// The values that report what a filter did have names that describe, and there are some eighty of them:
-// "Colour by" does not offer what has one value for the whole surface.
+// The arrays of reports, some eighty: each has one value for the whole surface, so that "Colour by" does
+// not offer them.
 constexpr const char* ReportNames =
   "^(Dropped.*|MergedPoints|UnusedPoints|ClosedCracks|SplitPoints|Components|ReorientedFaces|Removed.*|"
   "LeftFolded|Fold.*|Filled(Holes|Area)|Genus|Handle.*|Remesh.*|Hole.*|SeamLength|ChosenCut|ReasonOf.*|"

@@ -98,7 +98,7 @@ void SeamPreviews::watch(pqPipelineSource* source)
     proxy->GetProperty(name)->AddObserver(
       vtkCommand::UncheckedPropertyModifiedEvent, this, &SeamPreviews::changed);
   }
-  // Later, for this comes while a view goes through what it draws.
+  // The preview is made later, because this signal comes while a view goes through its representations.
   connect(source,
     qOverload<pqPipelineSource*>(&pqPipelineSource::dataUpdated),
     this,

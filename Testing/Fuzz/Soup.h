@@ -41,7 +41,7 @@ void append(Soup& soup, const Soup& other);
 /// Greatest side of the bounding box of the finite points; 1 if it is 0.
 double sizeOf(const Soup& soup);
 
-/// What happens at the sides of a grid.
+/// How two opposite sides of a grid are joined.
 enum class Seam
 {
   Open,     ///< two boundaries

@@ -27,6 +27,7 @@ BREAKS = [
     at("Mesh/GraphLaplacian.cxx", "w.Weight * passed[this->Row[w.From]]", "passed[this->Row[w.From]]"),
     at("Mesh/DerivedMesh.cxx", "derived.Vertices = VertexOrigins(next.Vertices * derived.Vertices);", ""),
     at("Mesh/DerivedMesh.cxx", "derived.Faces[face]", "face"),
+    at("Mesh/DerivedMesh.cxx", "share * weight", "weight"),
     at("Mesh/CoordinateFrame.cxx", "this->Origin", "Eigen::Vector3d(0.0, 0.0, 0.0)", "}) + this->Origin;"),
     at("Mesh/CoordinateFrame.cxx", "-this->Exponent", "this->Exponent", "std::ldexp(length, -this->Exponent)"),
     at("Mesh/CoordinateFrame.cxx", "spacing > LargestSpacing * meanEdge", "false"),
@@ -37,7 +38,7 @@ BREAKS = [
     at("Mesh/MeshTopology.cxx", "count == 2 && side[0].From == side[1].From", "false"),
     at("Mesh/MeshTopology.cxx", "faces[v] != 0", "false"),
     at("Mesh/EditableSurface.cxx", "t * (q - p)", "(1.0 - t) * (q - p)"),
-    at("Mesh/EditableSurface.cxx", "(1.0 - t) * weight", "t * weight"),
+    at("Mesh/EditableSurface.cxx", "this->VertexOrigin[source], 1.0 - t", "this->VertexOrigin[source], t"),
     at("Mesh/EditableSurface.cxx", "0.5", "1.0", "return 0.5 * std::sqrt("),
     # --- Intrinsic
     at("Intrinsic/TriangleAngles.cxx", "EIGEN_PI - result.Angle[0] - result.Angle[1]", "EIGEN_PI - result.Angle[0]"),
@@ -212,10 +213,9 @@ BREAKS = [
     at("Remeshing/SliverRemoval.cxx", "smallestSine(change.After) > Gain * smallestSine(change.Before)", "false"),
     # --- Handles
     at("Handles/HandleRemoval.cxx", "best.Pairs > tolerated", "false"),
-    at("Handles/HandleRemoval.cxx", "share * weight", "weight"),
     at("Handles/CappedCut.cxx", "step", "-step", "p + step * sum / area"),
     at("Handles/CappedCut.cxx", "std::swap(face[0], face[2]);", ""),
-    at("Handles/HalfedgeSurface.cxx", "0.5 * weight", "weight"),
+    at("Handles/HalfedgeSurface.cxx", "this->origin(a), 0.5", "this->origin(a), 1.0"),
     at("Handles/LoopCapping.cxx", "std::swap(face[1], face[2]);", ""),
     # --- Disk
     at("Disk/PlaneCut.cxx", "low >= 0.0", "low <= 0.0"),

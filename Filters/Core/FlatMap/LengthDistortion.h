@@ -20,8 +20,8 @@ struct LengthOptions
 {
   /// Points no farther apart on the surface are local, input units. Finite and > 0.
   double Radius = 30.0;
-  /// Number of source points, at least 2. A vertex is taken once at most on the average: of a surface
-  /// with fewer vertices, as many as those. Global lengths take a twentieth of them, but at least 2.
+  /// Number of source points, at least 2, but no more than the surface has vertices. Global lengths have
+  /// a twentieth as many source points, but at least 2.
   int Samples = 300;
 };
 

@@ -21,7 +21,7 @@ struct LengthErrors
   double Scale = 0.0;         ///< units of the surface per unit of the map; it makes Mean least
   double Mean = 0.0;          ///< percent; of each source its mean by weight, every source the same
   double StandardError = 0.0; ///< percent; of Mean, from the differences between sources
-  double P95 = 0.0;           ///< percent; what 5 percent of the pairs, by weight, exceed
+  double P95 = 0.0;           ///< percent; 5 percent of the pairs, by weight, have a greater error
 };
 
 /// The statistics at the scale that makes the mean error least. Sources without pairs do not count.

@@ -14,8 +14,9 @@ namespace
 
 constexpr double Infinite = std::numeric_limits<double>::infinity();
 
-// Windows that are narrower than this share of their edge are dropped: they are rounding errors. What
-// they would reach is reached, to the square of this share, past the ends of their neighbours.
+// Windows that are narrower than this share of their edge are dropped: they are rounding errors. The
+// places that they would reach are reached past the ends of their neighbours, by paths that are longer
+// by the square of this share.
 constexpr double NarrowestWindow = 1e-12;
 
 // Without the care of std::hypot for extreme numbers, which takes most of the time.

@@ -18,7 +18,7 @@ namespace
 {
 
 // A shortest path bends only at a place around which there is more than a full angle (radians), or on
-// the boundary more than half of one. What exceeds it by less is rounding: a path that should bend by so
+// the boundary more than half of one. A smaller excess is rounding: a path that should bend by so
 // little is as long as one that misses the place by so little, to 1e-18 of its length.
 constexpr double RoundingOfAngle = 1e-9;
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace flattening
@@ -36,8 +37,10 @@ public:
       this->Cut.Faces.Replaced.push_back(face);
       this->Cut.Faces.Faces.push_back(corners);
     }
-    this->addCapOnRight();
-    this->addCapOnLeft();
+    std::vector<int> copies(this->LoopSize);
+    std::iota(copies.begin(), copies.end(), this->Cut.FirstCopy);
+    this->addCap(this->Cut.Vertices, this->Cut.FirstRight, false);
+    this->addCap(copies, this->Cut.FirstLeft, true);
     return std::move(this->Cut);
   }
 
@@ -124,29 +127,20 @@ private:
     }
   }
 
-  void addCapOnRight()
+  // Adds the cap of one side. `loop` has the vertices of the loop there, and the inner vertices of the
+  // cap are numbered from `firstInside` on.
+  void addCap(const std::vector<int>& loop, int firstInside, bool reversed)
   {
-    const int n = this->LoopSize;
     for (std::array<int, 3> face : this->Cut.Cap.Faces)
     {
       for (int& v : face)
       {
-        v = v < n ? this->Cut.Vertices[v] : this->Cut.FirstRight + v - n;
+        v = v < this->LoopSize ? loop[v] : firstInside + v - this->LoopSize;
       }
-      this->Cut.Faces.Faces.push_back(face);
-    }
-  }
-
-  void addCapOnLeft()
-  {
-    const int n = this->LoopSize;
-    for (std::array<int, 3> face : this->Cut.Cap.Faces)
-    {
-      for (int& v : face)
+      if (reversed)
       {
-        v = v < n ? this->Cut.FirstCopy + v : this->Cut.FirstLeft + v - n;
+        std::swap(face[0], face[2]);
       }
-      std::swap(face[0], face[2]);
       this->Cut.Faces.Faces.push_back(face);
     }
   }

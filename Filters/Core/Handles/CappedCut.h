@@ -23,7 +23,7 @@ struct CappedCut
   FaceReplacement Faces;
 };
 
-/// What a cut along @p loop and two copies of @p cap would make of the surface, which stays as it is. On
+/// Plans a cut along @p loop and its closing by two copies of @p cap; the surface stays as it is. On
 /// each side the loop's vertices move by the share @p step (0 to 1) of the way to the centre of area of
 /// the faces around them, and the caps move with them, so that the two sides come apart.
 CappedCut capBothSides(const HalfedgeSurface& surface,

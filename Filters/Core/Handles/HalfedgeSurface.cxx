@@ -4,6 +4,8 @@
 #include "Mesh/FaceSides.h"
 #include "Mesh/MeshTopology.h"
 
+#include <boost/range/irange.hpp>
+
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -41,7 +43,7 @@ void HalfedgeSurface::findOutgoing(int firstHalfedge)
   }
 }
 
-HalfedgeSurface::Origin HalfedgeSurface::origin(int v) const
+Origin HalfedgeSurface::origin(int v) const
 {
   return v < this->OriginalVertices ? Origin{ { v, 1.0 } }
                                     : this->NewOrigins[v - this->OriginalVertices];
@@ -171,16 +173,9 @@ int HalfedgeSurface::splitEdge(int h)
   const int b = this->target(h);
   const int c = this->source(previous(h));
   const int d = this->source(previous(g));
-  std::map<int, double> weights;
-  for (const int end : { a, b })
-  {
-    for (const auto& [vertex, weight] : this->origin(end))
-    {
-      weights[vertex] += 0.5 * weight;
-    }
-  }
   const Eigen::Vector3d middle = 0.5 * (this->point(a) + this->point(b));
-  const int m = this->addVertex(middle, { weights.begin(), weights.end() });
+  const int m =
+    this->addVertex(middle, combined({ { this->origin(a), 0.5 }, { this->origin(b), 0.5 } }));
   this->FaceOrigins.push_back(this->FaceOrigins[face(h)]);
   this->FaceOrigins.push_back(this->FaceOrigins[face(g)]);
 
@@ -205,14 +200,6 @@ int HalfedgeSurface::splitEdge(int h)
   return m;
 }
 
-int HalfedgeSurface::eulerCharacteristic() const
-{
-  const auto used = static_cast<int>(
-    std::count_if(this->Outgoing.begin(), this->Outgoing.end(), [](int h) { return h >= 0; }));
-  const auto boundary = static_cast<int>(std::count(this->Twins.begin(), this->Twins.end(), -1));
-  return used - (this->halfedgeCount() + boundary) / 2 + this->faceCount();
-}
-
 TriangleMesh HalfedgeSurface::mesh() const
 {
   TriangleMesh mesh;
@@ -230,16 +217,9 @@ DerivedMesh HalfedgeSurface::derived() const
   DerivedMesh result;
   result.Mesh = this->mesh();
   result.Faces = this->FaceOrigins;
-  std::vector<Eigen::Triplet<double, int>> weights;
-  for (int v = 0; v < this->vertexCount(); ++v)
-  {
-    for (const auto& [original, weight] : this->origin(v))
-    {
-      weights.emplace_back(v, original, weight);
-    }
-  }
-  result.Vertices.resize(this->vertexCount(), this->OriginalVertices);
-  result.Vertices.setFromTriplets(weights.begin(), weights.end());
+  result.Vertices = originMatrix(boost::irange(this->vertexCount()),
+    this->OriginalVertices,
+    [this](int v) { return this->origin(v); });
   return result;
 }
 

@@ -7,7 +7,6 @@
 #include "Mesh/Halfedges.h"
 
 #include <array>
-#include <utility>
 #include <vector>
 
 namespace flattening
@@ -18,9 +17,6 @@ namespace flattening
 class HalfedgeSurface
 {
 public:
-  /// Weights of original vertices; sum 1.
-  using Origin = std::vector<std::pair<int, double>>;
-
   /// @throws TopologyError if @p mesh is not an oriented manifold.
   explicit HalfedgeSurface(const TriangleMesh& mesh);
 
@@ -91,9 +87,6 @@ public:
   /// h keeps its target and afterwards starts at the new vertex. Two faces are added: first a part of
   /// face(h), then a part of the face of its twin.
   int splitEdge(int h);
-
-  /// Vertices in use - edges + faces.
-  int eulerCharacteristic() const;
 
   TriangleMesh mesh() const;
   DerivedMesh derived() const;

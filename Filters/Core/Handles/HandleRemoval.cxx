@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -47,8 +46,6 @@ public:
   explicit HandleRemover(const TriangleMesh& mesh)
     : Original(mesh)
     , Surface(mesh)
-    , Euler(this->Surface.eulerCharacteristic())
-    , Boundaries(this->Surface.boundaryLoops())
   {
   }
 
@@ -175,15 +172,12 @@ private:
   {
     for (std::size_t i = 0; i < cut.Cap.Inside.size(); ++i)
     {
-      std::map<int, double> weights;
+      std::vector<std::pair<Origin, double>> parts;
       for (const auto& [corner, share] : cut.Cap.Weights[i])
       {
-        for (const auto& [vertex, weight] : this->Surface.origin(cut.Vertices[corner]))
-        {
-          weights[vertex] += share * weight;
-        }
+        parts.emplace_back(this->Surface.origin(cut.Vertices[corner]), share);
       }
-      this->Surface.addVertex(cut.Cap.Inside[i], { weights.begin(), weights.end() });
+      this->Surface.addVertex(cut.Cap.Inside[i], combined(parts));
     }
   }
 
@@ -192,7 +186,7 @@ private:
     double greatest = 0.0;
     for (int v = 0; v < this->Surface.vertexCount(); ++v)
     {
-      const HalfedgeSurface::Origin origin = this->Surface.origin(v);
+      const Origin origin = this->Surface.origin(v);
       if (origin.size() == 1) // kept, or a copy
       {
         const Eigen::Vector3d before = this->Original.Vertices.row(origin[0].first).transpose();
@@ -206,10 +200,11 @@ private:
   void requireHandlesGone(const SurfaceWithoutHandles& result) const
   {
     const TriangleMesh& mesh = result.Surface.Mesh;
+    const MeshTopology before = analyseTopology(this->Original.Faces, this->Original.vertexCount());
     const MeshTopology topology = analyseTopology(mesh.Faces, mesh.vertexCount());
     if (topology.Genus != 0 || topology.Components != 1 ||
-        topology.eulerCharacteristic() != this->Euler + 2 * result.Report.Handles ||
-        this->Surface.boundaryLoops() != this->Boundaries)
+        topology.eulerCharacteristic() != before.eulerCharacteristic() + 2 * result.Report.Handles ||
+        topology.BoundaryLoops != before.BoundaryLoops)
     {
       throw TopologyError("the handles of the surface could not be removed, genus " +
                           std::to_string(topology.Genus) +
@@ -219,8 +214,6 @@ private:
 
   const TriangleMesh& Original;
   HalfedgeSurface Surface;
-  int Euler;
-  std::vector<std::vector<int>> Boundaries;
   std::optional<FaceIntersections> Intersections;
   int KnownFaces = 0; // number of faces in Intersections
   HandleRemovalReport Report;

@@ -33,7 +33,8 @@ struct SurfaceWithoutHandles
 /// another part of the surface.
 ///
 /// The vertices of a loop move apart by a fraction of the edges around them. All other vertices and the
-/// boundary loops stay. Caps have edges as long as those of the loop. Vertices and faces of @p mesh come
+/// boundary loops stay. Caps have edges as long as those of the loop, but for cones (coneCap), which are
+/// taken where they intersect fewer faces. Vertices and faces of @p mesh come
 /// first, in their order; the faces of caps have origin -1, and their vertices the weights of the loop's
 /// vertices.
 /// @param mesh one component, oriented manifold, closed or with boundary.

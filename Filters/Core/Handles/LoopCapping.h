@@ -18,7 +18,7 @@ struct LoopCap
 {
   std::vector<Eigen::Vector3d> Inside; ///< positions of the inner vertices
   /// Per inner vertex: the weights of the loop's vertices that it is made of; sum 1.
-  std::vector<HalfedgeSurface::Origin> Weights;
+  std::vector<Origin> Weights;
   std::vector<std::array<int, 3>> Faces; ///< with the loop's sides in its direction
 };
 
@@ -28,8 +28,7 @@ struct LoopCap
 /// vertices.
 LoopCap spanningCap(const std::vector<Eigen::Vector3d>& loop);
 
-/// A cone over the loop, remeshed to the mean length of its sides (CGAL isotropic_remeshing) unless a
-/// face of the cone is a sliver by rounding (slivers::CapAltitude), as over a loop on a straight line.
+/// A cone over the loop: faces from its sides to its centre, which fit any loop.
 LoopCap coneCap(const std::vector<Eigen::Vector3d>& loop);
 
 /// Splits the edges inside the cap whose ends are neighbours in the surface already: there would be two

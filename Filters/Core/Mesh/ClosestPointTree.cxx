@@ -17,8 +17,8 @@ namespace
 
 using Triangles = std::vector<Kernel::Triangle_3>;
 
-// Barycentric coordinates of a point of the triangle's plane. Those that rounding makes negative become
-// 0. In a triangle without area the nearest corner has all the weight.
+// Barycentric coordinates of a point of the triangle's plane. Coordinates that rounding makes negative
+// become 0. In a triangle without area the nearest corner has all the weight.
 std::array<double, 3> barycentric(const Eigen::Matrix3d& corners, const Eigen::Vector3d& point)
 {
   const Eigen::Vector3d u = corners.row(1) - corners.row(0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/DerivedMesh.h"
 
+#include <map>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -19,16 +20,35 @@ DerivedMesh derivedFromItself(TriangleMesh mesh)
   return derived;
 }
 
+Origin originOf(const FaceMatrix& faces, int face, const std::array<double, 3>& weights)
+{
+  Origin origin;
+  for (int k = 0; k < 3; ++k)
+  {
+    if (weights[k] > 0.0)
+    {
+      origin.emplace_back(faces(face, k), weights[k]);
+    }
+  }
+  return origin;
+}
+
+Origin combined(const std::vector<std::pair<Origin, double>>& parts)
+{
+  std::map<int, double> weights;
+  for (const auto& [origin, share] : parts)
+  {
+    for (const auto& [vertex, weight] : origin)
+    {
+      weights[vertex] += share * weight;
+    }
+  }
+  return { weights.begin(), weights.end() };
+}
+
 VertexOrigins keptVertices(const std::vector<int>& original, int originalCount)
 {
-  VertexOrigins origins(static_cast<int>(original.size()), originalCount);
-  origins.reserve(Eigen::VectorXi::Ones(static_cast<Eigen::Index>(original.size())));
-  for (std::size_t v = 0; v < original.size(); ++v)
-  {
-    origins.insert(static_cast<int>(v), original[v]) = 1.0;
-  }
-  origins.makeCompressed();
-  return origins;
+  return originMatrix(original, originalCount, [](int v) { return Origin{ { v, 1.0 } }; });
 }
 
 void follow(DerivedMesh& derived, DerivedMesh&& next)

@@ -7,6 +7,8 @@
 
 #include <Eigen/SparseCore>
 
+#include <array>
+#include <utility>
 #include <vector>
 
 namespace flattening
@@ -16,6 +18,36 @@ namespace flattening
 /// made of: element (v, o) is the weight (>= 0) of original vertex o, and the sum of the row is 1. A
 /// kept vertex has one weight 1; the midpoint of an edge has two weights 1/2.
 using VertexOrigins = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
+
+/// A row of that matrix: original vertices and their weights.
+using Origin = std::vector<std::pair<int, double>>;
+
+/// A point of the face in row @p face of @p faces is made of the corners whose barycentric weight is not
+/// 0.
+Origin originOf(const FaceMatrix& faces, int face, const std::array<double, 3>& weights);
+
+/// The origin of a vertex that is made of others, each given by its origin and its weight.
+Origin combined(const std::vector<std::pair<Origin, double>>& parts);
+
+/// The matrix with a row for each of @p vertices, a range: the Origin that @p originAt returns for it.
+template <typename Vertices, typename OriginAt>
+VertexOrigins originMatrix(const Vertices& vertices, int originalCount, const OriginAt& originAt)
+{
+  std::vector<Eigen::Triplet<double, int>> weights;
+  weights.reserve(3 * vertices.size()); // mostly the corners of a face
+  int rows = 0;
+  for (const auto& vertex : vertices)
+  {
+    for (const auto& [original, weight] : originAt(vertex))
+    {
+      weights.emplace_back(rows, original, weight);
+    }
+    ++rows;
+  }
+  VertexOrigins origins(rows, originalCount);
+  origins.setFromTriplets(weights.begin(), weights.end());
+  return origins;
+}
 
 /// A mesh and its origins.
 struct DerivedMesh

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 
 namespace flattening
@@ -113,16 +112,8 @@ EditableSurface::Split EditableSurface::splitEdge(Halfedge edge, double t)
   const Vertex middle = this->Mesh.target(first);
   this->Mesh.point(middle) = p + t * (q - p);
 
-  std::map<int, double> weights;
-  for (const auto& [vertex, weight] : this->VertexOrigin[source])
-  {
-    weights[vertex] += (1.0 - t) * weight;
-  }
-  for (const auto& [vertex, weight] : this->VertexOrigin[target])
-  {
-    weights[vertex] += t * weight;
-  }
-  this->VertexOrigin[middle].assign(weights.begin(), weights.end());
+  this->VertexOrigin[middle] =
+    combined({ { this->VertexOrigin[source], 1.0 - t }, { this->VertexOrigin[target], t } });
 
   Split split{ middle, {} };
   // Splits the face on one side of the edge from the new vertex to the opposite corner.
@@ -173,19 +164,9 @@ DerivedMesh EditableSurface::derived() const
 {
   DerivedMesh result;
   result.Mesh = toTriangleMesh(this->Mesh);
-  std::vector<Eigen::Triplet<double, int>> weights;
-  weights.reserve(this->Mesh.number_of_vertices());
-  int row = 0;
-  for (const Vertex vertex : this->Mesh.vertices())
-  {
-    for (const auto& [original, weight] : this->VertexOrigin[vertex])
-    {
-      weights.emplace_back(row, original, weight);
-    }
-    ++row;
-  }
-  result.Vertices.resize(row, this->OriginalVertices);
-  result.Vertices.setFromTriplets(weights.begin(), weights.end());
+  result.Vertices = originMatrix(this->Mesh.vertices(),
+    this->OriginalVertices,
+    [this](Vertex v) -> const Origin& { return this->VertexOrigin[v]; });
   result.Faces.reserve(this->Mesh.number_of_faces());
   for (const Face face : this->Mesh.faces())
   {

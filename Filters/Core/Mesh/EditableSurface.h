@@ -38,8 +38,6 @@ public:
   using Vertex = SurfaceMesh::Vertex_index;
   using Halfedge = SurfaceMesh::Halfedge_index;
   using Face = SurfaceMesh::Face_index;
-  /// Original vertices and their weights, which sum to 1.
-  using Origin = std::vector<std::pair<int, double>>;
 
   struct Split
   {

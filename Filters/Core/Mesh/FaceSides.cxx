@@ -58,19 +58,15 @@ std::vector<FaceSide> sortedSides(const FaceMatrix& faces)
 std::vector<int> oppositeHalfedges(const std::vector<FaceSide>& sides)
 {
   std::vector<int> opposite(sides.size(), -1);
-  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end)
-  {
-    while (end < sides.size() && sides[end].Edge == sides[begin].Edge)
+  forEachEdge(sides,
+    [&opposite](const FaceSide* side, int count)
     {
-      ++end;
-    }
-    if (end - begin == 2 && sides[begin].From == sides[begin + 1].To &&
-        sides[begin].From != sides[begin].To)
-    {
-      opposite[sides[begin].Halfedge] = sides[begin + 1].Halfedge;
-      opposite[sides[begin + 1].Halfedge] = sides[begin].Halfedge;
-    }
-  }
+      if (count == 2 && side[0].From == side[1].To && side[0].From != side[0].To)
+      {
+        opposite[side[0].Halfedge] = side[1].Halfedge;
+        opposite[side[1].Halfedge] = side[0].Halfedge;
+      }
+    });
   return opposite;
 }
 

@@ -4,6 +4,7 @@
 
 #include "Mesh/TriangleMesh.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -23,6 +24,20 @@ struct FaceSide
 
 /// The sides of all @p faces, whose vertex numbers are >= 0, sorted by edge and then by half-edge.
 std::vector<FaceSide> sortedSides(const FaceMatrix& faces);
+
+/// Calls @p visit(first, count) for each edge: its sides are first[0] to first[count - 1].
+template <typename Visit>
+void forEachEdge(const std::vector<FaceSide>& sortedSides, const Visit& visit)
+{
+  for (std::size_t begin = 0, end = 0; begin < sortedSides.size(); begin = end)
+  {
+    while (end < sortedSides.size() && sortedSides[end].Edge == sortedSides[begin].Edge)
+    {
+      ++end;
+    }
+    visit(&sortedSides[begin], static_cast<int>(end - begin));
+  }
+}
 
 /// The half-edge on the other side of each; -1 at the boundary, and where an edge does not join exactly
 /// two faces of one orientation.

@@ -75,7 +75,7 @@ void requireOneFanPerVertex(const std::vector<FaceSide>& sides, int vertexCount)
 }
 
 // @param count  number of sides of the edge, of which @p side is the first
-void requireManifoldEdge(const FaceSide* side, std::ptrdiff_t count)
+void requireManifoldEdge(const FaceSide* side, int count)
 {
   if (count > 2)
   {
@@ -95,20 +95,14 @@ void countParts(const std::vector<FaceSide>& sides, int vertexCount, MeshTopolog
 {
   DisjointSets parts(vertexCount);
   std::vector<char> used(vertexCount, 0);
-  for (std::size_t s = 0; s < sides.size();)
-  {
-    const FaceSide& side = sides[s];
-    std::size_t end = s + 1;
-    while (end < sides.size() && sides[end].Edge == side.Edge)
+  forEachEdge(sides,
+    [&](const FaceSide* side, int count)
     {
-      ++end;
-    }
-    requireManifoldEdge(&side, static_cast<std::ptrdiff_t>(end - s));
-    ++topology.Edges;
-    used[side.From] = used[side.To] = 1;
-    parts.join(side.From, side.To);
-    s = end;
-  }
+      requireManifoldEdge(side, count);
+      ++topology.Edges;
+      used[side->From] = used[side->To] = 1;
+      parts.join(side->From, side->To);
+    });
   for (int v = 0; v < vertexCount; ++v)
   {
     topology.Vertices += used[v];
@@ -121,15 +115,14 @@ void countParts(const std::vector<FaceSide>& sides, int vertexCount, MeshTopolog
 std::vector<std::vector<int>> boundaryLoops(const std::vector<FaceSide>& sides, int vertexCount)
 {
   std::vector<int> next(vertexCount, -1);
-  for (std::size_t s = 0; s < sides.size(); ++s)
-  {
-    const bool shared = (s > 0 && sides[s - 1].Edge == sides[s].Edge) ||
-                        (s + 1 < sides.size() && sides[s + 1].Edge == sides[s].Edge);
-    if (!shared)
+  forEachEdge(sides,
+    [&next](const FaceSide* side, int count)
     {
-      next[sides[s].From] = sides[s].To;
-    }
-  }
+      if (count == 1)
+      {
+        next[side->From] = side->To;
+      }
+    });
   std::vector<std::vector<int>> loops;
   std::vector<char> visited(vertexCount, 0);
   for (int v = 0; v < vertexCount; ++v)

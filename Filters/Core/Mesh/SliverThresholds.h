@@ -13,8 +13,8 @@ namespace flattening::slivers
 constexpr double NeedleEdge = 1e-9;
 
 /// Repair dissolves caps: altitude over longest edge of a face. A vertex so close to an open edge lies
-/// on it (a T-junction), and a loop of a handle with so thin a cone lies on a line. A convention, as for
-/// NeedleEdge.
+/// on it (a T-junction). A convention between rounding and the smallest altitude that may mean
+/// something, as for NeedleEdge.
 constexpr double CapAltitude = 1e-10;
 
 /// Intrinsic triangulations lengthen all edges until the triangle inequality holds with this excess, as

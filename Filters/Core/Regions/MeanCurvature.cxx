@@ -7,8 +7,6 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
-#include <cstddef>
-#include <vector>
 
 namespace flattening
 {
@@ -28,34 +26,29 @@ Eigen::VectorXd integratedMeanCurvature(const TriangleMesh& mesh)
     normals.row(f) = u.cross(v).stableNormalized();
   }
   Eigen::VectorXd measure = Eigen::VectorXd::Zero(mesh.vertexCount());
-  const std::vector<FaceSide> sides = sortedSides(mesh.Faces);
-  for (std::size_t first = 0, end = 0; first < sides.size(); first = end)
-  {
-    end = first + 1;
-    while (end < sides.size() && sides[end].Edge == sides[first].Edge)
+  forEachEdge(sortedSides(mesh.Faces),
+    [&](const FaceSide* sides, int count)
     {
-      ++end;
-    }
-    if (end != first + 2 || sides[first].From == sides[first + 1].From)
-    {
-      continue;
-    }
-    const bool firstAscends = sides[first].From < sides[first].To;
-    const FaceSide& left = sides[firstAscends ? first : first + 1];
-    const FaceSide& right = sides[firstAscends ? first + 1 : first];
-    const Eigen::RowVector3d edge = mesh.Vertices.row(left.To) - mesh.Vertices.row(left.From);
-    const Eigen::RowVector3d n = normals.row(left.face());
-    const Eigen::RowVector3d m = normals.row(right.face());
-    const double length = edge.norm();
-    if (!(length > 0.0) || n.isZero(0.0) || m.isZero(0.0))
-    {
-      continue;
-    }
-    // The angle is positive at a convex edge.
-    const double angle = std::atan2(n.cross(m).dot(edge) / length, n.dot(m));
-    measure[left.From] += 0.25 * length * angle;
-    measure[left.To] += 0.25 * length * angle;
-  }
+      if (count != 2 || sides[0].From == sides[1].From)
+      {
+        return;
+      }
+      const bool firstAscends = sides[0].From < sides[0].To;
+      const FaceSide& left = sides[firstAscends ? 0 : 1];
+      const FaceSide& right = sides[firstAscends ? 1 : 0];
+      const Eigen::RowVector3d edge = mesh.Vertices.row(left.To) - mesh.Vertices.row(left.From);
+      const Eigen::RowVector3d n = normals.row(left.face());
+      const Eigen::RowVector3d m = normals.row(right.face());
+      const double length = edge.norm();
+      if (!(length > 0.0) || n.isZero(0.0) || m.isZero(0.0))
+      {
+        return;
+      }
+      // The angle is positive at a convex edge.
+      const double angle = std::atan2(n.cross(m).dot(edge) / length, n.dot(m));
+      measure[left.From] += 0.25 * length * angle;
+      measure[left.To] += 0.25 * length * angle;
+    });
   return measure;
 }
 

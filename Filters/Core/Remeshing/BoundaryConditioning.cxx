@@ -194,7 +194,7 @@ private:
     }
     const Vertex stays = this->Mesh.target(h);
     const Point position = this->Mesh.point(stays);
-    const EditableSurface::Origin origin = this->Surface.origin(stays);
+    const Origin origin = this->Surface.origin(stays);
     const char onCut = this->OnCut[stays] || this->OnCut[this->Mesh.source(h)];
     this->BoundaryVertices -= isCut;
     const Vertex kept = CGAL::Euler::collapse_edge(edge, this->Mesh);

@@ -298,23 +298,9 @@ DerivedMesh MeshOnSurface::derived(const ProgressCallback& progress) const
   report(progress, 0.0, CarryingStage);
   DerivedMesh result;
   result.Mesh = toTriangleMesh(this->Surface);
-  std::vector<Eigen::Triplet<double, int>> weights;
-  weights.reserve(3 * static_cast<std::size_t>(this->Surface.number_of_vertices()));
-  int vertices = 0;
-  for (const Vertex v : this->Surface.vertices())
-  {
-    const SurfacePoint& place = this->Place[v];
-    for (int k = 0; k < 3; ++k)
-    {
-      if (place.Weights[k] > 0.0)
-      {
-        weights.emplace_back(vertices, this->Old.Faces(place.Face, k), place.Weights[k]);
-      }
-    }
-    ++vertices;
-  }
-  result.Vertices.resize(vertices, this->Old.vertexCount());
-  result.Vertices.setFromTriplets(weights.begin(), weights.end());
+  result.Vertices = originMatrix(this->Surface.vertices(),
+    this->Old.vertexCount(),
+    [this](Vertex v) { return originOf(this->Old.Faces, this->Place[v].Face, this->Place[v].Weights); });
 
   std::vector<int> nearby; // for each face, an old face below its first corner
   nearby.reserve(this->Surface.number_of_faces());

@@ -107,7 +107,7 @@ private:
 /// The smallest of the sines of the triangle's angles; 0 if it has no area.
 double smallestSine(const CornerTriangle& triangle);
 
-/// The smallest of those sines; 1 if there is no triangle.
+/// The smallest sine of an angle of these triangles; 1 if there is none.
 double smallestSine(const LocalChange::Triangles& triangles);
 
 /// The smallest cosine between the normal of a triangle and one of the old surface's normals at its

@@ -171,35 +171,30 @@ DerivedMesh decimateContext(const TriangleMesh& mesh,
   const ClosestPointTree original(mesh);
   DerivedMesh derived;
   derived.Mesh = toTriangleMesh(surface);
-  std::vector<int> originOf;
-  std::vector<Eigen::Triplet<double>> weights;
+  derived.Vertices = originMatrix(surface.vertices(),
+    mesh.vertexCount(),
+    [&](Vertex v)
+    {
+      if (origins[v] >= 0)
+      {
+        return Origin{ { origins[v], 1.0 } };
+      }
+      const Kernel::Point_3& p = surface.point(v);
+      const SurfacePoint nearest = original.closest({ p.x(), p.y(), p.z() });
+      return originOf(mesh.Faces, nearest.Face, nearest.Weights);
+    });
+  std::vector<int> kept; // per vertex: the original vertex that it is, or -1
   for (const Vertex v : surface.vertices())
   {
-    const int row = static_cast<int>(originOf.size());
-    originOf.push_back(origins[v]);
-    if (origins[v] >= 0)
-    {
-      weights.emplace_back(row, origins[v], 1.0);
-      continue;
-    }
-    const SurfacePoint nearest = original.closest(derived.Mesh.Vertices.row(row).transpose());
-    for (int k = 0; k < 3; ++k)
-    {
-      if (nearest.Weights[k] > 0.0)
-      {
-        weights.emplace_back(row, mesh.Faces(nearest.Face, k), nearest.Weights[k]);
-      }
-    }
+    kept.push_back(origins[v]);
   }
-  derived.Vertices.resize(derived.Mesh.vertexCount(), mesh.vertexCount());
-  derived.Vertices.setFromTriplets(weights.begin(), weights.end());
   for (const auto f : surface.faces()) // whose indices are those of the original faces
   {
     const int face = static_cast<int>(f.idx());
     const int row = static_cast<int>(derived.Faces.size());
     const Eigen::RowVector3i now = derived.Mesh.Faces.row(row);
     const Eigen::RowVector3i before = mesh.Faces.row(face);
-    const Eigen::RowVector3i corners(originOf[now[0]], originOf[now[1]], originOf[now[2]]);
+    const Eigen::RowVector3i corners(kept[now[0]], kept[now[1]], kept[now[2]]);
     const bool isSame = std::is_permutation(corners.begin(), corners.end(), before.begin());
     const Eigen::Vector3d centroid =
       (derived.Mesh.Vertices.row(now[0]) + derived.Mesh.Vertices.row(now[1]) +

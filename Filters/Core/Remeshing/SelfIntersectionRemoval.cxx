@@ -25,9 +25,6 @@ using Face = MeshOnSurface::Face;
 
 // Pairs that are left after so many rounds are left to smoothing: a guard against endless changes.
 constexpr int Rounds = 5;
-// Distances by which a vertex may be moved off the surface, as shares of the mean length of the edges
-// around it: the smallest that helps is taken. Steps near 1 would fold the surface.
-constexpr double Steps[] = { 0.02, 0.05, 0.1, 0.2, 0.4 };
 
 // The largest number of pairs for each face of the surface with which local changes are tried.
 // Isosurfaces of scans have fewer than one pair in a thousand faces. A surface that is pressed flat has
@@ -54,7 +51,7 @@ public:
 
 private:
   bool changeAround(Face face);
-  bool moveOff(Vertex v);
+  bool moveToMean(Vertex v);
   bool improves(const LocalChange& change) const;
   int intersections(const LocalChange::Triangles& triangles,
     const LocalChange& change,
@@ -117,10 +114,9 @@ bool PairSeparation::improves(const LocalChange& change) const
   return this->intersections(change.After, change, before) < before;
 }
 
-// Moves the vertex over the surface, then off it to either side, then to the mean of its neighbours.
-bool PairSeparation::moveOff(Vertex v)
+// Moves the vertex to the mean of its neighbours, on the surface or else off it.
+bool PairSeparation::moveToMean(Vertex v)
 {
-  const MeshOnSurface::Mesh& mesh = this->Surface.mesh();
   const auto guard = [this](const LocalChange& change) { return this->improves(change); };
   const Eigen::Vector3d meanOfNeighbours = this->Surface.meanOfNeighbours(v);
   const SurfacePoint place = this->Surface.place(v);
@@ -128,25 +124,6 @@ bool PairSeparation::moveOff(Vertex v)
   if (this->Surface.move(v, mean, mean.Position, guard))
   {
     return true;
-  }
-  const Eigen::Vector3d here = mesh.point(v);
-  const Eigen::Vector3d normal = this->Surface.walk().normal(place);
-  double lengths = 0.0;
-  for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
-  {
-    lengths += this->Surface.length(h);
-  }
-  const auto neighbours = static_cast<int>(mesh.degree(v));
-  for (const double step : Steps)
-  {
-    for (const double side : { -1.0, 1.0 })
-    {
-      const Eigen::Vector3d moved = here + side * step * lengths / neighbours * normal;
-      if (this->Surface.move(v, this->Surface.walk().closest(moved, place.Face), moved, guard))
-      {
-        return true;
-      }
-    }
   }
   return this->Surface.move(v, place, meanOfNeighbours, guard);
 }
@@ -164,7 +141,7 @@ bool PairSeparation::changeAround(Face face)
   }
   for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(face)))
   {
-    if (this->moveOff(v))
+    if (this->moveToMean(v))
     {
       return true;
     }

@@ -3,6 +3,7 @@
 
 #include "Base/Errors.h"
 #include "Mesh/EditableSurface.h"
+#include "Mesh/FaceSides.h"
 #include "Mesh/MeshTopology.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <numeric>
 #include <utility>
 
@@ -51,52 +51,32 @@ struct OrientationRecord : PMP::Default_orientation_visitor
   }
 };
 
-using FacesOfEdges = std::map<std::pair<int, int>, std::vector<int>>;
-
-// The edges of the faces that are `concerned`, with these faces.
-FacesOfEdges facesOfEdges(const FaceMatrix& faces, const std::vector<char>& concerned)
+// The pairs of faces that share an edge with no third one, sorted.
+std::vector<std::pair<int, int>> neighbours(const FaceMatrix& faces)
 {
-  FacesOfEdges edges;
-  for (int f = 0; f < faces.rows(); ++f)
-  {
-    for (int k = 0; concerned[f] && k < 3; ++k)
+  std::vector<std::pair<int, int>> pairs;
+  forEachEdge(sortedSides(faces),
+    [&pairs](const FaceSide* side, int count)
     {
-      edges[std::minmax<int>(faces(f, k), faces(f, (k + 1) % 3))].push_back(f);
-    }
-  }
-  return edges;
+      if (count == 2)
+      {
+        pairs.emplace_back(side[0].face(), side[1].face());
+      }
+    });
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
 }
 
 // Marks the faces beside a one-sided edge: an edge of just two faces is cut only if no orientation suits
-// both. Faces without copied vertices have no such edge.
-void markOneSidedEdges(OrientedMesh& oriented, const TriangleMesh& before)
+// both.
+void markOneSidedEdges(OrientedMesh& oriented, const FaceMatrix& before)
 {
-  std::vector<char> copied(before.vertexCount(), 0);
-  for (std::size_t v = before.vertexCount(); v < oriented.CopyOf.size(); ++v)
+  const std::vector<std::pair<int, int>> joined = neighbours(oriented.Mesh.Faces);
+  for (const auto& pair : neighbours(before))
   {
-    copied[oriented.CopyOf[v]] = 1;
-  }
-  std::vector<char> concerned(before.faceCount(), 0);
-  for (int f = 0; f < before.faceCount(); ++f)
-  {
-    concerned[f] =
-      copied[before.Faces(f, 0)] || copied[before.Faces(f, 1)] || copied[before.Faces(f, 2)];
-  }
-  std::vector<std::pair<int, int>> joined;
-  for (const auto& [edge, faces] : facesOfEdges(oriented.Mesh.Faces, concerned))
-  {
-    if (faces.size() == 2)
+    if (!std::binary_search(joined.begin(), joined.end(), pair))
     {
-      joined.emplace_back(faces[0], faces[1]);
-    }
-  }
-  std::sort(joined.begin(), joined.end());
-  for (const auto& [edge, faces] : facesOfEdges(before.Faces, concerned))
-  {
-    if (faces.size() == 2 &&
-        !std::binary_search(joined.begin(), joined.end(), std::make_pair(faces[0], faces[1])))
-    {
-      oriented.OneSided[faces[0]] = oriented.OneSided[faces[1]] = 1;
+      oriented.OneSided[pair.first] = oriented.OneSided[pair.second] = 1;
     }
   }
 }
@@ -148,7 +128,7 @@ OrientedMesh orientConsistently(const TriangleMesh& mesh)
   }
   if (points.size() > static_cast<std::size_t>(mesh.vertexCount()))
   {
-    markOneSidedEdges(oriented, mesh);
+    markOneSidedEdges(oriented, mesh.Faces);
   }
   return oriented;
 }

@@ -29,7 +29,7 @@ void coverWithFan(EditableSurface& surface, Halfedge border, const std::vector<V
 {
   SurfaceMesh& mesh = surface.mesh();
   Kernel::Vector_3 sum = CGAL::NULL_VECTOR;
-  EditableSurface::Origin origin;
+  Origin origin;
   for (const Vertex v : loop)
   {
     sum += mesh.point(v) - CGAL::ORIGIN;
@@ -58,16 +58,11 @@ void traceToLoop(EditableSurface& surface,
   {
     const Kernel::Point_3& p = surface.mesh().point(v);
     const SurfacePoint at = projection.closest({ p.x(), p.y(), p.z() });
-    EditableSurface::Origin origin;
-    for (int k = 0; k < 3; ++k)
+    surface.origin(v) = originOf(patch.Faces, at.Face, at.Weights);
+    for (auto& [original, weight] : surface.origin(v))
     {
-      if (at.Weights[k] > 0.0)
-      {
-        const Vertex corner = loop[patch.Faces(at.Face, k)];
-        origin.emplace_back(surface.origin(corner).front().first, at.Weights[k]);
-      }
+      original = surface.origin(loop[original]).front().first;
     }
-    surface.origin(v) = origin;
   }
 }
 

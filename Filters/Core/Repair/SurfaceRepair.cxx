@@ -128,14 +128,14 @@ RepairedSurface repairTriangleSoup(const TriangleMesh& soup,
   report.MergedPoints += removed.JoinedVertices;
   report.DegenerateFaces += removed.Faces;
   report.DuplicateFaces = dropDuplicates(list);
-  if (keptApart.empty() || std::count(keptApart.begin(), keptApart.end(), 0) > 0)
-  {
-    report.ClosedTJunctions = closeTJunctions(soup.Vertices, list, tolerance);
-  }
   if (list.Faces.empty())
   {
     throw InvalidInput("the surface has zero area: all of its " + std::to_string(soup.faceCount()) +
                        " triangles are degenerate; check the coordinates and the merge tolerance");
+  }
+  if (keptApart.empty() || std::count(keptApart.begin(), keptApart.end(), 0) > 0)
+  {
+    report.ClosedTJunctions = closeTJunctions(soup.Vertices, list, tolerance);
   }
 
   repaired.Surface = withoutUnusedVertices(soup.Vertices, list);

@@ -9,7 +9,7 @@
 namespace flattening
 {
 
-/// What repairTriangleSoup changed.
+/// The changes that repairTriangleSoup made.
 struct RepairReport
 {
   int MergedPoints = 0;     ///< points joined to another one within the tolerance or by a needle

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Repair/TJunctions.h"
 
+#include "Mesh/FaceSides.h"
+#include "Mesh/Halfedges.h"
 #include "Mesh/SliverThresholds.h"
 
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
@@ -9,9 +11,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cstdint>
-#include <map>
-#include <random>
 #include <tuple>
 #include <utility>
 
@@ -47,53 +46,21 @@ struct PointOnEdge
   }
 };
 
-// Flags the vertices around which some edge has an odd number of faces: the ends of open edges and few
-// others. The random codes of the neighbours cancel where all are met an even number of times; otherwise
-// they cancel with a chance of 2^-64.
-std::vector<char> verticesOfOpenEdges(const std::vector<Triangle>& faces, Eigen::Index vertexCount)
+// The edges of one face only, sorted by face.
+std::vector<OpenEdge> openEdges(const std::vector<Triangle>& faces)
 {
-  std::mt19937_64 random;
-  std::vector<std::uint64_t> code(vertexCount);
-  std::generate(code.begin(), code.end(), random);
-  std::vector<std::uint64_t> left(vertexCount, 0);
-  for (const auto& [a, b, c] : faces)
-  {
-    left[a] ^= code[b] ^ code[c];
-    left[b] ^= code[c] ^ code[a];
-    left[c] ^= code[a] ^ code[b];
-  }
-  std::vector<char> flags(vertexCount);
-  std::transform(left.begin(), left.end(), flags.begin(), [](std::uint64_t rest) { return rest != 0; });
-  return flags;
-}
-
-// The open edges, sorted by face.
-std::vector<OpenEdge> openEdges(const std::vector<Triangle>& faces, Eigen::Index vertexCount)
-{
-  const std::vector<char> candidate = verticesOfOpenEdges(faces, vertexCount);
+  const FaceMatrix corners =
+    Eigen::Map<const FaceMatrix>(faces.front().data(), static_cast<Eigen::Index>(faces.size()), 3);
   std::vector<OpenEdge> edges;
-  for (std::size_t f = 0; f < faces.size(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
+  forEachEdge(sortedSides(corners),
+    [&](const FaceSide* side, int count)
     {
-      const int from = faces[f][k];
-      const int to = faces[f][(k + 1) % 3];
-      if (candidate[from] && candidate[to])
+      if (count == 1)
       {
-        edges.push_back({ from, to, faces[f][(k + 2) % 3], static_cast<int>(f) });
+        const int apex = faces[side->face()][previousHalfedge(side->Halfedge) % 3];
+        edges.push_back({ side->From, side->To, apex, side->face() });
       }
-    }
-  }
-  const auto ends = [](const OpenEdge& edge) { return std::minmax(edge.From, edge.To); };
-  std::map<std::pair<int, int>, int> faceCount;
-  for (const OpenEdge& edge : edges)
-  {
-    ++faceCount[ends(edge)];
-  }
-  edges.erase(
-    std::remove_if(
-      edges.begin(), edges.end(), [&](const OpenEdge& edge) { return faceCount[ends(edge)] > 1; }),
-    edges.end());
+    });
   std::sort(edges.begin(),
     edges.end(),
     [](const OpenEdge& a, const OpenEdge& b)
@@ -205,7 +172,7 @@ void splitPart(std::vector<Triangle>& parts, int before, int end, int middle)
 int closeTJunctions(const Points3& vertices, FaceList& list, double tolerance)
 {
   std::vector<Triangle>& faces = list.Faces;
-  const std::vector<OpenEdge> edges = openEdges(faces, vertices.rows());
+  const std::vector<OpenEdge> edges = openEdges(faces);
   const std::vector<PointOnEdge> points = TJunctionSearch(vertices, tolerance).pointsOn(edges);
   std::vector<Triangle> parts;
   for (std::size_t i = 0; i < points.size(); ++i)

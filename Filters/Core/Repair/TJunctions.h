@@ -13,7 +13,7 @@ namespace flattening
 /// ends and no farther from the edge than @p tolerance (input units) or slivers::CapAltitude of its
 /// length, whichever is more, nor than a tenth of the face's height over the edge. Parts inherit the
 /// origin.
-/// @param faces no face may repeat a vertex.
+/// @param faces at least one; no face may repeat a vertex.
 /// @returns the number of places where an edge was split.
 int closeTJunctions(const Points3& vertices, FaceList& faces, double tolerance = 0.0);
 

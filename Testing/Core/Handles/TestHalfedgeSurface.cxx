@@ -17,7 +17,6 @@ TEST(HalfedgeSurface, CutsAndCapsALoop)
 {
   const TriangleMesh mesh = torus(12, 8);
   HalfedgeSurface surface(mesh);
-  EXPECT_EQ(surface.eulerCharacteristic(), 0);
   // Around the tube: vertices 0 .. 7.
   std::vector<int> loop;
   for (int j = 0; j < 8; ++j)
@@ -44,7 +43,6 @@ TEST(HalfedgeSurface, CutsAndCapsALoop)
   surface.addFaces(caps);
   topology = analyseTopology(surface.mesh().Faces, surface.vertexCount());
   EXPECT_EQ(topology.eulerCharacteristic(), 2);
-  EXPECT_EQ(surface.eulerCharacteristic(), 2);
   EXPECT_TRUE(topology.BoundaryLoops.empty());
   for (int h = 0; h < surface.halfedgeCount(); ++h)
   {

@@ -14,7 +14,7 @@
 #include <sstream>
 
 extern "C" {
-// Of the leak sanitizer, if the program was built with it.
+// A function of the leak sanitizer; null if the program was built without it.
 int __lsan_do_recoverable_leak_check() __attribute__((weak));
 }
 

@@ -11,7 +11,7 @@ namespace fuzz
 /// The message in the text of an error event of VTK.
 std::string messageOf(const std::string& eventText);
 
-/// What is wrong with a message; empty if nothing is.
+/// The fault of a message, in words; empty if it has none.
 std::string faultOf(const std::string& message, std::size_t greatestLength);
 
 } // namespace fuzz

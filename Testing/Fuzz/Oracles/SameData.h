@@ -9,7 +9,7 @@ class vtkDataObject;
 namespace fuzz
 {
 
-/// What differs between the points, cells, arrays and field data; empty if nothing does.
+/// A difference between the points, cells, arrays or field data, in words; empty if there is none.
 std::string difference(vtkDataObject* a, vtkDataObject* b);
 
 } // namespace fuzz
