@@ -16,6 +16,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -30,6 +31,9 @@ constexpr double CopiesAtOnce = 4.0;
 
 // The Gaussian ends at three standard deviations, beyond which 0.3 % of its weight lie.
 constexpr double RadiusFactor = 3.0;
+// The widest Gaussian, in lengths of the volume along its axis. A guard: the weights of one that is as
+// wide are the same in single precision, and a wider one is too much for VTK's integers.
+constexpr double WidestGaussian = 1e6;
 
 template <typename Filter>
 auto run(Filter* filter, const ProgressCallback& progress, const char* stage)
@@ -40,14 +44,37 @@ auto run(Filter* filter, const ProgressCallback& progress, const char* stage)
   return vtkSmartPointer(filter->GetOutput());
 }
 
+// The number of voxels along an axis. Extents may reach over all integers.
+long long voxelsAlong(const int extent[6], int axis)
+{
+  return static_cast<long long>(extent[2 * axis + 1]) - extent[2 * axis] + 1;
+}
+
 std::string sizeText(const int extent[6])
 {
   std::string text;
   for (int k = 0; k < 3; ++k)
   {
-    text += (k > 0 ? " x " : "") + std::to_string(extent[2 * k + 1] - extent[2 * k] + 1);
+    text += (k > 0 ? " x " : "") + std::to_string(voxelsAlong(extent, k));
   }
   return text;
+}
+
+// The same voxels in the same places, counted from 0: VTK's filters write beyond their memory where a
+// margin takes an extent past the least or greatest integer.
+vtkSmartPointer<vtkImageData> countedFromZero(vtkImageData* volume, vtkDataArray* values)
+{
+  const int* extent = volume->GetExtent();
+  double first[3];
+  volume->TransformIndexToPhysicalPoint(extent[0], extent[2], extent[4], first);
+  auto voxels = vtkSmartPointer<vtkImageData>::New();
+  voxels->CopyStructure(volume);
+  voxels->SetDimensions(static_cast<int>(voxelsAlong(extent, 0)),
+    static_cast<int>(voxelsAlong(extent, 1)),
+    static_cast<int>(voxelsAlong(extent, 2)));
+  voxels->SetOrigin(first);
+  voxels->GetPointData()->SetScalars(values);
+  return voxels;
 }
 
 } // namespace
@@ -57,7 +84,7 @@ void requireVolume(vtkImageData* volume, vtkDataArray* values)
   const int* extent = volume->GetExtent();
   for (int k = 0; k < 3; ++k)
   {
-    if (extent[2 * k + 1] - extent[2 * k] < 1)
+    if (voxelsAlong(extent, k) < 2)
     {
       throw InvalidInput("this is a single slice, of " + sizeText(extent) +
                          " voxels, and a surface needs a volume: open the whole series");
@@ -89,7 +116,7 @@ void requireVolumeMemory(const int extent[6], int margin)
   double bytes = CopiesAtOnce * sizeof(float);
   for (int k = 0; k < 3; ++k)
   {
-    bytes *= extent[2 * k + 1] - extent[2 * k] + 1.0 + 2.0 * margin;
+    bytes *= static_cast<double>(voxelsAlong(extent, k)) + 2.0 * margin;
   }
   requireMemory("the surface of a volume of " + sizeText(extent) + " voxels",
     bytes,
@@ -111,11 +138,8 @@ FloatingVolume inFloatingPoint(vtkImageData* volume,
     throw InvalidInput("all voxels have the value " + formatted(result.Range[0]) +
                        ", so that there is no surface: check that the file could be read");
   }
-  vtkNew<vtkImageData> voxels;
-  voxels->CopyStructure(volume);
-  voxels->GetPointData()->SetScalars(values);
   vtkNew<vtkImageCast> cast;
-  cast->SetInputData(voxels);
+  cast->SetInputData(countedFromZero(volume, values));
   cast->SetOutputScalarTypeToFloat();
   result.Image = run(cast.Get(), progress, "Reading the volume");
   return result;
@@ -153,12 +177,19 @@ vtkSmartPointer<vtkImageData> smoothed(vtkImageData* volume,
   double standardDeviation,
   const ProgressCallback& progress)
 {
-  const double* size = volume->GetSpacing();
+  double deviations[3]; // in voxels
+  double factors[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    const auto length = static_cast<double>(voxelsAlong(volume->GetExtent(), k));
+    deviations[k] = std::min(standardDeviation / volume->GetSpacing()[k], WidestGaussian * length);
+    // Beyond the length of the volume the Gaussian meets no voxel.
+    factors[k] = std::min(RadiusFactor, length / deviations[k]);
+  }
   vtkNew<vtkImageGaussianSmooth> smooth;
   smooth->SetInputData(volume);
-  smooth->SetStandardDeviations(
-    standardDeviation / size[0], standardDeviation / size[1], standardDeviation / size[2]);
-  smooth->SetRadiusFactors(RadiusFactor, RadiusFactor, RadiusFactor);
+  smooth->SetStandardDeviations(deviations[0], deviations[1], deviations[2]);
+  smooth->SetRadiusFactors(factors[0], factors[1], factors[2]);
   return run(smooth.Get(), progress, "Smoothing the volume");
 }
 

@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <random>
 #include <string>
@@ -112,6 +113,52 @@ TEST(VolumeToSurface, SmoothingIsALengthWhateverTheShapeOfTheVoxels)
   filter->AutomaticSmoothingOn();
   filter->Update();
   EXPECT_NEAR(figure(filter->GetOutput(), "SmoothingLength"), 2.0 * std::cbrt(1.0 * 1.25 * 2.0), 1e-12);
+}
+
+// VTK's filters write beyond their memory where a margin leaves the range of integers.
+TEST(VolumeToSurface, VoxelsMayBeCountedFromTheLeastInteger)
+{
+  const auto volume =
+    volumeOf(Eigen::Vector3d(60, 60, 60), [](const Eigen::Vector3d& p) { return ball(p, 20.0); });
+  const auto filter = filterAt(100.0, 2.0, volume);
+  filter->Update();
+  const Measures expected = measured(filter->GetOutput());
+  EXPECT_GT(expected.Area, 1000.0);
+
+  vtkNew<vtkImageData> shifted;
+  shifted->ShallowCopy(volume);
+  const int least = std::numeric_limits<int>::min();
+  const int* size = volume->GetDimensions();
+  shifted->SetExtent(least, least + size[0] - 1, least, least + size[1] - 1, least, least + size[2] - 1);
+  Eigen::Vector3d origin(volume->GetOrigin());
+  origin -= static_cast<double>(least) * Eigen::Vector3d(VoxelSizes);
+  shifted->SetOrigin(origin.data());
+  filter->SetInputData(shifted);
+  ErrorLog errors(filter);
+  filter->Update();
+  EXPECT_TRUE(errors.messages().empty());
+  const Measures found = measured(filter->GetOutput());
+  EXPECT_EQ(found.Area, expected.Area);
+  EXPECT_EQ(found.Volume, expected.Volume) << "the voxels are where they were";
+}
+
+// A Gaussian that is wider than the volume has more voxels than fit in an integer. It leaves the mean.
+TEST(VolumeToSurface, TheSmoothingMayBeWiderThanTheVolume)
+{
+  const auto volume =
+    volumeOf(Eigen::Vector3d(60, 60, 60), [](const Eigen::Vector3d& p) { return ball(p, 20.0); });
+  for (const double smoothing : { 100.0, 1e12, 1e300 })
+  {
+    const auto filter = filterAt(100.0, smoothing, volume);
+    ErrorLog errors(filter);
+    filter->Update();
+    ASSERT_EQ(errors.messages().size(), 1u) << smoothing;
+    EXPECT_NE(
+      errors.messages()[0].find("is not between the least and greatest value of the smoothed volume"),
+      std::string::npos)
+      << errors.messages()[0];
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  }
 }
 
 // The greatest variance between two classes over all splits of the sorted values, and its split.

@@ -94,6 +94,7 @@ void GeodesicSearch::start(int source, double limit)
   for (Bucket& bucket : this->Buckets)
   {
     bucket.Windows.clear();
+    bucket.NextWindow = 0;
     bucket.Places.clear();
   }
   this->ReachedPlaces.clear();
@@ -116,10 +117,11 @@ bool GeodesicSearch::advance(const Checkpoint& checkpoint)
   }
   // The references do not outlive a call that may add buckets or windows.
   const auto bucket = [this]() -> Bucket& { return this->Buckets[this->Current]; };
-  while (!bucket().Places.empty() || !bucket().Windows.empty())
+  while (!bucket().Places.empty() || bucket().NextWindow < bucket().Windows.size())
   {
     while (!bucket().Places.empty())
     {
+      std::pop_heap(bucket().Places.begin(), bucket().Places.end());
       const PlaceEvent event = bucket().Places.back();
       bucket().Places.pop_back();
       if (event.Distance == this->Distances[event.Place])
@@ -127,10 +129,9 @@ bool GeodesicSearch::advance(const Checkpoint& checkpoint)
         this->spreadFrom(event.Place);
       }
     }
-    if (!bucket().Windows.empty())
+    if (bucket().NextWindow < bucket().Windows.size())
     {
-      const Window window = bucket().Windows.back();
-      bucket().Windows.pop_back();
+      const Window window = bucket().Windows[bucket().NextWindow++];
       if (!this->isBeaten(window))
       {
         this->enterFace(window);
@@ -166,7 +167,9 @@ void GeodesicSearch::lower(int place, double distance, const Arrival& arrival)
   {
     this->Buckets.resize(index + 1);
   }
-  this->Buckets[index].Places.push_back({ place, distance });
+  std::vector<PlaceEvent>& places = this->Buckets[index].Places;
+  places.push_back({ place, distance });
+  std::push_heap(places.begin(), places.end());
 }
 
 // Paths from a place: along its edges to the neighbours and, if paths bend here, over its faces.

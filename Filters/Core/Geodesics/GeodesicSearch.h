@@ -40,9 +40,9 @@ enum class Paths
 /// distances on meshes"). It drops windows that a path through a vertex beats (Xin, Wang 2009,
 /// "Improving Chen and Han's algorithm on the discrete geodesic problem").
 ///
-/// CGAL's Surface_mesh_shortest_path (CGAL 5.5 to 6.2) is not used: it cannot end at a distance and
-/// cannot close seams, and it crashes where a loop of edges is so short that a path does not grow by it
-/// in double precision. Here a distance is only replaced by a smaller one, so that no path can end its
+/// CGAL's Surface_mesh_shortest_path is not used: it cannot end at a distance and cannot close seams,
+/// and that of CGAL 5.5 crashes where a loop of edges is so short that a path does not grow by it in
+/// double precision. Here a distance is only replaced by a smaller one, so that no path can end its
 /// own beginning.
 class GeodesicSearch
 {
@@ -103,13 +103,18 @@ private:
   {
     int Place;
     double Distance;
+
+    bool operator<(const PlaceEvent& other) const { return other.Distance < this->Distance; }
   };
   // A bucket holds windows and places that are processed together: their distances differ by less than
-  // its width.
+  // its width. Of the places the nearest comes first, and of the windows the oldest: in another order,
+  // a speck of the surface that lies in one bucket is spread over again and again, for ever shorter
+  // paths.
   struct Bucket
   {
     std::vector<Window> Windows;
-    std::vector<PlaceEvent> Places;
+    std::size_t NextWindow = 0;
+    std::vector<PlaceEvent> Places; // a heap
   };
   // The best window so far that saw the apex of a half-edge's face.
   struct ApexView

@@ -58,7 +58,7 @@ void requireSensibleLength(const TriangleMesh& mesh, double length)
   std::ostringstream message; // lengths of any order of magnitude
   if (!(length > 0.0) || !std::isfinite(length))
   {
-    message << "the target edge length is " << length
+    message << "the target edge length is " << formatted(length)
             << ": set a positive length in the units of the surface";
     throw InvalidInput(message.str());
   }

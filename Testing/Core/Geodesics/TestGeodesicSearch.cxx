@@ -243,6 +243,28 @@ TEST(GeodesicSearch, LoopsShorterThanRoundingDoNoHarm)
   }
 }
 
+// Some thousand faces that are nearer to each other than rounding: the search takes each of them up a
+// few times, whatever the order in which they lie. It once took the last one first, and did not end.
+TEST(GeodesicSearch, ASpeckOfManyFacesEnds)
+{
+  const TriangleMesh flat = flatGrid(60);
+  TriangleMesh mesh = flat;
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    const Eigen::RowVector3d out = flat.Vertices.row(v) - Eigen::RowVector3d(0.5, 0.5, 0.0);
+    mesh.Vertices.row(v) = std::pow(out.norm(), 20.0) * out; // from 1 to 1e-35 times as large
+  }
+  const UnfoldableFaces faces(mesh, Seams::Open);
+  GeodesicSearch search(faces);
+  int checks = 0;
+  for (const int source : { 0, 60 * 30 + 30, 59 })
+  {
+    const std::vector<ReachedVertex> reached =
+      search.within(Infinite, source, [&checks] { EXPECT_LT(++checks, 100000); });
+    EXPECT_EQ(reached.size(), static_cast<std::size_t>(mesh.vertexCount()));
+  }
+}
+
 TEST(GeodesicSearch, OppositeCornersOfTheCube)
 {
   TriangleMesh cube;
