@@ -7,6 +7,8 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace flattening
 {
@@ -74,6 +76,30 @@ LineAtHalfedge crossFace(const UnfoldableFaces& faces, const LineAtHalfedge& lin
                                      : leaveBy(next, apex, { 0.0, 0.0 }, from, goal);
 }
 
+// A line that passes a place by rounding may meet it, then half-edges beside it, and then the place
+// again.
+std::vector<PathCrossing> withoutLoops(const std::vector<PathCrossing>& path)
+{
+  std::vector<PathCrossing> result;
+  std::map<std::pair<int, int>, std::size_t> first; // of each place or edge
+  for (const PathCrossing& crossing : path)
+  {
+    const std::pair<int, int> key(crossing.Place, crossing.Halfedge);
+    const auto [known, isNew] = first.try_emplace(key, result.size());
+    if (isNew || known->second >= result.size() ||
+        std::pair(result[known->second].Place, result[known->second].Halfedge) != key)
+    {
+      known->second = result.size();
+      result.push_back(crossing);
+    }
+    else
+    {
+      result.resize(known->second + 1);
+    }
+  }
+  return result;
+}
+
 } // namespace
 
 void GeodesicSearch::appendLine(const Arrival& arrival, std::vector<PathCrossing>& path) const
@@ -114,7 +140,7 @@ std::vector<PathCrossing> GeodesicSearch::pathFrom(int target) const
       path.push_back({ place });
     }
   }
-  return path;
+  return withoutLoops(path);
 }
 
 } // namespace flattening
