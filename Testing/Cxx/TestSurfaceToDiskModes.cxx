@@ -146,7 +146,8 @@ TEST(SurfaceToDiskModes, ReliefRunsWhereTheCurvatureIs)
   expectDisk(output);
   EXPECT_GE(figure(output, "ReliefBranches"), 1);
   EXPECT_GT(figure(output, "ReliefLength"), 2.4);
-  EXPECT_EQ(figure(output, "ReliefLength"), figure(output, "SeamLength"));
+  // One is a sum over branches, the other a difference of boundaries.
+  EXPECT_NEAR(figure(output, "ReliefLength"), figure(output, "SeamLength"), 1e-12);
   EXPECT_NEAR(figure(output, "BoundaryLength"), 2.0 * figure(output, "SeamLength"), 1e-12);
   EXPECT_GE(figure(output, "BoundaryVertices"), 128);
   EXPECT_NEAR(areaOf(output), areaOf(input), 1e-12 * areaOf(input));
