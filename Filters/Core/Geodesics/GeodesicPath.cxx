@@ -247,7 +247,7 @@ StripPath pathInStrip(const SurfaceMesh& mesh,
   {
     return found;
   }
-  // Where seams are open, places are vertices.
+  // Every place is a vertex, because the seams are open.
   for (const PathCrossing& crossing : search.pathFrom(numberIn(original, from)))
   {
     if (crossing.Place >= 0)
