@@ -8,6 +8,7 @@
 #include "Disk/GeodesicSeam.h"
 #include "Disk/ReliefCut.h"
 #include "Disk/ReliefPlacement.h"
+#include "Disk/SeamAngles.h"
 #include "Disk/SeamPlacement.h"
 #include "Disk/SeamSegments.h"
 #include "Disk/TubeSeam.h"
@@ -69,7 +70,6 @@ std::vector<char> flagsOf(const VertexOrigins& origins, const std::vector<char>&
   return result;
 }
 
-// Counts the flagged vertices on the seam.
 int countOnSeam(const std::vector<char>& flags, const CutSurface& cut)
 {
   int count = 0;
@@ -115,9 +115,21 @@ public:
     this->Cut = this->chosenCut();
   }
 
+  void open(const ProgressCallback& progress)
+  {
+    this->cut(subrange(progress, 0.0, 0.95));
+    this->openAngles(subrange(progress, 0.95, 1.0));
+  }
+
+private:
+  const TriangleMesh& mesh() const { return this->Disk.Surface.Mesh; }
+  bool isClosed() const { return this->Ends == OpenEnds::Kind::None; }
+  bool cutsGraph() const { return this->Report.Genus > 0 && this->Options.Handles == HandleMode::Keep; }
+  bool isTube() const { return this->Ends == OpenEnds::Kind::Two; }
+
   // A cut graph opens a closed surface too; a hole or a seam is cut as well if its place was given, and
   // a relief in any case.
-  void open(const ProgressCallback& progress)
+  void cut(const ProgressCallback& progress)
   {
     const bool cutsRelief = this->Cut == CutMode::Relief;
     if (!this->cutsGraph())
@@ -140,11 +152,16 @@ public:
     }
   }
 
-private:
-  const TriangleMesh& mesh() const { return this->Disk.Surface.Mesh; }
-  bool isClosed() const { return this->Ends == OpenEnds::Kind::None; }
-  bool cutsGraph() const { return this->Report.Genus > 0 && this->Options.Handles == HandleMode::Keep; }
-  bool isTube() const { return this->Ends == OpenEnds::Kind::Two; }
+  // Opens the angles that a seam has made smaller than was asked for.
+  void openAngles(const ProgressCallback& progress)
+  {
+    if (!this->Disk.Seam.empty() && this->Options.Handles != HandleMode::Keep)
+    {
+      const bool remeshed = this->Options.Remesh;
+      openAnglesBesideSeam(
+        this->Disk, remeshed ? slivers::DiskAngle : this->Options.SmallestAngle, progress);
+    }
+  }
 
   // The way to cut, which Automatic leaves to the surface unless the place of a cut was given.
   CutMode chosenCut()
@@ -320,8 +337,7 @@ private:
     this->Report.SeamLength += 0.5 * (boundaryLength(this->mesh()) - before);
   }
 
-  // Carries the flags of an earlier seam over to the next surface: a vertex is on the seam if all that
-  // it is made of are.
+  // Carries the flags of an earlier seam over: a vertex is on it if all that it is made of are.
   void followFlags(const DerivedMesh& next)
   {
     if (!this->Disk.Seam.empty())
