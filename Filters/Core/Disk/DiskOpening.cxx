@@ -34,16 +34,15 @@ namespace
 constexpr int LeastBoundaryVertices = 8;
 
 // A seam of fewer mean edges that is also shorter than this share of the square root of the area is an
-// error, if it opens a closed surface. A convention: two clicks at one place give such a seam; on a
-// coarse surface a few edges can be long.
+// error, if it opens a closed surface. A convention: two clicks at one place give such a seam; on a coarse
+// surface a few edges can be long.
 constexpr double FewestSeamEdges = 5.0;
 constexpr double ShortestOpening = 0.05;
-
-// The least gain of a relief that Automatic cuts, which does not know whether the map will fill a disk,
-// which presses a long boundary together. Measured on a brain, raw and remeshed, and a macaque's grey
-// matter: in the disk 0.1 leaves 18.6, 20.4 and 22.7 degrees of mean angle error, 0.15 up to 0.6 more,
-// and 0.2 up to 2.2 more; with a free outline 0.1 leaves 8.8, 9.9 and 11.4 degrees.
+// The least gain and the greatest length of a relief that Automatic cuts, as a disk presses a long
+// boundary together. Measured: 18.5, 20.6 degrees of error in the disk for a brain, raw and remeshed, and
+// 18.7, 22.6 with a gain of 0.2. Skull and white matter could not be freed after reliefs 4.3 long.
 constexpr double AutomaticGain = 0.07;
+const double AutomaticLongest = 1.5 * std::sqrt(std::acos(-1.0));
 
 double boundaryLength(const TriangleMesh& mesh)
 {
@@ -55,7 +54,7 @@ double boundaryLength(const TriangleMesh& mesh)
   return length;
 }
 
-// Flags of vertices that are made of others: set if all, or any, of these others are flagged.
+// Flags of vertices that are made of others: whether all, or any, of these are flagged.
 std::vector<char> flagsOf(const VertexOrigins& origins, const std::vector<char>& flags, bool all)
 {
   std::vector<char> result(origins.rows(), all);
@@ -276,6 +275,7 @@ private:
     if (this->Options.Cut == CutMode::Automatic)
     {
       options.Gain = std::max(options.Gain, AutomaticGain);
+      options.Longest = std::min(options.Longest, AutomaticLongest);
     }
     const PlacedRelief placed =
       placeRelief(this->mesh(), this->avoided(), options, subrange(progress, 0.0, 0.5));
