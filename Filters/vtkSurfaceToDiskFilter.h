@@ -58,15 +58,15 @@
  *   both banks; 0 elsewhere. Seams start at the boundary of the surface before it was cut or, if they do
  *   not meet it, at one of their ends: at the one nearest to the first of SeamPoints if there are such.
  * - point `ScaledCurvature` (double, dimensionless; only with ScaledCurvature): mean curvature, averaged
- *   over some 0.5 % of the square root of the area and scaled so that nine tenths of the area are from -1
- *   to 1: positive on ridges, negative in furrows. The active scalars unless those of the input vary.
+ *   over some 0.5 % of the square root of the area and scaled so that nine tenths of the area are from
+ * -1 to 1: positive on ridges, negative in furrows. The active scalars unless those of the input vary.
  * - cell `vtkOriginalCellIds` (vtkIdType): id of the input cell; -1 on filled holes and caps.
  * - cell `Filled` (unsigned char): 1 on filled holes and on the caps of removed handles, 0 elsewhere.
  *
  * Output arrays of port 1:
  * - cell `SeamId` (int): number of the piece, from 1, in the order in which the boundary of the disk
- * meets them after the start; 0 on the rest of the boundary; -1 on the outlines of filled holes and caps,
- * which are no part of the boundary.
+ * meets them after the start; 0 on the rest of the boundary; -1 on the outlines of filled holes and
+ * caps, which are no part of the boundary.
  * - cell `Length` (double, input units): length of the line.
  *
  * Output arrays of port 2:
@@ -113,8 +113,8 @@
  * - `ReliefLength` (double, input units): length of these branches.
  * - `ReliefStrain` (double x 2, without unit): strain before and after the relief was cut: the standard
  *   deviation over the area of the conformal factor of the map with a free outline. A map with exact
- *   areas stretches by about e to this power one way, and as much less the other way: 0.016 is one
- *   degree of angle error. 0 if CutMode is another.
+ *   areas stretches by about e to this power one way, and as much less the other way. On brains 0.03 is
+ *   about one degree of mean angle error. 0 if CutMode is another.
  * - `RemovedArea` (double, input units squared): area of the hole, of the side of the plane that was cut
  *   off, or of the label.
  * - `RemovedRegionPoints` (vtkIdType): number of points of the region of interest in the hole, where
@@ -334,16 +334,16 @@ public:
    * parts, ComponentMode chooses one (for BY_INDEX the largest).
    * - RELIEF (3): the surface is cut along a tree of geodesics and keeps its area. The tree grows from
    *   the boundary, or on a closed surface from a first branch, to the places where a conformal map
-   *   would change the scale most, as long as a branch lowers the strain by enough (ReliefGain,
+   *   would change the scale most, as far as its length lowers the strain by enough (ReliefGain,
    *   LongestRelief). This suits a flat map whose outline is free. Handles that are to be cut are cut
    *   first.
    * - LABEL (4): the part with a label (CutLabel) is removed, and its border becomes the boundary of the
    *   disk.
    * - AUTOMATIC (5): a seam if UseSeamPoints or SeamLines give its place, a hole if UseHolePoint does.
-   *   Otherwise a closed surface gets the opening that mostly leaves the best map of the disk: a relief
-   *   whose boundary is no longer than the circumference of a disk of the surface's area, or a hole
-   *   where the region of interest leaves no room for one. An open surface keeps its boundary.
-   *   ChosenCut and ReasonOfCut report the choice.
+   *   Otherwise a closed surface gets the opening that mostly leaves the best map of the disk and a good
+   *   one with a free outline: a relief with a ReliefGain of 0.07 at least and a boundary no longer than
+   *   1.5 circumferences of a disk of the surface's area, or a hole where the region of interest leaves
+   *   no room for one. An open surface keeps its boundary. ChosenCut and ReasonOfCut report the choice.
    *
    * Default: AUTOMATIC. The paper cuts a hole.
    */
@@ -481,10 +481,12 @@ public:
 
   ///@{
   /**
-   * The least decrease of the strain (see ReliefStrain) that keeps a branch if CutMode is RELIEF or
-   * AUTOMATIC and the branch is as long as the square root of the surface's area; a branch of another
-   * length must do so in proportion. A third of the default is worth one degree of angle error. Less
-   * makes more branches. Range [0, inf), otherwise an error. Default: 0.05.
+   * The strain (see ReliefStrain) that a relief as long as the square root of the surface's area must
+   * take away to be worth its length, if CutMode is RELIEF or AUTOMATIC, and in proportion if it has
+   * another length: of all reliefs that are tried, the one is taken for which the strain and this number
+   * times the length make the least sum. Each branch counts as if it were longer by 0.05. AUTOMATIC
+   * takes 0.07 if this is less. Less makes more branches. Range [0, inf), otherwise an error. Default:
+   * 0.05.
    */
   vtkSetMacro(ReliefGain, double);
   vtkGetMacro(ReliefGain, double);
@@ -541,9 +543,9 @@ public:
   ///@{
   /**
    * Angle below which a face is removed without Remesh, by moving its vertices, collapsing and flipping
-   * edges, as slivers cannot be flattened well (degrees). The cut, which comes after it, can divide a
-   * face into some with smaller angles. 0 leaves all faces as they are. Ignored if HandleMode is
-   * CUT_HANDLES. Range [0, 15]. Default: 1.
+   * edges, as slivers cannot be flattened well (degrees). Faces beside seams are opened again after the
+   * cut, as far as the seams can stay as they are. 0 leaves all faces as they are. Ignored if HandleMode
+   * is CUT_HANDLES. Range [0, 15]. Default: 1.
    */
   vtkSetClampMacro(SmallestAngle, double, 0.0, 15.0);
   vtkGetMacro(SmallestAngle, double);

@@ -14,10 +14,11 @@ namespace flattening
 
 struct ReliefOptions
 {
-  /// The least decrease of the strain (ConformalStrain) that keeps a branch if the branch is as long as
-  /// the square root of the surface's area, and in proportion if it is shorter or longer (>= 0). A
-  /// sixtieth of strain is about one degree of mean angle error: with 0.05, three degrees are worth such
-  /// a length.
+  /// The strain (ConformalStrain) that a relief must take away to be worth its length, if that is the
+  /// square root of the surface's area, and in proportion if it is another (>= 0): of all reliefs that
+  /// are tried, the one is taken for which the sum of the strain and of Gain times the length is least.
+  /// Each branch counts as if it were longer by 0.05 square roots of the area. On brains 0.03 of strain
+  /// is about one degree of mean angle error: with 0.05, two degrees are worth such a length.
   double Gain = 0.05;
   /// The greatest length of all branches together, in square roots of the surface's area (> 0). The
   /// first branch of a closed surface is cut whatever its length.
@@ -39,9 +40,9 @@ struct PlacedRelief
 /// boundary or none. Candidates for the next tip are the places where the conformal factor of the map
 /// with a free outline peaks, as Gaussian curvature has to go there. Of the candidates the one is taken
 /// that lowers the strain most for its length (the greedy trade of length for distortion is that of Li
-/// et al. 2018, "OptCuts", the peaks those of Chai et al. 2019, "Surface cutting by voting"), until none
-/// is worth its length. The first tip of a closed surface is the peak of the factor of a surface opened
-/// at any other point.
+/// et al. 2018, "OptCuts", the peaks those of Chai et al. 2019, "Surface cutting by voting"), until no
+/// longer relief can be worth its length; the branches after the best of these reliefs are taken back.
+/// The first tip of a closed surface is the peak of the factor of a surface opened at any other point.
 /// @param avoided  one flag per vertex, not 0 where no branch may be; empty: they may be anywhere
 /// @throws InvalidInput if the flags are of another number than the vertices or all set, or an option is
 /// out of range; ConvergenceError; Cancelled.

@@ -13,6 +13,7 @@ namespace
 {
 
 using Vertex = SeamInsertion::Vertex;
+using Halfedge = EditableSurface::Halfedge;
 
 std::pair<Vertex, Vertex> sortedEnds(Vertex a, Vertex b)
 {
@@ -90,6 +91,7 @@ SeamOpenedSurface SeamInsertion::cut()
     vertices.insert(vertices.end(), { from, to });
   }
   flipInsideOriginalFaces(this->Surface, vertices);
+  this->splitChords();
 
   SeamOpenedSurface opened;
   std::vector<MeshEdge> edges;
@@ -103,6 +105,29 @@ SeamOpenedSurface SeamInsertion::cut()
   follow(whole, std::move(opened.Cut.Surface));
   opened.Cut.Surface = std::move(whole);
   return opened;
+}
+
+// A face with all of its corners on the boundary has no area where the map presses the boundary onto so
+// short an arc that rounding makes it straight.
+void SeamInsertion::splitChords()
+{
+  const auto isOnEdges = [this](Vertex v) { return this->isTaken(v) && !this->mesh().is_border(v); };
+  std::vector<Halfedge> chords;
+  for (const auto edge : this->mesh().edges())
+  {
+    const Halfedge h = this->mesh().halfedge(edge);
+    const Vertex from = this->mesh().source(h);
+    const Vertex to = this->mesh().target(h);
+    if (this->isTaken(from) && this->isTaken(to) && (isOnEdges(from) || isOnEdges(to)) &&
+        this->Edges.count(sortedEnds(from, to)) == 0)
+    {
+      chords.push_back(h);
+    }
+  }
+  for (const Halfedge h : chords)
+  {
+    this->Surface.splitEdge(h, 0.5);
+  }
 }
 
 int SeamInsertion::partOf(Vertex v) const

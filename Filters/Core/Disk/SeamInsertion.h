@@ -59,10 +59,12 @@ public:
   /// @return the vertices of the new seam
   std::vector<Vertex> insert(const std::vector<PathPoint>& path);
 
-  /// Improves the faces along the seams (flipInsideOriginalFaces), and cuts the surface open there.
+  /// Improves the faces along the seams (flipInsideOriginalFaces), splits edges beside them that join
+  /// two vertices of the boundary to be, and cuts the surface open along the seams.
   SeamOpenedSurface cut();
 
 private:
+  void splitChords();
   int partOf(Vertex v) const;
   void join(Vertex v, int part);
 

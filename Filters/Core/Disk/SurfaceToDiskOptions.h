@@ -45,9 +45,9 @@ enum class CutMode
           ///< boundary
   Label,  ///< a part of the surface is removed, and its border becomes that of the disk
   Automatic ///< a cut whose place is given (SeamPoints, Hole.Centre); otherwise a closed surface gets
-            ///< the opening that makes the best map of the disk, a relief whose boundary is no longer
-            ///< than the circumference of a disk of the surface's area, or a hole if the region of
-            ///< interest leaves no room for a relief; an open one keeps its boundary
+            ///< the opening that makes the best map of the disk, a relief that is shorter than one for a
+            ///< free outline, or a hole if the region of interest leaves no room for a relief; an open
+            ///< one keeps its boundary
 };
 
 struct SurfaceToDiskOptions
@@ -87,7 +87,8 @@ struct SurfaceToDiskOptions
   /// One flag per point of the input: not 0 where no hole, seam or relief may be placed; empty:
   /// anywhere. Cut graphs and the seams of tubes do not avoid it.
   std::vector<char> RegionOfInterest;
-  /// Without remeshing, angles below this one are opened by local changes (withoutSmallAngles), because
+  /// Without remeshing, angles below this one are opened by local changes (withoutSmallAngles), before
+  /// the surface is cut and once more beside seams (openAnglesBesideSeam), because
   /// slivers cannot be flattened well; degrees, 0 (off) to 15. Ignored if handles are kept.
   double SmallestAngle = slivers::DiskAngle;
   bool Remesh = false;

@@ -18,6 +18,7 @@ namespace
 {
 
 using Vertex = MeshOnSurface::Vertex;
+using Edge = MeshOnSurface::Edge;
 using Halfedge = MeshOnSurface::Halfedge;
 using Face = MeshOnSurface::Face;
 
@@ -70,12 +71,40 @@ bool moveInwards(MeshOnSurface& surface, Vertex v, const MeshOnSurface::Guard& g
   return false;
 }
 
+// Which changes may be made at the boundary.
+enum class BoundaryRule
+{
+  Coarsened, // it may lose vertices where it is nearly straight
+  Kept       // it stays, and no new edge inside joins two of its vertices
+};
+
+bool mayFlip(const MeshOnSurface& surface, Edge edge, BoundaryRule rule)
+{
+  const MeshOnSurface::Mesh& mesh = surface.mesh();
+  const Halfedge h = mesh.halfedge(edge);
+  return rule == BoundaryRule::Coarsened || mesh.is_border(edge) ||
+         !surface.onBoundary(mesh.target(mesh.next(h))) ||
+         !surface.onBoundary(mesh.target(mesh.next(mesh.opposite(h))));
+}
+
+// A collapse onto the boundary would join the neighbours of the lost vertex with it.
+bool mayCollapse(const MeshOnSurface& surface, Edge edge, BoundaryRule rule)
+{
+  const Halfedge h = surface.mesh().halfedge(edge);
+  return rule == BoundaryRule::Coarsened || (!surface.onBoundary(surface.mesh().source(h)) &&
+                                              !surface.onBoundary(surface.mesh().target(h)));
+}
+
 // Tries one change after another, the mildest first, until one is made.
-bool openAngles(MeshOnSurface& surface, Face face, const MeshOnSurface::Guard& guard)
+bool openAngles(MeshOnSurface& surface, Face face, BoundaryRule rule, const MeshOnSurface::Guard& guard)
 {
   const MeshOnSurface::Mesh& mesh = surface.mesh();
   const std::array<Halfedge, 3> edges = edgesByLength(surface, face);
-  if (surface.flip(mesh.edge(edges[2]), guard) || surface.collapse(mesh.edge(edges[0]), guard))
+  const auto flip = [&](Halfedge h)
+  { return mayFlip(surface, mesh.edge(h), rule) && surface.flip(mesh.edge(h), guard); };
+  const auto collapse = [&](Halfedge h)
+  { return mayCollapse(surface, mesh.edge(h), rule) && surface.collapse(mesh.edge(h), guard); };
+  if (flip(edges[2]) || collapse(edges[0]))
   {
     return true;
   }
@@ -86,13 +115,13 @@ bool openAngles(MeshOnSurface& surface, Face face, const MeshOnSurface::Guard& g
       return true;
     }
   }
-  return surface.flip(mesh.edge(edges[1]), guard) || surface.flip(mesh.edge(edges[0]), guard) ||
-         surface.collapse(mesh.edge(edges[1]), guard) || surface.collapse(mesh.edge(edges[2]), guard);
+  return flip(edges[1]) || flip(edges[0]) || collapse(edges[1]) || collapse(edges[2]);
 }
 
-} // namespace
-
-void removeSlivers(MeshOnSurface& surface, double degrees, const ProgressCallback& progress)
+void removeSlivers(MeshOnSurface& surface,
+  double degrees,
+  BoundaryRule rule,
+  const ProgressCallback& progress)
 {
   const double bound = std::sin(degrees * EIGEN_PI / 180.0);
   const double tiny = std::sin(slivers::TinyAngle * EIGEN_PI / 180.0);
@@ -113,8 +142,9 @@ void removeSlivers(MeshOnSurface& surface, double degrees, const ProgressCallbac
     {
       if (!surface.mesh().is_removed(f) && smallestSine(surface.triangle(f)) < bound)
       {
-        changed |= openAngles(surface, f, opensSmallAngleAligned) ||
-                   (smallestSine(surface.triangle(f)) < tiny && openAngles(surface, f, opensSmallAngle));
+        changed |=
+          openAngles(surface, f, rule, opensSmallAngleAligned) ||
+          (smallestSine(surface.triangle(f)) < tiny && openAngles(surface, f, rule, opensSmallAngle));
       }
     }
   }
@@ -122,6 +152,7 @@ void removeSlivers(MeshOnSurface& surface, double degrees, const ProgressCallbac
 
 DerivedMesh withoutSmallAngles(const TriangleMesh& mesh,
   double degrees,
+  BoundaryRule rule,
   const ProgressCallback& progress)
 {
   if (smallestAngle(mesh) >= degrees)
@@ -129,8 +160,29 @@ DerivedMesh withoutSmallAngles(const TriangleMesh& mesh,
     return derivedFromItself(mesh);
   }
   MeshOnSurface surface(mesh);
-  removeSlivers(surface, degrees, progress);
+  removeSlivers(surface, degrees, rule, progress);
   return surface.derived();
+}
+
+} // namespace
+
+void removeSlivers(MeshOnSurface& surface, double degrees, const ProgressCallback& progress)
+{
+  removeSlivers(surface, degrees, BoundaryRule::Coarsened, progress);
+}
+
+DerivedMesh withoutSmallAngles(const TriangleMesh& mesh,
+  double degrees,
+  const ProgressCallback& progress)
+{
+  return withoutSmallAngles(mesh, degrees, BoundaryRule::Coarsened, progress);
+}
+
+DerivedMesh withoutSmallAnglesInside(const TriangleMesh& mesh,
+  double degrees,
+  const ProgressCallback& progress)
+{
+  return withoutSmallAngles(mesh, degrees, BoundaryRule::Kept, progress);
 }
 
 } // namespace flattening

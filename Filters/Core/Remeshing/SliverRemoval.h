@@ -21,4 +21,10 @@ DerivedMesh withoutSmallAngles(const TriangleMesh& mesh,
   double degrees,
   const ProgressCallback& progress = {});
 
+/// The same, but the boundary keeps its vertices and edges, as those of the two banks of a seam belong
+/// together, and no change makes an edge through the inside that joins two of its vertices.
+DerivedMesh withoutSmallAnglesInside(const TriangleMesh& mesh,
+  double degrees,
+  const ProgressCallback& progress = {});
+
 } // namespace flattening
