@@ -34,15 +34,15 @@ namespace
 constexpr int LeastBoundaryVertices = 8;
 
 // A seam of fewer mean edges that is also shorter than this share of the square root of the area is an
-// error, if it opens a closed surface. A convention: two clicks at one place give such a seam; on a coarse
-// surface a few edges can be long.
+// error, if it opens a closed surface. A convention: two clicks at one place give such a seam; on a
+// coarse surface a few edges can be long.
 constexpr double FewestSeamEdges = 5.0;
 constexpr double ShortestOpening = 0.05;
 // The least gain and the greatest length of a relief that Automatic cuts, as a disk presses a long
-// boundary together. Measured: 18.5, 20.6 degrees of error in the disk for a brain, raw and remeshed, and
-// 18.7, 22.6 with a gain of 0.2. Skull and white matter could not be freed after reliefs 4.3 long.
+// boundary together. Measured: 18.5, 20.6 degrees of error in the disk for a brain, raw and remeshed,
+// and 18.7, 22.6 with a gain of 0.2. Skull and white matter could not be freed after reliefs 4.3 long.
 constexpr double AutomaticGain = 0.07;
-const double AutomaticLongest = 1.5 * std::sqrt(std::acos(-1.0));
+const double AutomaticLongest = 1.5 * std::sqrt(EIGEN_PI);
 
 double boundaryLength(const TriangleMesh& mesh)
 {
@@ -197,7 +197,7 @@ private:
       return { CutMode::Hole, "the cuts of the handles open the surface" };
     }
     return { CutMode::Relief,
-      "a closed surface mostly has the smallest errors after a relief as long as suits a disk" };
+      "a closed surface mostly has the smallest errors after a relief that suits a disk, too" };
   }
 
   bool hasPlaceOfCut() const

@@ -22,7 +22,7 @@ double cross(const Vector2d& a, const Vector2d& b)
   return a.x() * b.y() - a.y() * b.x();
 }
 
-// Where a straight line meets a half-edge of a face, and the point to which it goes, in the plane of the
+// A straight line at a half-edge that it meets, and the point to which the line goes, in the plane of the
 // half-edge.
 struct LineAtHalfedge
 {
@@ -45,7 +45,7 @@ PathCrossing crossingOf(const UnfoldableFaces& faces, const LineAtHalfedge& line
   return { -1, line.Halfedge, line.Position / length };
 }
 
-// Where the line leaves the side of a face from @p begin to @p end, in the plane of the face.
+// The line at the side from @p begin to @p end, by which it leaves a face; all points are in its plane.
 LineAtHalfedge leaveBy(int halfedge,
   const Vector2d& begin,
   const Vector2d& end,

@@ -9,7 +9,7 @@
 namespace flattening
 {
 
-/// Where faces intersect, flips their edges and moves their vertices to the means of their neighbours,
+/// Flips edges of faces that intersect, and moves their vertices to the means of their neighbours,
 /// on the old surface or off it, until no faces intersect or nothing helps. Every change lowers the
 /// number of intersecting pairs and makes no angle smaller than 10 degrees, unless it was before. Then
 /// smooths the surface around the pairs that are left (smoothIntersections). Changes nothing where too
