@@ -281,7 +281,26 @@ private:
     }
   }
 
-  // Minimises the energy over the surroundings of the outliers, with all other vertices fixed.
+  // Lowers the error to the tolerance of outliers. Returns whether this succeeded.
+  bool settles()
+  {
+    try
+    {
+      for (int k = 0; k < MostLocalSteps && this->System.error() > OutlierTolerance; ++k)
+      {
+        this->step({});
+      }
+    }
+    catch (const ConvergenceError&)
+    {
+      return false;
+    }
+    return this->System.error() <= OutlierTolerance;
+  }
+
+  // Minimises the energy over the surroundings of the outliers, with all other vertices fixed. Where the
+  // fixed vertices leave no flat solution, the surroundings stay as they are, for the end of such an
+  // attempt is farther from the flat surface than its beginning.
   void settleOutliers()
   {
     const std::vector<int> outliers = this->System.verticesOffBy(OutlierError);
@@ -312,9 +331,9 @@ private:
     {
       return;
     }
-    for (int k = 0; k < MostLocalSteps && local.System.error() > OutlierTolerance; ++k)
+    if (!local.settles())
     {
-      local.step({});
+      return;
     }
     for (int v = 0; v < count; ++v)
     {
