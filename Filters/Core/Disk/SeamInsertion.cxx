@@ -4,6 +4,8 @@
 #include "Disk/PathInsertion.h"
 #include "Remeshing/EdgeFlips.h"
 
+#include <CGAL/boost/graph/helpers.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -133,14 +135,14 @@ void SeamInsertion::splitChords()
 int SeamInsertion::partOf(Vertex v) const
 {
   const auto label = [this](Vertex w) { return w.idx() < this->LabelOf.size() ? this->LabelOf[w] : -1; };
-  if (label(v) < 0 && this->mesh().is_border(v))
+  if (label(v) < 0)
   {
     // A new vertex of the boundary: the vertices of the original are labelled, so that the loop has one.
-    auto border = this->mesh().halfedge(v); // Surface_mesh keeps a border one here
-    while (label(v) < 0)
+    auto border = CGAL::is_border(v, this->mesh());
+    while (border && label(v) < 0)
     {
-      border = this->mesh().next(border);
-      v = this->mesh().target(border);
+      border = this->mesh().next(*border);
+      v = this->mesh().target(*border);
     }
   }
   return label(v) < 0 ? -1 : this->PartOfLabel[label(v)];

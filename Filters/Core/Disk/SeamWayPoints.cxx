@@ -6,6 +6,8 @@
 #include "Mesh/ClosestPointTree.h"
 #include "Mesh/SurfacePick.h"
 
+#include <CGAL/boost/graph/helpers.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -267,7 +269,7 @@ private:
       }
     }
     const Halfedge border =
-      this->Surface.mesh().halfedge(Vertex(nearest)); // Surface_mesh keeps a border one here
+      CGAL::is_border(Vertex(nearest), this->Surface.mesh()).value();
     const Face face = this->Surface.mesh().face(this->Surface.mesh().opposite(border));
     return cornerOf(this->Original, static_cast<int>(face.idx()), nearest);
   }

@@ -19,10 +19,10 @@ using namespace flattening;
 using namespace flattening::samples;
 
 // Moves inner vertices along the cylinder by a share of the edges.
-TriangleMesh roughCylinder(int around, int along, double length)
+TriangleMesh roughCylinder(int around, int along, double length, int seed = 7)
 {
   TriangleMesh mesh = cylinder(around, along, length);
-  RandomNumbers random(7);
+  RandomNumbers random(seed);
   for (int v = around; v < mesh.vertexCount() - around; ++v)
   {
     const double angle =
@@ -130,6 +130,20 @@ TEST(TubeSeam, RunsAlongTheInsideOfABend)
     EXPECT_NEAR(cut.Vertices(corners[k], 1), 0.0, 1e-9) << "the wide end";
   }
   EXPECT_EQ(unrolled(disk).Map.Untangling.FlippedFaces, 0);
+}
+
+// The faces at the ends change while the seam is cut.
+TEST(TubeSeam, CoarseTubesBecomeDisks)
+{
+  for (int seed = 0; seed < 100; ++seed)
+  {
+    const int around = 3 + seed % 10;
+    const TriangleMesh mesh = roughCylinder(around, 2 + seed % 7, 6.0, seed);
+    const DiskSurface disk = cutTube(mesh);
+    EXPECT_NO_THROW(requireDisk(disk.Surface.Mesh)) << seed;
+    EXPECT_NEAR(disk.Report.SurfaceArea, faceAreas(mesh.Vertices, mesh.Faces).sum(), 1e-9) << seed;
+    EXPECT_GT(disk.Report.SeamLength, 4.0) << seed;
+  }
 }
 
 TEST(TubeSeam, OtherBoundariesAreNoEnds)
