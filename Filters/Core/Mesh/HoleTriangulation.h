@@ -15,9 +15,8 @@ namespace flattening
 {
 
 /// The longest loop, in vertices, for which all triangulations are searched, O(n^3): this takes 3 s. A
-/// guard for time. CGAL's faster search in a Delaunay triangulation is used for longer holes alone:
-/// where triangulations are equally good, as for points of a grid or a circle, its choice depends on
-/// addresses in memory.
+/// guard for time. CGAL's faster search in a Delaunay triangulation is not used: where triangulations are
+/// equally good, as for points of a grid or a circle, its choice depends on addresses in memory.
 constexpr std::size_t LongestSearchedLoop = 500;
 
 /// The triangulation of a closed loop of least dihedral angles and area (Liepa 2003, "Filling holes in
@@ -27,8 +26,8 @@ std::vector<std::array<int, 3>> triangulatedLoop(const std::vector<Eigen::Vector
 
 /// Covers the hole beside @p border as triangulatedLoop does, with the least angles to the faces around
 /// it too, and returns the new faces (CGAL triangulate_hole). Of holes of more than LongestSearchedLoop
-/// vertices only the triangulations within a Delaunay triangulation are searched. Nothing changes, and
-/// no face is returned, if none is found.
+/// vertices a coarse polygon is searched first, and then each part between it and the hole's boundary.
+/// Nothing changes, and no face is returned, if none is found.
 /// @param planar whether nearly flat holes get a constrained Delaunay triangulation of the plane.
 std::vector<SurfaceMesh::Face_index> triangulateHole(SurfaceMesh& mesh,
   SurfaceMesh::Halfedge_index border,

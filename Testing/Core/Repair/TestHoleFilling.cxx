@@ -63,26 +63,52 @@ TEST(HoleFilling, CountsPatchesThatIntersectTheSurface)
   EXPECT_EQ(fillHoles(beside, loopsOf(beside)).IntersectingPatches, 0);
 }
 
+// An open cylinder, the ends of which are saddles, far from any plane.
+TriangleMesh cylinderBetweenSaddles(int around)
+{
+  TriangleMesh open = cylinder(around, 10, 2.0);
+  open.Vertices.col(2) +=
+    0.6 * (open.Vertices.col(0).array().square() - open.Vertices.col(1).array().square()).matrix();
+  return open;
+}
+
 // Many triangulations of a symmetric hole are equally good, and among them CGAL's search in a Delaunay
-// triangulation chooses by addresses.
+// triangulation chooses by addresses. A hole of 700 vertices is long.
 TEST(HoleFilling, GivesTheSameWhereverMemoryIsAllocated)
 {
-  TriangleMesh open = cylinder(64, 10, 2.0);
-  open.Vertices.col(2) += // saddles
-    0.6 * (open.Vertices.col(0).array().square() - open.Vertices.col(1).array().square()).matrix();
-  const FilledSurface first = fillHoles(open, loopsOf(open));
-  std::mt19937 random(5);
-  std::vector<std::vector<char>> blocks(1000);
-  for (int repetition = 0; repetition < 30; ++repetition)
+  for (const int around : { 64, 700 })
   {
-    for (int i = 0; i < 1000; ++i)
+    const TriangleMesh open = cylinderBetweenSaddles(around);
+    const FilledSurface first = fillHoles(open, loopsOf(open));
+    std::mt19937 random(5);
+    std::vector<std::vector<char>> blocks(1000);
+    for (int repetition = 0; repetition < (around > 64 ? 3 : 30); ++repetition)
     {
-      blocks[random() % blocks.size()] =
-        std::vector<char>(random() % (random() % 20 == 0 ? 50000 : 500));
+      for (int i = 0; i < 1000; ++i)
+      {
+        blocks[random() % blocks.size()] =
+          std::vector<char>(random() % (random() % 20 == 0 ? 50000 : 500));
+      }
+      const FilledSurface again = fillHoles(open, loopsOf(open));
+      ASSERT_EQ(again.Surface.Mesh.Faces, first.Surface.Mesh.Faces);
+      ASSERT_EQ(again.Surface.Mesh.Vertices, first.Surface.Mesh.Vertices);
     }
-    const FilledSurface again = fillHoles(open, loopsOf(open));
-    ASSERT_EQ(again.Surface.Mesh.Faces, first.Surface.Mesh.Faces);
-    ASSERT_EQ(again.Surface.Mesh.Vertices, first.Surface.Mesh.Vertices);
+  }
+}
+
+// Of a hole of more vertices than can be searched, a coarse polygon is.
+TEST(HoleFilling, LongHolesGetPatchesLikeShortOnes)
+{
+  const TriangleMesh coarse = cylinderBetweenSaddles(100);
+  const double shortArea = fillHoles(coarse, loopsOf(coarse)).FilledArea;
+  for (const int around : { 501, 700, 2000 })
+  {
+    const TriangleMesh open = cylinderBetweenSaddles(around);
+    const FilledSurface filled = fillHoles(open, loopsOf(open));
+    EXPECT_TRUE(loopsOf(filled.Surface.Mesh).empty()) << around;
+    EXPECT_EQ(filled.IntersectingPatches, 0) << around;
+    EXPECT_NEAR(filled.FilledArea, shortArea, 0.02 * shortArea) << around;
+    EXPECT_EQ(analyseTopology(filled.Surface.Mesh.Faces, filled.Surface.Mesh.vertexCount()).Genus, 0);
   }
 }
 

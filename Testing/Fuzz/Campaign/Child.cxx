@@ -12,7 +12,6 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <poll.h>
 #include <stdexcept>
 #include <sys/resource.h>
@@ -136,7 +135,8 @@ bool sleeps(pid_t child)
   for (const auto& task : std::filesystem::directory_iterator(tasks, error))
   {
     std::ifstream file(task.path() / "stat");
-    const std::string text(std::istreambuf_iterator<char>(file), {});
+    std::string text;
+    std::getline(file, text); // nothing, if the thread has ended meanwhile
     const std::size_t name = text.rfind(')'); // the state follows the name in brackets
     if (name == std::string::npos || text.compare(name, 3, ") S") != 0)
     {
