@@ -75,6 +75,10 @@ class VoxelFileScan(Scan):
                 f"{path}: the file has {len(shape)} dimensions, {' x '.join(map(str, shape))}: a volume has three; save "
                 "one of its volumes in a file of its own"
             )
+        if len(sizes) != len(shape):
+            raise ScanError(
+                f"{path}: the header has {len(sizes)} sizes of voxels for {len(shape)} dimensions: it may be damaged"
+            )
         super().__init__(shape, sizes, placement)
 
     def describe(self, fields, lines, end):

@@ -75,6 +75,13 @@ BAD = {
     },
     "encoding hex": {"hex.nrrd": nrrd("encoding: hex") + LITTLE.hex().encode()},
     "header cannot be understood": {"no.mha": b"NDims = 3\n", "no.nrrd": b"NRRD0004\n\n"},
+    "6 sizes of voxels": {
+        "sizes.mha": metaimage().replace(b"Spacing = 1 1 2", b"Spacing = 1 1 2 1 1 1") + LITTLE,
+        "sizes.nrrd": nrrd("endian: little\nencoding: raw").replace(
+            b"space directions: (1,0,0) (0, 1, 0) (0,0,2)", b"spacings: 1 1 2 1 1 1"
+        )
+        + LITTLE,
+    },
     "line skip": {"lines.nrrd": nrrd("encoding: raw\nline skip: 2") + LITTLE},
 }
 # Read as they are stored, with a warning.
