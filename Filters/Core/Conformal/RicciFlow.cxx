@@ -282,7 +282,7 @@ private:
   }
 
   // Lowers the error to the tolerance of outliers. Returns whether this succeeded.
-  bool settles()
+  bool settle()
   {
     try
     {
@@ -331,7 +331,7 @@ private:
     {
       return;
     }
-    if (!local.settles())
+    if (!local.settle())
     {
       return;
     }

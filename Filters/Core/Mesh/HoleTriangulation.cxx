@@ -76,8 +76,8 @@ bool triangulateCoarsely(const std::vector<Eigen::Vector3d>& loop,
   return searchTriangulation(loop, coarse, faces);
 }
 
-// Covers the hole with faces, the corners of which are numbers of the loop's points. Nothing changes, and
-// no face is returned, if the mesh has one of the inner edges already.
+// Covers the hole with faces, the corners of which are numbers of the half-edges around it, and stand for
+// their targets. Nothing changes, and no face is returned, if the mesh has one of the inner edges already.
 std::vector<SurfaceMesh::Face_index> insertFaces(SurfaceMesh& mesh,
   const std::vector<Halfedge>& border,
   std::vector<Corners> faces)

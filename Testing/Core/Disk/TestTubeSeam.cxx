@@ -132,7 +132,7 @@ TEST(TubeSeam, RunsAlongTheInsideOfABend)
   EXPECT_EQ(unrolled(disk).Map.Untangling.FlippedFaces, 0);
 }
 
-// The faces at the ends change while the seam is cut.
+// The seam ends at new vertices of the boundary, beside which edges are flipped before it is cut.
 TEST(TubeSeam, CoarseTubesBecomeDisks)
 {
   for (int seed = 0; seed < 100; ++seed)
