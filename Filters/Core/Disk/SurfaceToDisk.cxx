@@ -36,7 +36,7 @@ constexpr int RemeshIterations = 3; // a convention, as in CGAL's examples
 
 // Counts pairs of intersecting faces. The two sides of a seam coincide, so their vertices are joined
 // first.
-int countSelfIntersections(const TriangleMesh& mesh, const ProgressCallback& progress)
+int countIntersections(const TriangleMesh& mesh, const ProgressCallback& progress)
 {
   const std::vector<int> representative = coincidentPoints(mesh.Vertices, 0.0);
   TriangleMesh joined = mesh;
@@ -47,7 +47,7 @@ int countSelfIntersections(const TriangleMesh& mesh, const ProgressCallback& pro
       joined.Faces(f, k) = representative[mesh.Faces(f, k)];
     }
   }
-  return static_cast<int>(selfIntersections(joined, progress).size());
+  return static_cast<int>(countSelfIntersections(joined, progress));
 }
 
 // A surface on its way to a disk; make() lists the steps.
@@ -75,7 +75,7 @@ public:
     if (this->Options.CountSelfIntersections)
     {
       this->Report.SelfIntersections =
-        countSelfIntersections(this->mesh(), subrange(progress, 0.98, 1.0));
+        countIntersections(this->mesh(), subrange(progress, 0.98, 1.0));
     }
     report(progress, 1.0, "done");
     return std::move(this->Disk);
@@ -93,7 +93,7 @@ private:
     {
       report(progress, 0.17, "looking for self-intersections");
       this->Report.SelfIntersectionsBefore =
-        countSelfIntersections(this->mesh(), subrange(progress, 0.17, 0.19));
+        countIntersections(this->mesh(), subrange(progress, 0.17, 0.19));
     }
     if (this->Options.FlattenFolds && this->Options.Handles != HandleMode::Keep)
     {

@@ -96,6 +96,44 @@ std::vector<PlacedTriangle> placedFaces(const TriangleMesh& mesh)
   return triangles;
 }
 
+// Calls back with the indices of all pairs of triangles that intersect, in any order and from several
+// threads.
+template <typename Visit>
+void visitIntersectingPairs(const std::vector<PlacedTriangle>& triangles,
+  const ProgressCallback& progress,
+  const Visit& visit)
+{
+  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
+  report(progress, 0.0, SearchStage);
+  std::vector<Box> boxes;
+  std::vector<const Box*> pointers; // sorted instead of the boxes themselves: half the time
+  boxes.reserve(triangles.size());
+  pointers.reserve(triangles.size());
+  for (const PlacedTriangle& triangle : triangles)
+  {
+    Eigen::AlignedBox3d box = triangle.box();
+    boxes.emplace_back(box.min().data(), box.max().data(), static_cast<int>(boxes.size()));
+    pointers.push_back(&boxes.back());
+  }
+  int calls = 0; // of the calling thread
+  const std::thread::id caller = std::this_thread::get_id();
+  CGAL::box_self_intersection_d<CGAL::Parallel_tag>(
+    pointers.begin(),
+    pointers.end(),
+    [&](const Box* a, const Box* b)
+    {
+      if (std::this_thread::get_id() == caller && ++calls % PairsPerReport == 0)
+      {
+        report(progress, 0.0, SearchStage);
+      }
+      if (intersect(triangles[a->info()], triangles[b->info()]))
+      {
+        visit(a->info(), b->info());
+      }
+    },
+    Cutoff);
+}
+
 } // namespace
 
 bool intersect(const PlacedTriangle& a, const PlacedTriangle& b)
@@ -171,42 +209,17 @@ std::optional<Pairs> fewOverlappingBoxes(const std::vector<PlacedTriangle>& some
 
 Pairs intersectingPairs(const std::vector<PlacedTriangle>& triangles, const ProgressCallback& progress)
 {
-  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
-  report(progress, 0.0, SearchStage);
-  std::vector<Box> boxes;
-  std::vector<const Box*> pointers; // sorted instead of the boxes themselves: half the time
-  boxes.reserve(triangles.size());
-  pointers.reserve(triangles.size());
-  for (const PlacedTriangle& triangle : triangles)
-  {
-    Eigen::AlignedBox3d box = triangle.box();
-    boxes.emplace_back(box.min().data(), box.max().data(), static_cast<int>(boxes.size()));
-    pointers.push_back(&boxes.back());
-  }
   PairsOfThreads found;
-  int calls = 0; // of the calling thread
-  const std::thread::id caller = std::this_thread::get_id();
-  CGAL::box_self_intersection_d<CGAL::Parallel_tag>(
-    pointers.begin(),
-    pointers.end(),
-    [&](const Box* a, const Box* b)
-    {
-      if (std::this_thread::get_id() == caller && ++calls % PairsPerReport == 0)
-      {
-        report(progress, 0.0, SearchStage);
-      }
-      if (intersect(triangles[a->info()], triangles[b->info()]))
-      {
-        found.local().push_back(std::minmax(a->info(), b->info()));
-      }
-    },
-    Cutoff);
+  visitIntersectingPairs(
+    triangles, progress, [&](int i, int j) { found.local().push_back(std::minmax(i, j)); });
   return sorted(found);
 }
 
-Pairs selfIntersections(const TriangleMesh& mesh, const ProgressCallback& progress)
+std::size_t countSelfIntersections(const TriangleMesh& mesh, const ProgressCallback& progress)
 {
-  return intersectingPairs(placedFaces(mesh), progress);
+  std::atomic<std::size_t> count(0);
+  visitIntersectingPairs(placedFaces(mesh), progress, [&](int, int) { ++count; });
+  return count;
 }
 
 std::vector<int> intersectionsPerGroup(const TriangleMesh& mesh,

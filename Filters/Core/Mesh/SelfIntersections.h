@@ -48,10 +48,10 @@ std::optional<std::vector<std::pair<int, int>>> fewOverlappingBoxes(
   const std::vector<PlacedTriangle>& all,
   std::size_t most);
 
-/// Pairs of faces (smaller index first, sorted) that intersect, the same ones that CGAL's
-/// self_intersections finds. Precondition: no face is without area.
-std::vector<std::pair<int, int>> selfIntersections(const TriangleMesh& mesh,
-  const ProgressCallback& progress = {});
+/// The number of pairs of faces that intersect, the ones that CGAL's self_intersections finds. They are
+/// not kept: a crumpled surface of ten thousand faces has fifty million. Precondition: no face is
+/// without area.
+std::size_t countSelfIntersections(const TriangleMesh& mesh, const ProgressCallback& progress = {});
 
 /// For each group of faces of @p mesh the number of pairs of a face in it and any other face of the mesh
 /// that intersect; a pair within the group counts twice.

@@ -72,39 +72,39 @@ public:
     {
       return result;
     }
-    std::vector<std::vector<int>> faces; // around each set
+    const TriangleMesh before = this->Mesh;
+    std::vector<VertexSet> flattened;
+    std::vector<std::vector<int>> faces; // around each of the flattened sets
     for (const VertexSet& set : sets)
     {
-      faces.push_back(this->facesAround(set));
-    }
-    const Points3 before = this->Mesh.Vertices;
-    const double areaBefore = faceAreas(before, this->Mesh.Faces).sum();
-    const std::vector<int> intersectionsBefore = intersectionsPerGroup(this->Mesh, faces);
-    std::vector<char> flat;
-    for (const VertexSet& set : sets)
-    {
-      flat.push_back(set.size() <= MostVertices && this->flatten(set));
-    }
-    const std::vector<int> intersectionsAfter = intersectionsPerGroup(this->Mesh, faces);
-    for (std::size_t i = 0; i < sets.size(); ++i)
-    {
-      if (flat[i] && intersectionsAfter[i] > intersectionsBefore[i])
+      if (set.size() <= MostVertices && this->flatten(set))
       {
-        this->Mesh.Vertices(sets[i], flattening::all) = before(sets[i], flattening::all);
-        flat[i] = 0;
+        flattened.push_back(set);
+        faces.push_back(this->facesAround(set));
       }
-      result.LeftFolded += !flat[i];
-      result.Spikes += flat[i] && sets[i].size() == 1;
-      result.Fins += flat[i] && sets[i].size() > 1;
     }
+    const std::vector<int> intersectionsBefore = intersectionsPerGroup(before, faces);
+    const std::vector<int> intersectionsAfter = intersectionsPerGroup(this->Mesh, faces);
+    for (std::size_t i = 0; i < flattened.size(); ++i)
+    {
+      const VertexSet& set = flattened[i];
+      if (intersectionsAfter[i] > intersectionsBefore[i])
+      {
+        this->Mesh.Vertices(set, flattening::all) = before.Vertices(set, flattening::all);
+        continue;
+      }
+      ++(set.size() == 1 ? result.Spikes : result.Fins);
+    }
+    result.LeftFolded = static_cast<int>(sets.size()) - result.Spikes - result.Fins;
     for (const int f : this->facesAround(this->Steep))
     {
       result.AreaChange += areaVector(this->Mesh.Vertices, this->Mesh.Faces, f).norm() -
-                           areaVector(before, this->Mesh.Faces, f).norm();
+                           areaVector(before.Vertices, before.Faces, f).norm();
     }
+    const double areaBefore = faceAreas(before.Vertices, before.Faces).sum();
     if (areaBefore + result.AreaChange < LeastAreaLeft * areaBefore)
     {
-      this->Mesh.Vertices = before;
+      this->Mesh.Vertices = before.Vertices;
       result = FlattenedFolds();
       result.LeftFolded = static_cast<int>(sets.size());
     }

@@ -62,13 +62,13 @@ TriangleMesh foldedSheet(double height)
 // Smoothing draws in a bump that passes through another sheet; changes of a few faces cannot.
 TEST(SelfIntersectionRemoval, DrawsAFoldInThatPassesThroughAnother)
 {
-  ASSERT_TRUE(selfIntersections(foldedSheet(1.5)).empty());
+  ASSERT_EQ(countSelfIntersections(foldedSheet(1.5)), 0u);
   const TriangleMesh mesh = foldedSheet(2.6);
-  ASSERT_GT(selfIntersections(mesh).size(), 10u);
+  ASSERT_GT(countSelfIntersections(mesh), 10u);
   MeshOnSurface surface(mesh);
   EXPECT_EQ(removeSelfIntersections(surface), 0);
   const TriangleMesh result = surface.derived().Mesh;
-  EXPECT_TRUE(selfIntersections(result).empty());
+  EXPECT_EQ(countSelfIntersections(result), 0u);
   EXPECT_GE(smallestAngle(result), 5.0);
   ASSERT_EQ(result.Faces.rows(), mesh.Faces.rows());
   // Only vertices near the bump moved, and not far.
@@ -86,7 +86,7 @@ TEST(SelfIntersectionRemoval, DrawsAFoldInThatPassesThroughAnother)
 TEST(SelfIntersectionRemoval, LeavesSheetsThatOnlyComeNear)
 {
   const TriangleMesh mesh = foldedSheet(1.9);
-  ASSERT_TRUE(selfIntersections(mesh).empty());
+  ASSERT_EQ(countSelfIntersections(mesh), 0u);
   MeshOnSurface surface(mesh);
   EXPECT_EQ(removeSelfIntersections(surface), 0);
   EXPECT_EQ(surface.derived().Mesh.Vertices, mesh.Vertices);

@@ -57,7 +57,7 @@ TEST(HoleFilling, CountsPatchesThatIntersectTheSurface)
   const TriangleMesh pierced = both(open, moved(spike, 0.0, 0.0, 2.0));
   const FilledSurface filled = fillHoles(pierced, loopsOf(pierced));
   EXPECT_TRUE(loopsOf(filled.Surface.Mesh).empty());
-  EXPECT_FALSE(selfIntersections(filled.Surface.Mesh).empty());
+  EXPECT_GT(countSelfIntersections(filled.Surface.Mesh), 0u);
   EXPECT_EQ(filled.IntersectingPatches, 1);
   const TriangleMesh beside = both(open, moved(spike, 0.0, 0.0, 2.5));
   EXPECT_EQ(fillHoles(beside, loopsOf(beside)).IntersectingPatches, 0);
