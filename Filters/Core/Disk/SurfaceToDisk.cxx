@@ -74,8 +74,7 @@ public:
     report(progress, 0.98, "looking for self-intersections");
     if (this->Options.CountSelfIntersections)
     {
-      this->Report.SelfIntersections =
-        countIntersections(this->mesh(), subrange(progress, 0.98, 1.0));
+      this->Report.SelfIntersections = countIntersections(this->mesh(), subrange(progress, 0.98, 1.0));
     }
     report(progress, 1.0, "done");
     return std::move(this->Disk);
@@ -142,8 +141,8 @@ private:
 
   void repair(const TriangleMesh& soup)
   {
-    RepairedSurface repaired = repairTriangleSoup(
-      soup, this->Options.MergeTolerance, pointsKeptApart(soup, this->Options));
+    RepairedSurface repaired =
+      repairTriangleSoup(soup, this->Options.MergeTolerance, pointsKeptApart(soup, this->Options));
     this->Report.Repair = repaired.Report;
     this->Disk.Surface = std::move(repaired.Surface);
     this->Reversed = std::move(repaired.Reversed);

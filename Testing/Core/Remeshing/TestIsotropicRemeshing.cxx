@@ -175,10 +175,11 @@ TEST(SelfIntersections, CountsPairs)
   const TriangleMesh crossed = both(tetrahedron(), moved(tetrahedron(), 0.2, 0.2, 0.2));
   // Only the slanted face of the first one meets the second one.
   EXPECT_EQ(countSelfIntersections(crossed), 3u);
-  EXPECT_EQ(intersectionsPerGroup(crossed, { { 0 }, { 1 }, { 2 }, { 3 } }), (std::vector<int>{ 0, 0, 0, 3 }));
+  EXPECT_EQ(
+    intersectionsPerGroup(crossed, { { 0 }, { 1 }, { 2 }, { 3 } }), (std::vector<int>{ 0, 0, 0, 3 }));
   // Two faces folded onto each other over their common edge.
-  const TriangleMesh folded = meshOf(
-    { { 0, 0, 0 }, { 1, 0, 0 }, { 0.3, 1, 0 }, { 0.5, 0.4, 0 } }, { { 0, 1, 2 }, { 1, 0, 3 } });
+  const TriangleMesh folded =
+    meshOf({ { 0, 0, 0 }, { 1, 0, 0 }, { 0.3, 1, 0 }, { 0.5, 0.4, 0 } }, { { 0, 1, 2 }, { 1, 0, 3 } });
   EXPECT_EQ(countSelfIntersections(folded), 1u);
 }
 
