@@ -204,7 +204,7 @@ TEST(Transport, ThinCellsOnTheCircleHoldNothingBack)
   PowerDiagram diagram(sites);
   const TransportResult result = transportNewton(diagram, targets);
   EXPECT_LE(result.MaxCellError, 1e-6);
-  EXPECT_LE(result.NewtonIterations, 50);
+  EXPECT_LE(result.NewtonIterations, 20); // 121 if no step is corrected
 }
 
 TEST(Transport, NothingToDoTakesNoStep)
