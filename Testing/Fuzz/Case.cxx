@@ -46,6 +46,7 @@ const std::vector<Scenario>& scenarios()
     { "threads", 0.005, runThreads },
     { "composite-random", 0.015, runComposite },
     { "time-steps", 0.01, runTimeSteps },
+    { "free-outline", 0.0, runFreeOutline }, // with --scenario only, as it takes long
   };
   return all;
 }
@@ -90,7 +91,7 @@ bool contains(const std::string& text, const char* word)
 
 } // namespace
 
-Case makeCase(const std::string& surfaceClass, std::uint64_t seed)
+Case makeCase(const std::string& surfaceClass, std::uint64_t seed, const std::string& scenario)
 {
   Random surfaceRandom(surfaceClass, seed);
   Random random(surfaceClass + " settings", seed);
@@ -99,6 +100,10 @@ Case makeCase(const std::string& surfaceClass, std::uint64_t seed)
   one.Seed = seed;
   one.Surface = makeSurface(surfaceClass, surfaceRandom);
   one.Scenario = randomScenario(random).Name;
+  if (!scenario.empty())
+  {
+    one.Scenario = scenario;
+  }
   std::vector<std::string> filters = {
     "SurfaceToDisk", "ConformalDisk", "OMTAreaPreserving", "DistortionMetrics"
   };

@@ -25,7 +25,10 @@ struct Case
   vtkSmartPointer<vtkPolyData> Surface;
 };
 
-Case makeCase(const std::string& surfaceClass, std::uint64_t seed);
+/// Draws a case; without a name of a scenario, that is drawn, too.
+Case makeCase(const std::string& surfaceClass,
+  std::uint64_t seed,
+  const std::string& scenario = std::string());
 
 /// Runs the scenario of the case.
 Findings runCase(const Case& one);

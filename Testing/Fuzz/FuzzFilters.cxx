@@ -12,11 +12,12 @@ namespace
 {
 
 constexpr const char* Usage =
-  "FuzzFilters [--class NAME|all] [--first SEED] [--count N] [--minutes M] [--time-limit SECONDS]\n"
-  "            [--memory MEGABYTES] [--out FOLDER] [--shrink SECONDS]\n"
+  "FuzzFilters [--class NAME|all] [--scenario NAME] [--first SEED] [--count N] [--minutes M]\n"
+  "            [--time-limit SECONDS] [--memory MEGABYTES] [--out FOLDER] [--shrink SECONDS]\n"
   "FuzzFilters --replay FILE\n"
   "Runs N cases: the seeds SEED, SEED + 1, ... of each class in turn. A class and a seed determine a "
   "case.\n"
+  "  --scenario    what is done with all surfaces, such as free-outline; drawn for each if not given\n"
   "  --minutes     ends after so many minutes, whatever N is\n"
   "  --time-limit  greatest processor time of a run of a filter, 60 by default; more is a hang\n"
   "  --memory      greatest memory of a case, 4096 by default\n"
@@ -37,6 +38,7 @@ Arguments parse(int argc, char* argv[])
   fuzz::CampaignOptions& options = arguments.Options;
   const std::map<std::string, std::function<void(const std::string&)>> setters = {
     { "--class", [&](const std::string& value) { options.SurfaceClass = value; } },
+    { "--scenario", [&](const std::string& value) { options.Scenario = value; } },
     { "--first", [&](const std::string& value) { options.First = std::stoull(value); } },
     { "--count", [&](const std::string& value) { options.Count = std::stoi(value); } },
     { "--minutes", [&](const std::string& value) { options.Minutes = std::stod(value); } },

@@ -76,7 +76,8 @@ std::vector<Job> Campaign::nextJobs(int done, int most) const
   std::vector<Job> jobs;
   for (int i = done; i < std::min(done + most, this->Options.Count); ++i)
   {
-    jobs.push_back({ classes[i % classes.size()], this->Options.First + i / classes.size() });
+    jobs.push_back(
+      { classes[i % classes.size()], this->Options.First + i / classes.size(), this->Options.Scenario });
   }
   return jobs;
 }
@@ -112,7 +113,7 @@ void Campaign::keep(const Record& record, const Failure& failure)
     [&](const Tell& tell)
     {
       prepareProcess();
-      const Case whole = makeCase(record.Of.SurfaceClass, record.Of.Seed);
+      const Case whole = makeCase(record.Of.SurfaceClass, record.Of.Seed, record.Of.Scenario);
       saveCase(whole, file);
       const Case small =
         shrink(whole, failure.Kind, this->Options.Limit, this->Options.ShrinkingSeconds);

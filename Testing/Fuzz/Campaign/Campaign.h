@@ -17,6 +17,7 @@ namespace fuzz
 struct CampaignOptions
 {
   std::string SurfaceClass = "all";
+  std::string Scenario; ///< of all cases; empty if their seeds determine it
   std::uint64_t First = 1;
   int Count = 1000;
   double Minutes = 1e9;

@@ -136,7 +136,7 @@ void runJobs(const std::vector<Job>& jobs,
         prepareProcess();
         for (std::size_t j = first; j < jobs.size(); ++j)
         {
-          tellCase(makeCase(jobs[j].SurfaceClass, jobs[j].Seed), tell);
+          tellCase(makeCase(jobs[j].SurfaceClass, jobs[j].Seed, jobs[j].Scenario), tell);
         }
         if (hasLeak())
         {

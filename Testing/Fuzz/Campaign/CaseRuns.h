@@ -19,6 +19,7 @@ struct Job
 {
   std::string SurfaceClass;
   std::uint64_t Seed = 0;
+  std::string Scenario; ///< empty if the seed determines it
 };
 
 struct Record

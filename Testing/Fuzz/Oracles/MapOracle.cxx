@@ -28,19 +28,13 @@ bool isFlat(const Triangles& map)
     { return std::isfinite(p[0]) && std::isfinite(p[1]) && p[2] == map.Points.front()[2]; });
 }
 
-// The orientation of each face, relative to that of most faces.
+// The orientation of each face. Maps are counter-clockwise.
 std::vector<int> orientations(const Triangles& map)
 {
   std::vector<int> signs;
-  int sum = 0;
   for (const Triangle& face : map.Faces)
   {
     signs.push_back(orientation(map.Points[face[0]], map.Points[face[1]], map.Points[face[2]]));
-    sum += signs.back();
-  }
-  if (sum < 0)
-  {
-    std::transform(signs.begin(), signs.end(), signs.begin(), [](int sign) { return -sign; });
   }
   return signs;
 }

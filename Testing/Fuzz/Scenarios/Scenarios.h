@@ -27,6 +27,9 @@ const std::vector<std::string>& otherFilters();
 void runLifecycle(const Case& one, Findings& findings);
 /// Two pipelines in two threads: the results are those of one after the other.
 void runThreads(const Case& one, Findings& findings);
+/// A flat map with a free outline: it is one-to-one or says that it is not, and has the same bits with
+/// 1, 2 and 4 threads.
+void runFreeOutline(const Case& one, Findings& findings);
 /// Blocks, some of them empty: the results are those of the blocks alone.
 void runComposite(const Case& one, Findings& findings);
 /// A source whose surface depends on the time.
