@@ -147,6 +147,8 @@ BREAKS = [
     at("Transport/PowerDiagram.cxx", "power(i) < power(site)", "power(site) < power(i)"),
     at("Transport/PowerDiagram.cxx", "this->Domain->addBoundary(side.To, following.From, region);", ""),
     at("Transport/Transport.cxx", "rest[side.Second] += flow;", ""),
+    at("Transport/Transport.cxx", "(areas.array() >= least.array()).all() &&", ""),
+    at("Transport/Transport.cxx", "correction == LargestCorrections ||", "correction == 0 ||"),
     at("Transport/TransportInterpolation.cxx", "map.Slope = spread.inverse() * moments;", ""),
     at("Transport/DomainPolygon.cxx", "convex.area() / EIGEN_PI", "convex.area()"),
     # --- Areas
@@ -176,7 +178,7 @@ BREAKS = [
     ),
     # --- Repair
     at("Repair/SpikeRemoval.cxx", "sum.norm() / area", "area / sum.norm()"),
-    at("Repair/SpikeRemoval.cxx", "flat[i] && intersectionsAfter[i] > intersectionsBefore[i]", "false"),
+    at("Repair/SpikeRemoval.cxx", "intersectionsAfter[i] > intersectionsBefore[i]", "false"),
     at("Repair/SpikeRemoval.cxx", "areaBefore + result.AreaChange < LeastAreaLeft * areaBefore", "false"),
     at("Repair/CoincidentPoints.cxx", "same ? representative[order[i - 1]] : order[i]", "order[i]"),
     at("Repair/CoincidentPoints.cxx", "tolerance", "0.1 * tolerance", "(point, tolerance)"),
