@@ -147,8 +147,8 @@ BREAKS = [
     at("Transport/PowerDiagram.cxx", "power(i) < power(site)", "power(site) < power(i)"),
     at("Transport/PowerDiagram.cxx", "this->Domain->addBoundary(side.To, following.From, region);", ""),
     at("Transport/Transport.cxx", "rest[side.Second] += flow;", ""),
-    at("Transport/Transport.cxx", "(areas.array() >= least.array()).all() &&", ""),
-    at("Transport/Transport.cxx", "correction == LargestCorrections ||", "correction == 0 ||"),
+    at("Transport/Transport.cxx", "(areas.array() >= least.array()).all()", "true"),
+    at("Transport/Transport.cxx", "correction == LargestCorrections", "true"),
     at("Transport/TransportInterpolation.cxx", "map.Slope = spread.inverse() * moments;", ""),
     at("Transport/DomainPolygon.cxx", "convex.area() / EIGEN_PI", "convex.area()"),
     # --- Areas
@@ -217,7 +217,7 @@ BREAKS = [
     at("Handles/HandleRemoval.cxx", "best.Pairs > tolerated", "false"),
     at("Handles/CappedCut.cxx", "step", "-step", "p + step * sum / area"),
     at("Handles/CappedCut.cxx", "std::swap(face[0], face[2]);", ""),
-    at("Handles/HalfedgeSurface.cxx", "this->origin(a), 0.5", "this->origin(a), 1.0"),
+    at("Handles/HalfedgeSurface.cxx", "0.5", "1.0", "this->origin(a), 0.5"),
     at("Handles/LoopCapping.cxx", "std::swap(face[1], face[2]);", ""),
     # --- Disk
     at("Disk/PlaneCut.cxx", "low >= 0.0", "low <= 0.0"),
