@@ -49,8 +49,8 @@
  * Output arrays of port 0:
  * - point `vtkOriginalPointIds` (vtkIdType): id of the same point in the input, the smallest one of
  *   merged points; -1 for new points, which after remeshing are nearly all. The points on both sides of
- *   a seam have the same id. A point that was moved (by FlattenFolds, HandleMode or SmallestAngle, or
- *   because a filled hole crossed the surface) keeps its id.
+ *   a seam have the same id. A point that FlattenFolds or HandleMode moved keeps its id; one that
+ *   another step moved is a new point.
  * - point `Seam` (unsigned char): 1 where the surface was cut open along a seam, 0 elsewhere.
  * - point `SeamId` (int): number of the piece of the seams, from 1, the same on both of its banks; the
  *   smallest one where several pieces meet; 0 elsewhere.

@@ -16,7 +16,8 @@ namespace flattening
 
 /// For a mesh of n vertices made from m original vertices, an n x m matrix. Row v says what vertex v is
 /// made of: element (v, o) is the weight (>= 0) of original vertex o, and the sum of the row is 1. A
-/// kept vertex has one weight 1; the midpoint of an edge has two weights 1/2.
+/// kept vertex has one weight 1; the midpoint of an edge has two weights 1/2. A vertex that was moved and
+/// takes the attributes of an original one has further weights, which are 0.
 using VertexOrigins = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
 
 /// A row of that matrix: original vertices and their weights.

@@ -293,6 +293,25 @@ bool MeshOnSurface::collapse(Edge edge, const Guard& guard)
   return true;
 }
 
+// A vertex that lies beside the old one that is nearest to it is not that one, which a second corner
+// without weight tells.
+Origin MeshOnSurface::originOfVertex(Vertex v) const
+{
+  const SurfacePoint& place = this->Place[v];
+  Origin origin = originOf(this->Old.Faces, place.Face, place.Weights);
+  if (origin.size() == 1)
+  {
+    const int nearest = origin.front().first;
+    const Eigen::RowVector3d old = this->Old.Vertices.row(nearest);
+    if (this->Surface.point(v) != old.transpose())
+    {
+      const auto corners = this->Old.Faces.row(place.Face);
+      origin.emplace_back(corners[0] == nearest ? corners[1] : corners[0], 0.0);
+    }
+  }
+  return origin;
+}
+
 DerivedMesh MeshOnSurface::derived(const ProgressCallback& progress) const
 {
   report(progress, 0.0, CarryingStage);
@@ -300,7 +319,7 @@ DerivedMesh MeshOnSurface::derived(const ProgressCallback& progress) const
   result.Mesh = toTriangleMesh(this->Surface);
   result.Vertices = originMatrix(this->Surface.vertices(),
     this->Old.vertexCount(),
-    [this](Vertex v) { return originOf(this->Old.Faces, this->Place[v].Face, this->Place[v].Weights); });
+    [this](Vertex v) { return this->originOfVertex(v); });
 
   std::vector<int> nearby; // for each face, an old face below its first corner
   nearby.reserve(this->Surface.number_of_faces());

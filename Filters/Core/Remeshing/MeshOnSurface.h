@@ -81,7 +81,8 @@ public:
   bool collapse(Edge edge, const Guard& guard);
 
   /// The mesh without removed elements. Every vertex is made of the corners of the old face that its
-  /// place lies on; the origin of a face is the old face nearest to its centroid.
+  /// place lies on, and of a single one only if it is where that is; the origin of a face is the old face
+  /// nearest to its centroid.
   DerivedMesh derived(const ProgressCallback& progress = {}) const;
 
 private:
@@ -95,6 +96,7 @@ private:
   void gatherStar(Vertex v, Vertex except, const Corner& to, LocalChange& change) const;
   bool straightAround(Halfedge border) const;
   void set(Vertex v, const Eigen::Vector3d& position, const SurfacePoint& place);
+  Origin originOfVertex(Vertex v) const;
 
   const TriangleMesh& Old;
   ClosestPointWalk Walk;

@@ -101,21 +101,16 @@ void checkFans(const Triangles& mesh, Findings& findings)
   }
 }
 
-// Whether a step of the filter reports that it moved points.
-// Points are also moved apart where the faces of a filled hole cross the surface.
+// Whether a step that moves points and keeps their ids reports that it did.
 bool hasMovedPoints(vtkPolyData* disk)
 {
   return figure(disk, "RemovedSpikes") != 0.0 || figure(disk, "RemovedFins") != 0.0 ||
-         figure(disk, "HandleDisplacement") != 0.0 || figure(disk, "FilledHoles") != 0.0;
+         figure(disk, "HandleDisplacement") != 0.0;
 }
 
-void checkOrigins(const Triangles& mesh,
-  vtkPolyData* disk,
-  vtkPolyData* input,
-  bool movesForAngles,
-  Findings& findings)
+void checkOrigins(const Triangles& mesh, vtkPolyData* disk, vtkPolyData* input, Findings& findings)
 {
-  const bool hasMoved = movesForAngles || hasMovedPoints(disk);
+  const bool hasMoved = hasMovedPoints(disk);
   vtkDataArray* ids = disk->GetPointData()->GetArray("vtkOriginalPointIds");
   findings.require(ids != nullptr, "original-ids", "no array vtkOriginalPointIds");
   for (vtkIdType p = 0; ids && p < ids->GetNumberOfTuples(); ++p)
@@ -180,7 +175,7 @@ void checkFigures(const Triangles& mesh,
 
 } // namespace
 
-void checkDisk(vtkPolyData* disk, vtkPolyData* input, bool movesForAngles, Findings& findings)
+void checkDisk(vtkPolyData* disk, vtkPolyData* input, Findings& findings)
 {
   const Triangles mesh = trianglesOf(disk);
   findings.require(static_cast<vtkIdType>(mesh.Faces.size()) == disk->GetNumberOfCells(),
@@ -200,7 +195,7 @@ void checkDisk(vtkPolyData* disk, vtkPolyData* input, bool movesForAngles, Findi
   const auto loops = boundaryLoops(mesh);
   findings.require(loops.size() == 1, "disk-topology", std::to_string(loops.size()) + " boundary loops");
   checkFans(mesh, findings);
-  checkOrigins(mesh, disk, input, movesForAngles, findings);
+  checkOrigins(mesh, disk, input, findings);
   checkFigures(mesh, loops, disk, findings);
 }
 

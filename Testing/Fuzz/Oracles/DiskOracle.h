@@ -11,7 +11,6 @@ namespace fuzz
 
 /// One connected manifold disk of finite points, consistently oriented, whose arrays and figures are
 /// true.
-/// @param movesForAngles whether the filter may move points to open small angles.
-void checkDisk(vtkPolyData* disk, vtkPolyData* input, bool movesForAngles, Findings& findings);
+void checkDisk(vtkPolyData* disk, vtkPolyData* input, Findings& findings);
 
 } // namespace fuzz

@@ -31,7 +31,7 @@ bool runToMap(const Case& one,
     return false;
   }
   ++findings.Disks;
-  checkDisk(disk->GetOutput(), one.Surface, disk->GetSmallestAngle() > 0.0, findings);
+  checkDisk(disk->GetOutput(), one.Surface, findings);
   apply(one.Values, "ConformalDisk", conformal);
   conformal->SetInputConnection(disk->GetOutputPort());
   if (!runFilter(conformal, findings).HasResult)
