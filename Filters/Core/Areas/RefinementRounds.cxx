@@ -29,10 +29,10 @@ constexpr double LeastProgress = 0.02;
 constexpr int MostIdleRounds = 2;
 // Where faces may not flip, the round after one that brought little begins with steps of the whole mesh:
 // long rows of faces of a stretched map are right only together, which patches do not see. As these
-// steps cost about as much as several rounds, they have to bring LeastWholeProgress. A compromise: with
-// LeastProgress they go on for a handful of faces in protrusions, which stay wrong, and without these
-// steps a hemisphere in a quadrilateral 30 times as long as wide keeps up to 2.6 % of its faces wrong,
-// depending on the last bits.
+// steps cost about as much as several rounds, they are not repeated once they bring less than
+// LeastWholeProgress. A compromise: with LeastProgress they go on for a handful of faces in protrusions,
+// which stay wrong, and without these steps a hemisphere in a quadrilateral 30 times as long as wide
+// keeps up to 2.6 % of its faces wrong, depending on the last bits.
 constexpr double LeastWholeProgress = 0.1;
 // The same for a rough map, and after a warm start once at most GreatestQuickShare of the faces are off:
 // rounds that bring little are not worth the wait for a map that is deformed afterwards, or for a small
@@ -290,13 +290,14 @@ bool RefinementRounds::run(DomainMap& map, int most, Until until, const Progress
 {
   WrongFaces before = this->wrongFaces(map);
   int idle = 0;
+  bool wholeHelps = true;
   for (int round = 0; round < most && (before.Share > EnoughShare || until == Until::AllRounds); ++round)
   {
     ++this->Count;
     const double begin = static_cast<double>(round) / most;
     const double end = (round + 1.0) / most;
     const double middle = 0.5 * (begin + end);
-    const bool isWhole = idle > 0 && this->Epsilon == 0.0;
+    const bool isWhole = idle > 0 && this->Epsilon == 0.0 && wholeHelps;
     if (isWhole)
     {
       this->Energy.setEnclosed(map);
@@ -313,12 +314,13 @@ bool RefinementRounds::run(DomainMap& map, int most, Until until, const Progress
     const bool isQuick = until == Until::Roughly ||
                          (this->Start == RefinementStart::WarmStart && next.Share <= GreatestQuickShare);
     const int mostIdle = isQuick ? MostIdleQuickRounds : MostIdleRounds;
-    const double leastProgress = isWhole   ? LeastWholeProgress
-                                 : isQuick ? LeastQuickProgress
-                                           : LeastProgress;
-    const bool isIdle = next.Share > (1.0 - leastProgress) * before.Share &&
-                        next.Distance > (1.0 - leastProgress) * before.Distance;
-    idle = isIdle ? idle + 1 : 0;
+    const auto brings = [&](double progress)
+    {
+      return next.Share <= (1.0 - progress) * before.Share ||
+             next.Distance <= (1.0 - progress) * before.Distance;
+    };
+    wholeHelps = isWhole ? brings(LeastWholeProgress) : wholeHelps;
+    idle = brings(isQuick ? LeastQuickProgress : LeastProgress) ? 0 : idle + 1;
     if (patches == 0 || (until != Until::AllRounds && idle >= mostIdle))
     {
       return isWhole && idle >= mostIdle;
