@@ -290,14 +290,14 @@ bool RefinementRounds::run(DomainMap& map, int most, Until until, const Progress
 {
   WrongFaces before = this->wrongFaces(map);
   int idle = 0;
-  bool wholeHelps = true;
+  bool wholeStepsHelp = true;
   for (int round = 0; round < most && (before.Share > EnoughShare || until == Until::AllRounds); ++round)
   {
     ++this->Count;
     const double begin = static_cast<double>(round) / most;
     const double end = (round + 1.0) / most;
     const double middle = 0.5 * (begin + end);
-    const bool isWhole = idle > 0 && this->Epsilon == 0.0 && wholeHelps;
+    const bool isWhole = idle > 0 && this->Epsilon == 0.0 && wholeStepsHelp;
     if (isWhole)
     {
       this->Energy.setEnclosed(map);
@@ -319,7 +319,7 @@ bool RefinementRounds::run(DomainMap& map, int most, Until until, const Progress
       return next.Share <= (1.0 - progress) * before.Share ||
              next.Distance <= (1.0 - progress) * before.Distance;
     };
-    wholeHelps = isWhole ? brings(LeastWholeProgress) : wholeHelps;
+    wholeStepsHelp = isWhole ? brings(LeastWholeProgress) : wholeStepsHelp;
     idle = brings(isQuick ? LeastQuickProgress : LeastProgress) ? 0 : idle + 1;
     if (patches == 0 || (until != Until::AllRounds && idle >= mostIdle))
     {

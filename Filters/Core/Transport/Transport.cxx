@@ -27,8 +27,8 @@ constexpr double ShortestWay = 1e-3;
 // The share of its area, or of its aim if that is smaller, that a cell must keep in a step. A choice: a
 // larger share makes more steps fail, a smaller one lets cells vanish.
 constexpr double KeptShare = 0.1;
-// The most corrections of a trial step. A choice: with 2 a whole brain, remeshed, takes 27 steps instead
-// of 19, without any 223; with more than 6 no surface took less time.
+// The most corrections of a trial step. A choice: with 1 a whole brain, remeshed, takes 52 steps, with 2
+// 27, and with 6 19; with more than 6 no surface took less time.
 constexpr int LargestCorrections = 6;
 // The greatest share of sites that may be hidden for a trial step to be corrected. A choice: with more,
 // the step is much too long.

@@ -26,12 +26,13 @@ struct TransportResult
 /// Finds the weights for which every cell of @p diagram has its target area, by damped Newton iteration
 /// on the convex energy (paper, equations 8 to 10, with the sides' lengths divided by twice the sites'
 /// distance; docs/mathematics.md, "Optimal transport"). A step is accepted by the rule of Kitagawa,
-/// Merigot and Thibert (2016), which converges from any start without empty cells. A step that it refuses
-/// is corrected, by simplified Newton steps with the same factor, before it is shortened: where a few
-/// cells would vanish, their neighbours give way. The targets are approached geometrically, from the areas at the start to @p targets, so that most first trial steps are
-/// accepted. Weights and steps have twice the precision of double, and so has the solution of the linear
-/// system, by iterative refinement: the cells of sites that nearly coincide depend on digits of the
-/// weights that doubles do not have.
+/// Merigot and Thibert (2016), which converges from any start without empty cells. A step that it
+/// refuses is corrected, by simplified Newton steps with the same factor, before it is shortened: where
+/// a few cells would vanish, their neighbours give way. The targets are approached geometrically, from
+/// the areas at the start to @p targets, so that most first trial steps are accepted. Weights and steps
+/// have twice the precision of double, and so has the solution of the linear system, by iterative
+/// refinement: the cells of sites that nearly coincide depend on digits of the weights that doubles do
+/// not have.
 ///
 /// @param diagram  afterwards it has the cells of the result
 /// @param targets  nu, > 0, with the domain's area as their sum (n)
