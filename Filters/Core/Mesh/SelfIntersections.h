@@ -49,8 +49,7 @@ std::optional<std::vector<std::pair<int, int>>> fewOverlappingBoxes(
   std::size_t most);
 
 /// The number of pairs of faces that intersect, the ones that CGAL's self_intersections finds. They are
-/// not kept: a crumpled surface of ten thousand faces has fifty million. Precondition: no face is
-/// without area.
+/// not kept: ten thousand faces can have fifty million. Precondition: no face is without area.
 std::size_t countSelfIntersections(const TriangleMesh& mesh, const ProgressCallback& progress = {});
 
 /// For each group of faces of @p mesh the number of pairs of a face in it and any other face of the mesh
