@@ -5,6 +5,7 @@
 #include "Areas/RefinementPatches.h"
 #include "Areas/RefinementRounds.h"
 #include "Areas/RefinementTerms.h"
+#include "Areas/SmoothDeformation.h"
 #include "Areas/TargetAreas.h"
 #include "Base/EigenVersions.h"
 #include "Mesh/FaceOrientation.h"
@@ -23,13 +24,18 @@ namespace
 // The greatest weight of areas against shapes in the deformations. A choice: with more the deformations
 // are small, with less the refinement has to correct more.
 constexpr double GreatestAreaWeight = 300.0;
-// Deformations end after MostDeformations, or when one and the round after it lower the distortion of
-// shapes by less than LeastDeformationGain of it. A compromise: on half a brain, 0.01 makes the mean
-// angle error 8.2 instead of 8.3 degrees and takes a fifth more time.
+// Deformations on a lattice end after MostDeformations, or when one and the round after it lower the
+// distortion of shapes by less than LeastDeformationGain of it. A compromise: on half a brain, 0.01
+// makes the mean angle error 8.2 instead of 8.3 degrees and takes a fifth more time.
 constexpr int MostDeformations = 10;
 constexpr double LeastDeformationGain = 0.05;
+// The greatest fineness of the lattice of the deformations (smoothlyDeformed). The lattice becomes twice
+// as fine when deformations on it end, unless the first one on the finer lattice hardly helped either.
+// Measured: white matter with a long relief has 20.1, 19.3 and 18.1 degrees of mean angle error with 1,
+// 2 and 4, a brain 7.3, 6.5 and 6.3, in a tenth more time; half a brain without a relief gains nothing.
+constexpr int GreatestFineness = 4;
 // A limit of the time; the rounds mostly end earlier, when they no longer help (RefinementRounds).
-constexpr int MostRounds = 8;
+constexpr int MostRounds = 16;
 // A map whose distortion of shapes is below NearlyKept is taken for that of a surface that can be
 // unrolled; the halves of a brain have 0.08. Such a map is brought to the last digits by steps of the
 // whole mesh: at most MostWholeRounds rounds of them, until one lowers the energy by less than the share
@@ -113,9 +119,35 @@ private:
     }
   }
 
-  // A round of the refinement follows each deformation: otherwise errors of areas and stretched faces
-  // would add up and keep the next one from going on. Returns the number of deformations.
+  // Deforms the map on finer and finer lattices. Returns the number of deformations.
   int deform(const ProgressCallback& progress)
+  {
+    const int vertices = this->Surface.vertexCount();
+    int count = 0;
+    for (int fineness = 1; fineness <= GreatestFineness; fineness *= 2)
+    {
+      const bool isFirst = fineness == 1;
+      if (!isFirst && latticeSquares(vertices, fineness) == latticeSquares(vertices, fineness / 2))
+      {
+        break;
+      }
+      const double begin = 1.0 - 1.0 / fineness;
+      this->Rounds.setFineness(fineness);
+      const int done = this->deformOnLattices(subrange(progress, begin, 0.5 * (begin + 1.0)));
+      count += done;
+      if (done < (isFirst ? 1 : 2))
+      {
+        break;
+      }
+    }
+    this->Rounds.setFineness(1);
+    return count;
+  }
+
+  // Deforms the map on lattices of the same fineness until one of the deformations hardly helps. A round
+  // of the refinement follows each: otherwise errors of areas and stretched faces would add up and keep
+  // the next one from going on. Returns the number of deformations.
+  int deformOnLattices(const ProgressCallback& progress)
   {
     double before = this->Rounds.distortion(this->Map);
     for (int k = 0; k < MostDeformations; ++k)

@@ -4,6 +4,7 @@
 #include "Areas/SmoothDeformation.h"
 #include "Mesh/FaceOrientation.h"
 #include "Mesh/OutlineCrossings.h"
+#include "Mesh/OutlineGaps.h"
 #include "Untangling/MapUntangling.h"
 #include "Untangling/TargetTriangles.h"
 
@@ -24,6 +25,12 @@ constexpr double MostNewlyFlipped = 1e-4;
 // untangle them. Guards for the time: beyond them a smaller share of the deformation is tried.
 constexpr double MostFlipped = 0.05;
 constexpr int LargestUntangledPatch = 200;
+
+TargetTriangle triangleOf(const Eigen::RowVector3i& face, const Points2& positions)
+{
+  const auto first = positions.row(face[0]);
+  return { positions.row(face[1]) - first, positions.row(face[2]) - first };
+}
 
 } // namespace
 
@@ -57,12 +64,13 @@ bool MapDeformation::deform(DomainMap& map,
     targets,
     request.Shapes,
     request.AreaWeight,
+    request.Fineness,
     subrange(progress, 0.0, 0.7));
   for (const double share : DeformationShares)
   {
     DomainMap next = this->Dofs.between(map, deformed, share);
-    if (this->countFlipped(next) <= most && !edgesCross(next.Positions, this->Terms.Outline) &&
-        (request.MayFlip || this->untangle(next, targets, subrange(progress, 0.7, 1.0))))
+    if (this->countFlipped(next) <= most &&
+        (request.MayFlip || this->untangle(map, next, targets, subrange(progress, 0.7, 1.0))))
     {
       map = std::move(next);
       return true;
@@ -71,14 +79,17 @@ bool MapDeformation::deform(DomainMap& map,
   return false;
 }
 
-// Faces that have all their vertices on a free boundary can be untangled only if the boundary moves. So
-// the second attempt frees the boundary vertices near flipped faces. This may let the boundary cross
-// itself, which is tested afterwards.
-bool MapDeformation::untangle(DomainMap& map,
+// Makes the deformed map @p map one-to-one again, near where faces are flipped or edges of the outline
+// cross. Faces that have all their vertices on a free boundary can be untangled, and edges that cross be
+// parted, only if the boundary moves. So the second attempt frees it there. The gaps beside it, as they
+// were @p before, count as faces then, so that no part of the outline moves across another.
+bool MapDeformation::untangle(const DomainMap& before,
+  DomainMap& map,
   const Eigen::VectorXd& targets,
   const ProgressCallback& progress) const
 {
-  if (this->countFlipped(map) == 0)
+  const int flipped = this->countFlipped(map);
+  if (flipped == 0 && !edgesCross(map.Positions, this->Terms.Outline))
   {
     return true;
   }
@@ -86,15 +97,53 @@ bool MapDeformation::untangle(DomainMap& map,
   options.AreaWeight = UntanglingOptions::EqualAreaWeight;
   options.LargestPatch = LargestUntangledPatch;
   const TargetTriangles triangles = trianglesOfArea(this->Surface, targets);
-  const auto untangled = [&](const std::vector<char>& fixed, const ProgressCallback& part)
+  if (flipped > 0)
   {
-    return untangleMap(this->Surface.Faces, fixed, triangles, map.Positions, options, part)
-             .FlippedFaces == 0;
-  };
-  return untangled(this->onBoundary(), subrange(progress, 0.0, 0.5)) ||
-         (!this->Terms.Outline.empty() &&
-           untangled(this->onBoundaryFarFromFlipped(map.Positions), subrange(progress, 0.5, 1.0)) &&
-           !edgesCross(map.Positions, this->Terms.Outline));
+    const UntanglingReport report = untangleMap(this->Surface.Faces,
+      this->onBoundary(),
+      triangles,
+      map.Positions,
+      options,
+      subrange(progress, 0.0, 0.5));
+    if (report.FlippedFaces == 0 && !edgesCross(map.Positions, this->Terms.Outline))
+    {
+      return true;
+    }
+  }
+  if (this->Terms.Outline.empty())
+  {
+    return false;
+  }
+  const std::vector<char> fixed = this->onBoundaryFarFromFaults(map.Positions);
+  const FaceMatrix faces = this->withGaps(before.Positions, fixed);
+  untangleMap(
+    faces,
+    fixed,
+    [&](int f) {
+      return f < this->Surface.faceCount() ? triangles(f) : triangleOf(faces.row(f), before.Positions);
+    },
+    map.Positions,
+    options,
+    subrange(progress, 0.5, 1.0));
+  return this->countFlipped(map) == 0 && !edgesCross(map.Positions, this->Terms.Outline);
+}
+
+// The faces, and the gaps of the outline that free vertices bound.
+FaceMatrix MapDeformation::withGaps(const Points2& positions, const std::vector<char>& fixed) const
+{
+  const FaceMatrix gaps = outlineGaps(positions, this->Terms.Outline);
+  FaceMatrix faces(this->Surface.faceCount() + gaps.rows(), 3);
+  faces.topRows(this->Surface.faceCount()) = this->Surface.Faces;
+  Eigen::Index count = this->Surface.faceCount();
+  for (Eigen::Index gap = 0; gap < gaps.rows(); ++gap)
+  {
+    if (!fixed[gaps(gap, 0)] || !fixed[gaps(gap, 1)] || !fixed[gaps(gap, 2)])
+    {
+      faces.row(count++) = gaps.row(gap);
+    }
+  }
+  faces.conservativeResize(count, 3);
+  return faces;
 }
 
 std::vector<char> MapDeformation::onBoundary() const
@@ -111,24 +160,38 @@ std::vector<char> MapDeformation::onBoundary() const
   return flags;
 }
 
-std::vector<char> MapDeformation::onBoundaryFarFromFlipped(const Points2& positions) const
+// The boundary vertices that are not near faces that are flipped or edges that cross.
+std::vector<char> MapDeformation::onBoundaryFarFromFaults(const Points2& positions) const
 {
-  std::vector<char> fixed = this->onBoundary();
+  std::vector<char> isNear(this->Surface.vertexCount(), 0);
   const std::vector<signed char> orientations = faceOrientations(positions, this->Surface.Faces);
   for (int f = 0; f < this->Surface.faceCount(); ++f)
   {
-    if (orientations[f] > 0)
+    for (const int corner : this->Surface.Faces.row(f))
+    {
+      isNear[corner] = isNear[corner] || orientations[f] <= 0;
+    }
+  }
+  const std::vector<char> crossing = crossingEdges(positions, this->Terms.Outline);
+  for (std::size_t k = 0; k < crossing.size(); ++k)
+  {
+    for (const int v : this->Terms.Outline[k])
+    {
+      isNear[v] = isNear[v] || crossing[k];
+    }
+  }
+  std::vector<char> fixed = this->onBoundary();
+  for (int v = 0; v < this->Surface.vertexCount(); ++v)
+  {
+    if (!isNear[v])
     {
       continue;
     }
-    for (const int corner : this->Surface.Faces.row(f))
+    for (const int face : this->FacesOf[v])
     {
-      for (const int face : this->FacesOf[corner])
+      for (const int corner : this->Surface.Faces.row(face))
       {
-        for (const int v : this->Surface.Faces.row(face))
-        {
-          fixed[v] = 0;
-        }
+        fixed[corner] = 0;
       }
     }
   }

@@ -33,6 +33,7 @@ public:
     DeformationEnergy::Shapes Shapes; ///< that faces should have
     double AreaWeight;                ///< of areas against shapes, > 0
     bool MayFlip;                     ///< whether a few faces more may be flipped afterwards
+    int Fineness = 1;                 ///< see smoothlyDeformed
   };
 
   /// Deforms @p map. Without @p request.MayFlip no face of it may be flipped, nor is one afterwards; an
@@ -46,9 +47,13 @@ public:
 
 private:
   int countFlipped(const DomainMap& map) const;
-  bool untangle(DomainMap& map, const Eigen::VectorXd& targets, const ProgressCallback& progress) const;
+  bool untangle(const DomainMap& before,
+    DomainMap& map,
+    const Eigen::VectorXd& targets,
+    const ProgressCallback& progress) const;
   std::vector<char> onBoundary() const;
-  std::vector<char> onBoundaryFarFromFlipped(const Points2& positions) const;
+  std::vector<char> onBoundaryFarFromFaults(const Points2& positions) const;
+  FaceMatrix withGaps(const Points2& positions, const std::vector<char>& fixed) const;
 
   const TriangleMesh& Surface;
   const RefinementTerms& Terms;

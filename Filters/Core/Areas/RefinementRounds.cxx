@@ -166,8 +166,14 @@ bool RefinementRounds::deform(DomainMap& map,
   }
   this->Energy.setEnclosed(map);
   this->FlipsIfDeformed = !this->Deformation.deform(
-    map, this->Energy.targets(), { shapes, areaWeight, this->Epsilon > 0.0 }, progress);
+    map, this->Energy.targets(), { shapes, areaWeight, this->Epsilon > 0.0, this->Fineness }, progress);
   return !this->FlipsIfDeformed;
+}
+
+void RefinementRounds::setFineness(int fineness)
+{
+  this->Fineness = fineness;
+  this->FlipsIfDeformed = false;
 }
 
 bool RefinementRounds::isNearlyRight(const DomainMap& map)

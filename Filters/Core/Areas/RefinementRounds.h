@@ -70,6 +70,10 @@ public:
   /// deformations: 0 if angles are asked for, or thin faces would flip. @throws Cancelled.
   int lowerDistortion(DomainMap& map, double areaWeight, int most, const ProgressCallback& progress);
 
+  /// Makes the lattices of further deformations so many times as fine (smoothlyDeformed), and lets them
+  /// be tried again where they flipped thin faces.
+  void setFineness(int fineness);
+
   /// The distortion of shapes (shapeDistortion).
   double distortion(const DomainMap& map) const;
 
@@ -117,6 +121,7 @@ private:
   Eigen::VectorXd AreaWeights;
   double Epsilon = 0.0;
   bool FlipsIfDeformed = false; // in this stage
+  int Fineness = 1;
   int Count = 0;
   int LastShapeRound;
 };

@@ -19,40 +19,70 @@ bool overlap(const FlatPoint& shared, const FlatPoint& a, const FlatPoint& b)
   return CGAL::orientation(shared, a, b) == CGAL::COLLINEAR && CGAL::angle(a, shared, b) != CGAL::OBTUSE;
 }
 
-} // namespace
-
-bool edgesCross(const Points2& positions, const std::vector<FlatEdge>& edges)
+FlatPoint pointAt(const Points2& positions, int vertex)
 {
-  const auto at = [&](int vertex) { return FlatPoint(positions(vertex, 0), positions(vertex, 1)); };
+  return { positions(vertex, 0), positions(vertex, 1) };
+}
+
+// Whether two edges have a point in common beside the vertex that they share.
+bool haveCrossing(const Points2& positions, const FlatEdge& a, const FlatEdge& b)
+{
+  const auto at = [&](int vertex) { return pointAt(positions, vertex); };
+  for (int i = 0; i < 2; ++i)
+  {
+    for (int j = 0; j < 2; ++j)
+    {
+      if (a[i] == b[j])
+      {
+        return overlap(at(a[i]), at(a[1 - i]), at(b[1 - j]));
+      }
+    }
+  }
+  return CGAL::do_intersect(
+    FlatKernel::Segment_2(at(a[0]), at(a[1])), FlatKernel::Segment_2(at(b[0]), at(b[1])));
+}
+
+// Calls @p visit with every two of the edges whose boxes have a point in common.
+template <typename Visitor>
+void forPairsOfNearEdges(const Points2& positions, const std::vector<FlatEdge>& edges, Visitor visit)
+{
   std::vector<EdgeBox> boxes;
   boxes.reserve(edges.size());
   for (const FlatEdge& edge : edges)
   {
-    const CGAL::Bbox_2 box = at(edge[0]).bbox() + at(edge[1]).bbox();
+    const CGAL::Bbox_2 box = pointAt(positions, edge[0]).bbox() + pointAt(positions, edge[1]).bbox();
     boxes.emplace_back(box, &edge);
   }
-  bool found = false;
   CGAL::box_self_intersection_d(boxes.begin(),
     boxes.end(),
-    [&](const EdgeBox& first, const EdgeBox& second)
-    {
-      const FlatEdge& a = *first.handle();
-      const FlatEdge& b = *second.handle();
-      for (int i = 0; i < 2 && !found; ++i)
-      {
-        for (int j = 0; j < 2; ++j)
-        {
-          if (a[i] == b[j])
-          {
-            found = overlap(at(a[i]), at(a[1 - i]), at(b[1 - j]));
-            return;
-          }
-        }
-      }
-      found = found || CGAL::do_intersect(FlatKernel::Segment_2(at(a[0]), at(a[1])),
-                         FlatKernel::Segment_2(at(b[0]), at(b[1])));
-    });
+    [&](const EdgeBox& first, const EdgeBox& second) { visit(*first.handle(), *second.handle()); });
+}
+
+} // namespace
+
+bool edgesCross(const Points2& positions, const std::vector<FlatEdge>& edges)
+{
+  bool found = false;
+  forPairsOfNearEdges(positions,
+    edges,
+    [&](const FlatEdge& a, const FlatEdge& b) { found = found || haveCrossing(positions, a, b); });
   return found;
+}
+
+std::vector<char> crossingEdges(const Points2& positions, const std::vector<FlatEdge>& edges)
+{
+  std::vector<char> flags(edges.size(), 0);
+  forPairsOfNearEdges(positions,
+    edges,
+    [&](const FlatEdge& a, const FlatEdge& b)
+    {
+      if (haveCrossing(positions, a, b))
+      {
+        flags[&a - edges.data()] = 1;
+        flags[&b - edges.data()] = 1;
+      }
+    });
+  return flags;
 }
 
 bool isSimpleOutline(const Points2& positions, const std::vector<int>& loop)

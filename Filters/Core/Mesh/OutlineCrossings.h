@@ -17,6 +17,10 @@ using FlatEdge = std::array<int, 2>;
 /// they share. It is exact for the given doubles (CGAL's filtered predicates).
 bool edgesCross(const Points2& positions, const std::vector<FlatEdge>& edges);
 
+/// Which of these edges have a point in common with another one beside a vertex that they share, as
+/// flags (one per edge).
+std::vector<char> crossingEdges(const Points2& positions, const std::vector<FlatEdge>& edges);
+
 /// Whether the closed polygon through the vertices of @p loop is simple: none of its edges cross. A flat
 /// map of a disk whose faces are all positively oriented and whose outline is simple is one-to-one.
 bool isSimpleOutline(const Points2& positions, const std::vector<int>& loop);

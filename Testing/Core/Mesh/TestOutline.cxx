@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/OutlineCrossings.h"
+#include "Mesh/OutlineGaps.h"
 #include "Mesh/OutlineReach.h"
 #include "Support/RandomNumbers.h"
 
@@ -45,6 +46,52 @@ TEST(OutlineCrossings, AreFoundExactly)
   EXPECT_FALSE(isSimpleOutline(square, loop));
   square(3, 1) = -1e-300;
   EXPECT_FALSE(isSimpleOutline(square, loop));
+}
+
+std::vector<FlatEdge> edgesOf(const std::vector<int>& loop)
+{
+  std::vector<FlatEdge> edges;
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    edges.push_back({ loop[k], loop[(k + 1) % loop.size()] });
+  }
+  return edges;
+}
+
+TEST(OutlineCrossings, TellWhichEdgesCross)
+{
+  Points2 outline(5, 2);
+  outline << 0, 0, 4, 0, 1, 2, 2, 2, 3,
+    -1; // the last edge but one passes the first, the last touches none
+  EXPECT_EQ(crossingEdges(outline, edgesOf(loopOf(outline))), std::vector<char>({ 1, 1, 0, 1, 0 }));
+}
+
+// A comb, 11 wide and 4 high, with five gaps of 1 x 3 that open upwards.
+TEST(OutlineGaps, FillTheConvexHull)
+{
+  Points2 comb(24, 2);
+  comb.topRows(2) << 0, 0, 11, 0;
+  for (int gap = 0; gap < 5; ++gap)
+  {
+    const double right = 10.0 - 2.0 * gap;
+    comb.middleRows(3 + 4 * gap, 4) << right, 4, right, 1, right - 1.0, 1, right - 1.0, 4;
+  }
+  comb.row(2) << 11, 4;
+  comb.row(23) << 0, 4;
+  ASSERT_TRUE(isSimpleOutline(comb, loopOf(comb)));
+  const FaceMatrix gaps = outlineGaps(comb, edgesOf(loopOf(comb)));
+  ASSERT_EQ(gaps.rows(), 10);
+  for (Eigen::Index k = 0; k < gaps.rows(); ++k)
+  {
+    const Eigen::RowVector2d first = comb.row(gaps(k, 1)) - comb.row(gaps(k, 0));
+    const Eigen::RowVector2d second = comb.row(gaps(k, 2)) - comb.row(gaps(k, 0));
+    EXPECT_EQ(first.x() * second.y() - first.y() * second.x(), 3.0); // half of a gap, counter-clockwise
+  }
+}
+
+TEST(OutlineGaps, AConvexOutlineHasNone)
+{
+  EXPECT_EQ(outlineGaps(star(0, 50), edgesOf(loopOf(star(0, 50)))).rows(), 0);
 }
 
 TEST(OutlineCrossings, NeighboursMustNotFoldBack)

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Areas/DegreesOfFreedom.h"
+#include "Areas/MapDeformation.h"
+#include "Areas/RefinementTerms.h"
+#include "Areas/ShapeDistortion.h"
+#include "Mesh/FaceOrientation.h"
+#include "Mesh/MeshTopology.h"
+#include "Mesh/OutlineCrossings.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+namespace
+{
+
+using namespace flattening;
+
+using Place = std::function<Eigen::RowVector2d(double, double)>;
+
+// The square of side 1 around the origin in columns x rows squares, each cut in two.
+TriangleMesh squareMesh(int columns, int rows)
+{
+  TriangleMesh mesh;
+  mesh.Vertices.resize((columns + 1) * (rows + 1), 3);
+  mesh.Faces.resize(2 * columns * rows, 3);
+  int face = 0;
+  for (int j = 0; j <= rows; ++j)
+  {
+    for (int i = 0; i <= columns; ++i)
+    {
+      const int v = j * (columns + 1) + i;
+      mesh.Vertices.row(v) << static_cast<double>(i) / columns - 0.5,
+        static_cast<double>(j) / rows - 0.5, 0.0;
+      if (i < columns && j < rows)
+      {
+        mesh.Faces.row(face++) << v, v + 1, v + columns + 2;
+        mesh.Faces.row(face++) << v, v + columns + 2, v + columns + 1;
+      }
+    }
+  }
+  return mesh;
+}
+
+// A flat surface and a map of it to the plane that moves its points.
+struct FlatMap
+{
+  FlatMap(const TriangleMesh& mapped, const Place& onSurface)
+    : Surface(mapped)
+    , Map{ mapped.Vertices.leftCols<2>(), {} }
+    , FacesOf(mapped.Faces, mapped.vertexCount())
+    , Dofs(mapped.vertexCount())
+  {
+    for (int v = 0; v < mapped.vertexCount(); ++v)
+    {
+      this->Surface.Vertices.row(v).head<2>() = onSurface(mapped.Vertices(v, 0), mapped.Vertices(v, 1));
+    }
+    this->Targets = faceAreas(this->Surface.Vertices, this->Surface.Faces);
+    const std::vector<int> loop = requireDisk(this->Surface);
+    this->Terms = RefinementTerms(this->Surface, loop, 1.0, 1e-3);
+    this->Terms.Gaps.clear();
+    for (std::size_t k = 0; k < loop.size(); ++k)
+    {
+      this->Terms.Outline.push_back({ loop[k], loop[(k + 1) % loop.size()] });
+    }
+  }
+
+  bool deform(double areaWeight, int fineness)
+  {
+    return MapDeformation(this->Surface, this->Terms, this->FacesOf, this->Dofs)
+      .deform(this->Map,
+        this->Targets,
+        { DeformationEnergy::Shapes::OfSurface, areaWeight, false, fineness },
+        {});
+  }
+
+  double distortion() const { return shapeDistortion(this->Terms, this->Map.Positions, this->Targets); }
+
+  TriangleMesh Surface;
+  DomainMap Map;
+  VertexFaces FacesOf;
+  DegreesOfFreedom Dofs;
+  Eigen::VectorXd Targets;
+  RefinementTerms Terms;
+};
+
+constexpr int SlitColumns = 24;
+constexpr int SlitRows = 25; // odd, so that rows of squares lie on both sides of the slit's line
+
+// The square with a slit of width 2e-5 from its right side to the third column. The vertices of the two
+// banks stand opposite to the middles of the edges of the other one.
+TriangleMesh slitMesh()
+{
+  TriangleMesh mesh = squareMesh(SlitColumns, SlitRows);
+  const int row = SlitColumns + 1;
+  const int below = SlitRows / 2;
+  std::vector<Eigen::RowVector3i> faces;
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    const int first = mesh.Faces(f, 0);
+    if (first / row != below || first % row < 3)
+    {
+      faces.push_back(mesh.Faces.row(f));
+    }
+  }
+  mesh.Faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    mesh.Faces.row(static_cast<Eigen::Index>(f)) = faces[f];
+  }
+  const double edge = 1.0 / SlitColumns;
+  for (int i = 4; i <= SlitColumns; ++i)
+  {
+    mesh.Vertices(below * row + i, 1) = -1e-5;
+    mesh.Vertices((below + 1) * row + i, 1) = 1e-5;
+    if (i < SlitColumns)
+    {
+      mesh.Vertices((below + 1) * row + i, 0) += 0.5 * edge;
+    }
+  }
+  return mesh;
+}
+
+// The straight slit has to become a wave. Chords of the wave whose ends are not the same are farther
+// apart than the banks, so that the deformation makes the edges of the outline cross.
+TEST(MapDeformation, PartsOfTheOutlineStayApart)
+{
+  FlatMap map(slitMesh(),
+    [](double x, double y) { return Eigen::RowVector2d(x, y + 0.05 * std::sin(4.0 * EIGEN_PI * x)); });
+  ASSERT_FALSE(edgesCross(map.Map.Positions, map.Terms.Outline));
+  const double before = map.distortion();
+  ASSERT_TRUE(map.deform(30.0, 1));
+  EXPECT_EQ(countFlippedFaces(map.Map.Positions, map.Surface.Faces), 0);
+  EXPECT_FALSE(edgesCross(map.Map.Positions, map.Terms.Outline));
+  EXPECT_LT(map.distortion(), 0.2 * before);
+}
+
+// Waves that are shorter than the squares of the usual lattice need a finer one.
+TEST(MapDeformation, AFinerLatticeFollowsShorterWaves)
+{
+  const auto left = [](int fineness)
+  {
+    FlatMap map(squareMesh(300, 300),
+      [](double x, double y)
+      { return Eigen::RowVector2d(x, y + 0.01 * std::sin(30.0 * EIGEN_PI * x)); });
+    const double before = map.distortion();
+    EXPECT_TRUE(map.deform(300.0, fineness));
+    return map.distortion() / before;
+  };
+  const double usual = left(1);
+  const double finer = left(2);
+  EXPECT_GT(usual, 0.3);
+  EXPECT_LT(finer, 0.1);
+}
+
+} // namespace
