@@ -169,6 +169,8 @@ BREAKS = [
     at("Areas/TargetAreas.cxx", "GreatestCountFactor", "1.0", ".min(GreatestCountFactor)"),
     at("Areas/DeformationEnergy.cxx", "place - this->Domain->at(parameter)", "this->Domain->at(parameter) - place"),
     at("Areas/SmoothDeformation.cxx", "way - turn * std::round(way / turn)", "way"),
+    at("Areas/SmoothDeformation.cxx", "fineness * usual", "usual"),
+    at("Areas/MapDeformation.cxx", "faces.row(count++) = gaps.row(gap);", ""),
     at("Areas/DeformationEnergy.cxx", "kept.Point.Stays", "!kept.Point.Stays", "if (kept.Point.Stays)"),
     at("Areas/TargetAreas.cxx", "EIGEN_PI / areas.sum()", "2.0 * EIGEN_PI / areas.sum()"),
     at(
