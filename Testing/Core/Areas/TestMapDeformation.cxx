@@ -6,6 +6,7 @@
 #include "Mesh/FaceOrientation.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/OutlineCrossings.h"
+#include "Support/SampleSurfaces.h"
 
 #include <gtest/gtest.h>
 
@@ -23,24 +24,8 @@ using Place = std::function<Eigen::RowVector2d(double, double)>;
 // The square of side 1 around the origin in columns x rows squares, each cut in two.
 TriangleMesh squareMesh(int columns, int rows)
 {
-  TriangleMesh mesh;
-  mesh.Vertices.resize((columns + 1) * (rows + 1), 3);
-  mesh.Faces.resize(2 * columns * rows, 3);
-  int face = 0;
-  for (int j = 0; j <= rows; ++j)
-  {
-    for (int i = 0; i <= columns; ++i)
-    {
-      const int v = j * (columns + 1) + i;
-      mesh.Vertices.row(v) << static_cast<double>(i) / columns - 0.5,
-        static_cast<double>(j) / rows - 0.5, 0.0;
-      if (i < columns && j < rows)
-      {
-        mesh.Faces.row(face++) << v, v + 1, v + columns + 2;
-        mesh.Faces.row(face++) << v, v + columns + 2, v + columns + 1;
-      }
-    }
-  }
+  TriangleMesh mesh = samples::rectangleGrid(columns + 1, rows + 1, std::sqrt(samples::Pi));
+  mesh.Vertices /= std::sqrt(samples::Pi);
   return mesh;
 }
 

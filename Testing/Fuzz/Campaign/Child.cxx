@@ -137,7 +137,7 @@ bool sleeps(pid_t child)
   {
     std::ifstream file(task.path() / "stat");
     std::string text;
-    std::getline(file, text);                 // nothing, if the thread has ended meanwhile
+    std::getline(file, text); // nothing, if the thread has ended meanwhile
     const std::size_t name = text.rfind(')'); // the state follows the name in brackets
     if (name == std::string::npos || text.compare(name, 3, ") S") != 0)
     {
