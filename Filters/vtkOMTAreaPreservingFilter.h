@@ -151,7 +151,9 @@ public:
    * default the point array `AreaWeight`) gives each point the factor by which its area grows relative
    * to the others (dimensionless, > 0). If no array was chosen, or "None", which ParaView sends for no
    * choice, and there is no `AreaWeight`, all weights are 1. An array that was chosen and is missing is
-   * an error. GetWeightsInUse and the field data tell which weights were used. Default: on.
+   * an error. GetWeightsInUse and the field data tell which weights were used. With FaceRefinement,
+   * weights whose greatest is more than 32 times the least are reached in steps, each of which takes as
+   * long as a map; the transport's numbers are those of the last step. Default: on.
    */
   vtkSetMacro(UseAreaWeight, bool);
   vtkGetMacro(UseAreaWeight, bool);

@@ -12,6 +12,7 @@
 #include "Transport/TransportSites.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,6 +27,10 @@ namespace
 // A mesh has at least so many sites, or a site per vertex: groups are for large meshes, small ones take
 // no time. With fewer sites the interpolation between them gets coarse.
 constexpr int LeastSites = 1000;
+// Area weights whose greatest is more than so many times the least are reached in steps, of which each
+// starts from the map of the one before. One transport over six decades squeezes the region with the
+// least weight to faces 100,000 times as long as wide, which no refinement sets right.
+constexpr double WidestStep = 32.0;
 
 // Gives each corner of the domain the boundary vertex whose cell contains it.
 void chooseCorners(BoundaryLoop& boundary,
@@ -266,6 +271,51 @@ private:
   AreaPreservingMap Map;
 };
 
+int stepsTo(const Eigen::VectorXd& weights)
+{
+  if (weights.size() == 0)
+  {
+    return 1;
+  }
+  const double range = std::log(weights.maxCoeff()) - std::log(weights.minCoeff());
+  return std::max(1, static_cast<int>(std::ceil(range / std::log(WidestStep))));
+}
+
+// The map, by way of maps for weights of less range where it is wide. A map that is not one-to-one is
+// no start for the next step: then the weights are reached in one.
+AreaPreservingResult mapInSteps(const TriangleMesh& mesh,
+  const Points2& conformal,
+  const Points2& onDomain,
+  const DomainTarget& target,
+  const Eigen::VectorXd& weights,
+  const AreaPreservingOptions& options,
+  const ProgressCallback& progress)
+{
+  targetAreas(mesh, weights); // throws if the weights are no such numbers
+  const int steps = options.RefineFaces ? stepsTo(weights) : 1;
+  AreaPreservingOptions before = options;
+  before.Start = {};
+  before.FreeOutline = false;
+  Points2 start = conformal;
+  Points2 startOnDomain = onDomain;
+  for (int step = 1; step < steps; ++step)
+  {
+    const double end = static_cast<double>(step) / steps;
+    const Eigen::VectorXd part = weights.array().pow(end);
+    const AreaPreservingMap map = MapMaker(mesh, start, startOnDomain, target, part, before)
+                                    .make(subrange(progress, end - 1.0 / steps, end))
+                                    .Map;
+    start = map.Bijective ? map.Positions : conformal;
+    startOnDomain = map.Bijective ? map.Positions : onDomain;
+    if (!map.Bijective)
+    {
+      break;
+    }
+  }
+  return MapMaker(mesh, start, startOnDomain, target, weights, options)
+    .make(subrange(progress, 1.0 - 1.0 / steps, 1.0));
+}
+
 } // namespace
 
 AreaPreservingResult areaPreservingDiskMap(const TriangleMesh& mesh,
@@ -275,7 +325,7 @@ AreaPreservingResult areaPreservingDiskMap(const TriangleMesh& mesh,
   const ProgressCallback& progress)
 {
   const DomainTarget target = diskTarget(mesh, conformal);
-  return MapMaker(mesh, conformal, conformal, target, weights, options).make(progress);
+  return mapInSteps(mesh, conformal, conformal, target, weights, options, progress);
 }
 
 AreaPreservingResult areaPreservingRectangleMap(const TriangleMesh& mesh,
@@ -286,7 +336,7 @@ AreaPreservingResult areaPreservingRectangleMap(const TriangleMesh& mesh,
   const ProgressCallback& progress)
 {
   const DomainTarget target = rectangleTarget(mesh, conformal, width);
-  return MapMaker(mesh, conformal, conformal, target, weights, options).make(progress);
+  return mapInSteps(mesh, conformal, conformal, target, weights, options, progress);
 }
 
 AreaPreservingResult areaPreservingPolygonMap(const TriangleMesh& mesh,
@@ -301,7 +351,7 @@ AreaPreservingResult areaPreservingPolygonMap(const TriangleMesh& mesh,
   const double scale = target.Domain->innerRadius() / conformal.rowwise().norm().maxCoeff();
   const Points2 scaled = scale * conformal;
   const Points2 onDomain = stretchedAlongRays(conformal, source, *target.Domain);
-  return MapMaker(mesh, scaled, onDomain, target, weights, options).make(progress);
+  return mapInSteps(mesh, scaled, onDomain, target, weights, options, progress);
 }
 
 } // namespace flattening

@@ -70,7 +70,9 @@ struct AreaPreservingResult
 /// centroids of their power cells and boundary vertices to the circle. With refinement the transport's
 /// sites are small groups of vertices, which follow the smooth map through the centroids
 /// (interpolateTransport); from there the vertices are moved until the faces have their areas.
-/// @p weights (n, > 0) scale the areas that vertices should get; empty: all 1.
+/// @p weights (n, > 0) scale the areas that vertices should get; empty: all 1. With refinement, weights
+/// whose greatest is more than 32 times the least are reached in steps, of which each starts from the
+/// map of the one before; the transport, its cells and its numbers are then those of the last step.
 /// @throws InvalidInput, TopologyError (see requireDisk, targetAreas), InvalidInput if @p conformal is
 /// not such a map, ConvergenceError, Cancelled.
 AreaPreservingResult areaPreservingDiskMap(const TriangleMesh& mesh,

@@ -36,18 +36,20 @@ FaceAreaEnergy::Value FaceAreaEnergy::value(double area,
   const double chiByRR = 0.5 * this->Epsilon * this->Epsilon * byLog * byLog * byLog;
   const double w = weights.Area;
   const double s = weights.Shape;
+  const double c = weights.Count;
   // Smoothed like r, so that a face does not gain by shrinking to a point.
   const double q = std::max(dirichlet / target, LeastDirichlet);
   const SmoothPositivePart chiOfQ = smoothPositivePart(q, this->Epsilon);
 
   const double shape = s > 0.0 ? s * (std::log(chiOfQ.Value) - logChi) : 0.0;
-  result.Energy = target * (w * (r - 1.0) * (r - 1.0) + FlipWeight * (chi - 1.0 - logChi) + shape);
-  result.ByArea = 2.0 * w * (r - 1.0) + FlipWeight * (chiByR - byLog) - s * byLog;
-  result.ByDirichlet = s / chiOfQ.Root;
+  result.Energy = c * target * (w * (r - 1.0) * (r - 1.0) + FlipWeight * (chi - 1.0 - logChi) + shape);
+  result.ByArea = c * (2.0 * w * (r - 1.0) + FlipWeight * (chiByR - byLog) - s * byLog);
+  result.ByDirichlet = c * s / chiOfQ.Root;
   // Minus the logarithm is concave where the face is flipped; only positive curvature counts.
   const double logCurvature = r * byLog * byLog * byLog;
   const double flipCurvature = std::max(0.0, chiByRR + logCurvature);
-  result.Curvature = (2.0 * w + FlipWeight * flipCurvature + s * std::max(0.0, logCurvature)) / target;
+  result.Curvature =
+    c * (2.0 * w + FlipWeight * flipCurvature + s * std::max(0.0, logCurvature)) / target;
   return result;
 }
 

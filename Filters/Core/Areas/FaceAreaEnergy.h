@@ -8,14 +8,14 @@ namespace flattening
 {
 
 /// The energy of a face with target area T is
-///   T (w (r - 1)^2 + beta (chi(r) - 1 - log chi(r)) + s log(chi(q / T) / chi(r))).
+///   c T (w (r - 1)^2 + beta (chi(r) - 1 - log chi(r)) + s log(chi(q / T) / chi(r))).
 /// Here r is the flat area over T, chi(r) = (r + sqrt(epsilon^2 + r^2)) / 2 a smooth positive part (r
 /// for epsilon = 0 and r > 0; Garanzha et al. 2021), and q the Dirichlet energy of the flat triangle on
 /// the surface triangle: the flat area if the two are similar, and more otherwise. The first term asks
 /// for the area, with the area weight w. The second keeps the face from flipping, without limit for
 /// epsilon = 0. The third, with the shape weight s, asks for the surface triangle's angles; because of
 /// its logarithm it lets go of faces that must be stretched far (docs/mathematics.md, "From cells to
-/// faces").
+/// faces"). The count c is 1 unless area weights are given (faceCounts).
 class FaceAreaEnergy
 {
 public:
@@ -36,11 +36,12 @@ public:
   {
   }
 
-  /// The two weights of a face.
+  /// The weights of a face.
   struct Weights
   {
     double Area = 1.0;  ///< w, > 0
     double Shape = 0.0; ///< s, >= 0
+    double Count = 1.0; ///< c, > 0
   };
   /// @p area is signed, @p target > 0, @p dirichlet >= 0. Areas in one unit.
   Value value(double area, double target, double dirichlet, const Weights& weights) const;

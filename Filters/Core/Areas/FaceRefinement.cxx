@@ -70,6 +70,7 @@ public:
         this->FacesOf,
         this->Dofs,
         map.Conformal,
+        faceTargets,
         map.Start,
         this->AsksForAreas)
     , OnBoundary(surface.vertexCount(), 0)

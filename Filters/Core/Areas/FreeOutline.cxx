@@ -66,6 +66,7 @@ public:
         this->FacesOf,
         this->Dofs,
         positions,
+        faceTargets,
         RefinementStart::Transport,
         true)
     , Map{ positions, {} }

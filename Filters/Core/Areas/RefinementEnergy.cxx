@@ -120,7 +120,7 @@ FaceAreaEnergy::Value RefinementEnergy::faceValue(const FlatFace& flat, int face
   return this->Energy.value(flat.Area,
     this->Scale * this->Targets[face],
     flat.Dirichlet,
-    { this->AreaWeights[face], this->Terms.ShapeWeights[face] });
+    { this->AreaWeights[face], this->Terms.ShapeWeights[face], this->Counts[face] });
 }
 
 RefinementEnergy::GapTerm RefinementEnergy::gapTerm(const DomainMap& map, const BoundaryGap& gap) const

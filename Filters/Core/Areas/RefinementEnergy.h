@@ -26,12 +26,15 @@ public:
     const VertexFaces& facesOf,
     const DegreesOfFreedom& dofs);
 
-  /// Sets the target areas (m, > 0), up to a common factor; see setEnclosed(). @p areaWeights (m, > 0)
-  /// are those of FaceAreaEnergy.
-  void setTargets(const Eigen::VectorXd& targets, const Eigen::VectorXd& areaWeights)
+  /// Sets the target areas (m, > 0), up to a common factor; see setEnclosed(). @p areaWeights and
+  /// @p counts (m, > 0) are those of FaceAreaEnergy.
+  void setTargets(const Eigen::VectorXd& targets,
+    const Eigen::VectorXd& areaWeights,
+    const Eigen::VectorXd& counts)
   {
     this->Targets = targets;
     this->AreaWeights = areaWeights;
+    this->Counts = counts;
   }
   /// Sets epsilon of FaceAreaEnergy, >= 0; with 0 the energy of flipped faces is infinite.
   void setEpsilon(double epsilon);
@@ -83,6 +86,7 @@ private:
   FaceAreaEnergy Energy;
   Eigen::VectorXd Targets;
   Eigen::VectorXd AreaWeights;
+  Eigen::VectorXd Counts;
   double Scale = 1.0;
   std::vector<FaceAreaEnergy::Value> Values; // of the last gradient
   SparseMatrix Hessian;

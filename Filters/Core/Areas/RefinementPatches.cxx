@@ -104,7 +104,9 @@ private:
     const RefinementTerms terms = this->terms(members);
     const VertexFaces facesOf(terms.Faces, static_cast<int>(this->Vertices.size()));
     RefinementEnergy energy(terms, facesOf, dofs);
-    energy.setTargets(this->ThePass.Targets(this->Rows), this->ThePass.AreaWeights(this->Rows));
+    energy.setTargets(this->ThePass.Targets(this->Rows),
+      this->ThePass.AreaWeights(this->Rows),
+      this->ThePass.Counts(this->Rows));
     energy.setEpsilon(this->ThePass.Epsilon);
     RefinementDescent descent(energy, dofs, terms, SparseCholesky::Kernel::Entries);
     descent.keepOrientation(this->ThePass.KeepsOrientation);

@@ -42,6 +42,7 @@ public:
   {
     Eigen::VectorXd Targets;      ///< per face (m), with the area that the boundary encloses as sum
     Eigen::VectorXd AreaWeights;  ///< per face (m), see FaceAreaEnergy
+    Eigen::VectorXd Counts;       ///< the same
     double Epsilon = 0.0;         ///< see FaceAreaEnergy
     double ShapeFactor = 1.0;     ///< factor of the terms' shape weights
     bool KeepsOrientation = true; ///< whether faces may not flip (RefinementDescent)

@@ -80,6 +80,7 @@ RefinementRounds::RefinementRounds(const TriangleMesh& surface,
   const VertexFaces& facesOf,
   const DegreesOfFreedom& dofs,
   const Points2& chart,
+  const Eigen::VectorXd& targets,
   RefinementStart start,
   bool asksForAreas)
   : Surface(surface)
@@ -91,13 +92,14 @@ RefinementRounds::RefinementRounds(const TriangleMesh& surface,
   , Start(start)
   , AsksForAreas(asksForAreas)
   , AreaWeights(areaWeights(faceAreas(surface.Vertices, surface.Faces)))
+  , Counts(faceCounts(surface, targets))
   , LastShapeRound(start == RefinementStart::WarmStart ? 0 : FirstShapeRounds)
 {
 }
 
 void RefinementRounds::setStage(const Eigen::VectorXd& targets, double epsilon)
 {
-  this->Energy.setTargets(targets, this->AreaWeights);
+  this->Energy.setTargets(targets, this->AreaWeights, this->Counts);
   this->Energy.setEpsilon(epsilon);
   this->Epsilon = epsilon;
   this->FlipsIfDeformed = false;
@@ -250,6 +252,7 @@ RefinementPatches::Pass RefinementRounds::pass(const DomainMap& map)
   RefinementPatches::Pass pass;
   pass.Targets = this->Energy.targets();
   pass.AreaWeights = this->AreaWeights;
+  pass.Counts = this->Counts;
   pass.Epsilon = this->Epsilon;
   pass.KeepsOrientation = this->Epsilon == 0.0;
   return pass;

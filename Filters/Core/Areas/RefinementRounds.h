@@ -39,12 +39,14 @@ public:
 
   /// From the transport on, shapes count more in the first rounds. After a warm start they do not, and
   /// the rounds end earlier. @p asksForAreas: whether shapes count only as far as areas leave them free.
-  /// @p chart: see RefinementPatches. The other arguments must live as long as this does.
+  /// @p chart: see RefinementPatches. @p targets (m, >= 0): the areas that the faces should have, up to
+  /// a common factor (faceCounts). The arguments except @p targets must live as long as this does.
   RefinementRounds(const TriangleMesh& surface,
     const RefinementTerms& terms,
     const VertexFaces& facesOf,
     const DegreesOfFreedom& dofs,
     const Points2& chart,
+    const Eigen::VectorXd& targets,
     RefinementStart start,
     bool asksForAreas);
 
@@ -119,6 +121,7 @@ private:
   RefinementStart Start;
   bool AsksForAreas;
   Eigen::VectorXd AreaWeights;
+  Eigen::VectorXd Counts;
   double Epsilon = 0.0;
   bool FlipsIfDeformed = false; // in this stage
   int Fineness = 1;

@@ -146,6 +146,13 @@ Eigen::VectorXd areaWeights(const Eigen::VectorXd& areas)
   return (counted / areas.array()).max(1.0).min(GreatestCountFactor);
 }
 
+Eigen::VectorXd faceCounts(const TriangleMesh& surface, const Eigen::VectorXd& targets)
+{
+  const double sum = targets.sum();
+  return positiveTargets(faceAreas(surface.Vertices, surface.Faces), sum)
+    .cwiseQuotient(positiveTargets(targets, sum));
+}
+
 double shareOfWrongFaces(const Points2& positions,
   const FaceMatrix& faces,
   const Eigen::VectorXd& targets,

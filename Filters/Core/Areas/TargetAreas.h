@@ -41,6 +41,12 @@ Eigen::VectorXd positiveTargets(const Eigen::VectorXd& targets, double area);
 /// off by more than 2 % at the minimum.
 Eigen::VectorXd areaWeights(const Eigen::VectorXd& areas);
 
+/// How much each face counts in the refinement energy, against its target area: its area on the surface
+/// over its target (m, >= 0, up to a common factor), both as shares of their sums. So faces count by
+/// what they are on the surface; by their targets, those with small area weights were no part of the
+/// sum. Exactly 1 where @p targets are the areas of the faces.
+Eigen::VectorXd faceCounts(const TriangleMesh& surface, const Eigen::VectorXd& targets);
+
 /// The share of the faces whose flat area, as a part of the whole map, differs from their target (m, >
 /// 0) by more than @p tolerance of it.
 double shareOfWrongFaces(const Points2& positions,

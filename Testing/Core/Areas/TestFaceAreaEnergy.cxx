@@ -41,7 +41,7 @@ TEST(FaceAreaEnergy, AFaceDoesNotGainByShrinkingToAPoint)
 TEST(FaceAreaEnergy, DerivativesMatchDifferences)
 {
   constexpr double target = 0.3;
-  constexpr FaceAreaEnergy::Weights weights{ 5.0, 0.02 };
+  constexpr FaceAreaEnergy::Weights weights{ 5.0, 0.02, 3.0 };
   constexpr double step = 1e-5;
   for (const double epsilon : { 0.0, 0.1 })
   {

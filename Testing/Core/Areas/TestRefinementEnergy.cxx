@@ -27,7 +27,12 @@ protected:
     , Energy(Terms, FacesOf, Dofs)
   {
     const Eigen::VectorXd areas = faceAreas(Mesh.Vertices, Mesh.Faces);
-    this->Energy.setTargets(areas * (EIGEN_PI / areas.sum()), areaWeights(areas));
+    Eigen::VectorXd counts(areas.size());
+    for (Eigen::Index f = 0; f < counts.size(); ++f)
+    {
+      counts[f] = 1.0 + 0.2 * std::sin(static_cast<double>(f));
+    }
+    this->Energy.setTargets(areas * (EIGEN_PI / areas.sum()), areaWeights(areas), counts);
     this->Energy.setEpsilon(0.1);
     this->Map.Positions = Mesh.Vertices.leftCols<2>();
     for (Eigen::Index i = 0; i < this->Map.Positions.size(); ++i)
@@ -113,6 +118,22 @@ TEST_F(RefinementEnergyOfAMap, HessianStartsAnewEveryTime)
   const SparseMatrix first = this->Energy.hessian(this->Map);
   const SparseMatrix second = this->Energy.hessian(this->Map);
   EXPECT_EQ((first - second).norm(), 0.0);
+}
+
+// A weight of 4 on half of the surface, whose faces then have four times their area for target: they
+// count a quarter as much as the others, so that all count by their area on the surface.
+TEST(FaceCounts, AreInverseToWeights)
+{
+  const TriangleMesh mesh = analytic::sunflowerMesh(analytic::paraboloid(0.8), 300).Mesh;
+  const Eigen::VectorXd areas = faceAreas(mesh.Vertices, mesh.Faces);
+  const Eigen::Index half = areas.size() / 2;
+  Eigen::VectorXd targets = areas;
+  targets.head(half) *= 4.0;
+  const Eigen::VectorXd counts = faceCounts(mesh, targets);
+  const double scale = targets.sum() / areas.sum();
+  EXPECT_LT((counts.head(half).array() - 0.25 * scale).abs().maxCoeff(), 1e-14);
+  EXPECT_LT((counts.tail(areas.size() - half).array() - scale).abs().maxCoeff(), 1e-14);
+  EXPECT_TRUE((faceCounts(mesh, areas).array() == 1.0).all());
 }
 
 // Five faces of a mean target of 0.62: those below half of it count as if they were so large, up to 20

@@ -52,6 +52,7 @@ protected:
     }
     this->Pass.Targets = signedFaceAreas(this->Exact.Positions, Mesh.Faces);
     this->Pass.AreaWeights = areaWeights(this->Pass.Targets);
+    this->Pass.Counts = faceCounts(Mesh, this->Pass.Targets);
     this->Pass.Epsilon = 0.0;
     this->Pass.KeepsOrientation = true;
   }

@@ -138,15 +138,12 @@ TEST(WeightRange, CellsOfSixDecadesInOneMeshAreLinear)
   }
 }
 
-// Where the weight has a dozen triangles to change in. Over a sharp edge triangles with corners on both
-// sides would have to be a hundred times as long as wide. Beside a region of 1000 the faces of a region
-// of 0.001 have a 20,000th of the mean area: they shrink to it over many rounds, in which their number
-// that is not right stays the same. Their ends depend on the rounding: with 16,000 vertices the region of
-// 0.001 has 0.9, 1.6, 1.7 and 2.5 % too little area with OpenBLAS's code for Sandy Bridge, Nehalem,
-// Haswell and Skylake, so that this fails on processors with AVX-512 (docs/limits.md).
+// Where the weight has a dozen triangles to change in. Beside a region of 1000 the faces of a region
+// of 0.001 have a 20,000th of the mean area. From one transport they began 90,000 times as long as wide,
+// and with 18,500 vertices the region ended with 25 times its area.
 TEST(WeightRange, FacesOfManyDecadesInOneMeshAreLinear)
 {
-  for (const int vertexCount : { 16000, 20000 })
+  for (const int vertexCount : { 16000, 18500 })
   {
     const WeightedRegions regions(vertexCount, SixDecades, 0.12, 0.16);
     const AreaPreservingMap map = regions.map(true);
@@ -179,13 +176,17 @@ INSTANTIATE_TEST_SUITE_P(,
     return (decades < 0 ? "OverTenTo" : "TenTo") + std::to_string(std::abs(decades));
   });
 
-TEST(WeightRange, ASharpEdgeOfAThousandKeepsCellsExact)
+// While faces counted by their targets, the region of 0.001 had 0.4 % too little area.
+TEST(WeightRange, RegionsWithASharpEdgeAreLinear)
 {
-  const WeightedRegions regions(10000, { 1000.0 }, 0.2, 0.0);
-  const AreaPreservingMap map = regions.map(true);
-  EXPECT_TRUE(map.Bijective);
-  expectOnes(regions.cellGains(map), 1e-6);
-  expectOnes(regions.faceGains(map), 0.005);
+  for (const double factor : { 1e-3, 0.1, 1000.0 })
+  {
+    const WeightedRegions regions(10000, { factor }, 0.2, 0.0);
+    const AreaPreservingMap map = regions.map(true);
+    EXPECT_TRUE(map.Bijective);
+    expectOnes(regions.cellGains(map), 1e-6);
+    expectOnes(regions.faceGains(map), 0.002);
+  }
 }
 
 TEST(WeightRange, BelowDoublePrecisionIsRefused)
