@@ -60,6 +60,7 @@ BREAKS = [
     at("Intrinsic/IntrinsicDelaunay.cxx", "(p - q) * (p + q)", "(q - p) * (p + q)"),
     at("Intrinsic/IntrinsicDelaunay.cxx", "this->mayFlip(h) && this->Lengths.mustFlip(h)", "false"),
     # --- Geodesics
+    at("Geodesics/GeodesicSearch.cxx", "window.Halfedge == window.Earlier", "false"),
     at("Geodesics/GeodesicDistance.cxx", "area / 3.0", "area"),
     at("Geodesics/GeodesicDistance.cxx", "divergence[this->Surface.tip(3 * f + k)] -= flux;", ""),
     at(
@@ -172,6 +173,8 @@ BREAKS = [
     at("Areas/SmoothDeformation.cxx", "fineness * usual", "usual"),
     at("Areas/MapDeformation.cxx", "faces.row(count++) = gaps.row(gap);", ""),
     at("Areas/DeformationEnergy.cxx", "kept.Point.Stays", "!kept.Point.Stays", "if (kept.Point.Stays)"),
+    at("Areas/TargetAreas.cxx", "faceAreas(surface.Vertices, surface.Faces)", "targets"),
+    at("Areas/AreaPreservingDisk.cxx", "step < steps", "step < 1"),
     at("Areas/TargetAreas.cxx", "EIGEN_PI / areas.sum()", "2.0 * EIGEN_PI / areas.sum()"),
     at(
         "Areas/WarmStart.cxx",

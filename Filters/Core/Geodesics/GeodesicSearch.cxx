@@ -254,7 +254,9 @@ void GeodesicSearch::splitAtApex(const Window& window, double crossing, double d
 }
 
 // The part [begin, end] of a window leaves the face through the side from the half-edge's begin to the
-// apex.
+// apex. The next face is turned about the vertex that both have, by a direction of length 1, so that
+// the point stays as far from the vertex: in needles the coordinates of an apex are rounded, and points
+// came nearer every time that a window went around one.
 void GeodesicSearch::pushLeft(const Window& window, double begin, double end)
 {
   const int left = previousHalfedge(window.Halfedge);
@@ -265,8 +267,9 @@ void GeodesicSearch::pushLeft(const Window& window, double begin, double end)
     return;
   }
   const PlanarSide& side = this->Faces.Sides[window.Halfedge];
-  const double x = side.ApexX / length;
-  const double y = side.ApexY / length;
+  const double apex = norm(side.ApexX, side.ApexY);
+  const double x = side.ApexX / apex;
+  const double y = side.ApexY / apex;
   // How far along the side the straight line leaves that crosses the half-edge at @p position.
   const auto leavesAt = [&](double position)
   {
@@ -280,7 +283,9 @@ void GeodesicSearch::pushLeft(const Window& window, double begin, double end)
     window.Y * x - window.X * y,
     window.Before,
     window.Origin,
-    window.Trail };
+    window.Trail,
+    window.Passed,
+    window.Earlier };
   // A path from the far end of the half-edge that meets all lines of the window.
   const int far = this->Faces.Origin[nextHalfedge(window.Halfedge)];
   const double aside = norm(next.Begin * x - side.Length, next.Begin * y);
@@ -302,24 +307,26 @@ void GeodesicSearch::pushRight(const Window& window, double begin, double end)
   }
   const PlanarSide& side = this->Faces.Sides[window.Halfedge];
   // The direction from the apex to the half-edge's end.
-  const double x = (side.Length - side.ApexX) / length;
-  const double y = -side.ApexY / length;
+  const double apex = norm(side.Length - side.ApexX, side.ApexY);
+  const double x = (side.Length - side.ApexX) / apex;
+  const double y = -side.ApexY / apex;
   const auto leavesAt = [&](double position)
   {
     const double scale = (position - window.X) * -y - window.Y * x;
-    const double fromEnd = scale > 0.0 ? (position - side.Length) * window.Y / scale : length;
-    return length - std::clamp(fromEnd, 0.0, length);
+    const double toEnd = scale > 0.0 ? (position - side.Length) * window.Y / scale : length;
+    return length - std::clamp(toEnd, 0.0, length);
   };
-  const double toX = window.X - side.ApexX;
-  const double toY = window.Y - side.ApexY;
+  const double fromEnd = window.X - side.Length;
   const Window next{ opposite,
     leavesAt(begin),
     leavesAt(end),
-    toX * x + toY * y,
-    toY * x - toX * y,
+    length + fromEnd * x + window.Y * y,
+    window.Y * x - fromEnd * y,
     window.Before,
     window.Origin,
-    window.Trail };
+    window.Trail,
+    window.Passed,
+    window.Earlier };
   const int far = this->Faces.Origin[window.Halfedge];
   const double aside = norm(side.ApexX + next.End * x, side.ApexY + next.End * y);
   if (this->Distances[far] + aside > next.distanceAt(next.End))
@@ -342,9 +349,17 @@ void GeodesicSearch::push(Window window)
 {
   const double length = this->Faces.Sides[window.Halfedge].Length;
   if (!(window.End - window.Begin > NarrowestWindow * length) || !(window.Y < 0.0) ||
-      this->isBeaten(window))
+      this->isBeaten(window) || window.Halfedge == window.Earlier)
   {
     return;
+  }
+  // No shortest path crosses a half-edge twice. A window that goes around a needle again and again is
+  // found out when it comes to the half-edge that it has noted (Brent 1980, "An improved Monte Carlo
+  // factorization algorithm", section 2).
+  ++window.Passed;
+  if ((window.Passed & (window.Passed - 1)) == 0)
+  {
+    window.Earlier = window.Halfedge;
   }
   const double distance = window.nearest();
   if (!(distance <= this->Limit))

@@ -75,9 +75,11 @@ private:
     double End;
     double X; // of the point
     double Y;
-    double Before; // distance of the point from the source
-    int Origin;    // the place that the point is an image of
-    int Trail;     // of the half-edges before this one, until push(); then with this one
+    double Before;    // distance of the point from the source
+    int Origin;       // the place that the point is an image of
+    int Trail;        // of the half-edges before this one, until push(); then with this one
+    int Passed = 0;   // how many half-edges its lines cross
+    int Earlier = -1; // one of them: the last whose number was a power of 2
 
     double distanceAt(double position) const;
     double nearest() const;

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <random>
 #include <set>
 #include <vector>
 
@@ -262,6 +263,45 @@ TEST(GeodesicSearch, ASpeckOfManyFacesEnds)
     const std::vector<ReachedVertex> reached =
       search.within(Infinite, source, [&checks] { EXPECT_LT(++checks, 100000); });
     EXPECT_EQ(reached.size(), static_cast<std::size_t>(mesh.vertexCount()));
+  }
+}
+
+// Needles of a flat map, with a foot of a few roundings of its coordinates: a straight line that comes
+// near the tip goes around it a million times, and by rounding comes nearer each time. No shortest path
+// does so. The search went on for each time, until there was no more memory.
+TEST(GeodesicSearch, NeedlesAreNotGoneAround)
+{
+  constexpr int sides = 5;
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> roundings(-3, 3);
+  for (int needle = 0; needle < 100; ++needle)
+  {
+    TriangleMesh mesh; // the tip, the needle's foot, and a rim around it
+    mesh.Vertices.setZero(1 + 2 * sides, 3);
+    mesh.Faces.resize(3 * sides, 3);
+    mesh.Vertices.row(0) << 0.6 + 3e-10, 0.7 + 2e-10, 0.0;
+    for (int k = 0; k < sides; ++k)
+    {
+      const double angle = 2.0 * EIGEN_PI * k / sides;
+      const double x = 0.6 + 1.1e-16 * roundings(random);
+      const double y = 0.7 + 1.1e-16 * roundings(random);
+      mesh.Vertices.row(1 + k) << x, y, 0.0;
+      mesh.Vertices.row(1 + sides + k) << 0.6 + std::cos(angle), 0.7 + std::sin(angle), 0.0;
+      const int foot = 1 + k;
+      const int nextFoot = 1 + (k + 1) % sides;
+      mesh.Faces.row(3 * k) << 0, foot, nextFoot;
+      mesh.Faces.row(3 * k + 1) << foot, foot + sides, nextFoot;
+      mesh.Faces.row(3 * k + 2) << nextFoot, foot + sides, nextFoot + sides;
+    }
+    for (const int source : { 0, 1, 1 + sides })
+    {
+      const std::vector<double> distances = allDistances(mesh, source);
+      for (int v = 0; v < mesh.vertexCount(); ++v)
+      {
+        const double straight = (mesh.Vertices.row(v) - mesh.Vertices.row(source)).norm();
+        EXPECT_GE(distances[v], straight - 1e-15) << needle << " " << source << " " << v;
+      }
+    }
   }
 }
 
