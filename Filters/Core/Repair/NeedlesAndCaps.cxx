@@ -155,21 +155,28 @@ private:
     }
   }
 
-  bool exists(const Triangle& t) const
+  // Forgets those that are no longer alive, which can be many times as many.
+  const std::vector<int>& aliveFacesOf(int vertex)
   {
-    const std::vector<int>& faces = this->FacesOfVertex[t[0]];
+    std::vector<int>& faces = this->FacesOfVertex[vertex];
+    faces.erase(
+      std::remove_if(faces.begin(), faces.end(), [this](int g) { return !this->Alive[g]; }), faces.end());
+    return faces;
+  }
+
+  bool exists(const Triangle& t)
+  {
+    const std::vector<int>& faces = this->aliveFacesOf(t[0]);
     return std::any_of(faces.begin(),
       faces.end(),
-      [&](int g) {
-        return this->Alive[g] && std::is_permutation(t.begin(), t.end(), this->List.Faces[g].begin());
-      });
+      [&](int g) { return std::is_permutation(t.begin(), t.end(), this->List.Faces[g].begin()); });
   }
 
   void dissolve(int f)
   {
     const auto [from, to, between] = this->longestEdgeFirst(this->List.Faces[f]);
     this->Alive[f] = 0;
-    const std::vector<int> candidates = this->FacesOfVertex[from];
+    const std::vector<int> candidates = this->aliveFacesOf(from);
     for (const int g : candidates)
     {
       const Triangle beyond = this->List.Faces[g];
