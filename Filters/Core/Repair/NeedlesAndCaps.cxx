@@ -159,8 +159,8 @@ private:
   const std::vector<int>& aliveFacesOf(int vertex)
   {
     std::vector<int>& faces = this->FacesOfVertex[vertex];
-    faces.erase(
-      std::remove_if(faces.begin(), faces.end(), [this](int g) { return !this->Alive[g]; }), faces.end());
+    faces.erase(std::remove_if(faces.begin(), faces.end(), [this](int g) { return !this->Alive[g]; }),
+      faces.end());
     return faces;
   }
 
