@@ -174,7 +174,7 @@ BREAKS = [
     at("Areas/MapDeformation.cxx", "faces.row(count++) = gaps.row(gap);", ""),
     at("Areas/DeformationEnergy.cxx", "kept.Point.Stays", "!kept.Point.Stays", "if (kept.Point.Stays)"),
     at("Areas/TargetAreas.cxx", "faceAreas(surface.Vertices, surface.Faces)", "targets"),
-    at("Areas/AreaPreservingDisk.cxx", "step < steps", "step < 1"),
+    at("Areas/AreaPreservingDisk.cxx", "range <= std::log(WidestStep)", "true"),
     at("Areas/TargetAreas.cxx", "EIGEN_PI / areas.sum()", "2.0 * EIGEN_PI / areas.sum()"),
     at(
         "Areas/WarmStart.cxx",

@@ -39,10 +39,10 @@ std::vector<int> cornerMembers(const PowerDiagram& diagram,
   const std::vector<int>& siteOfVertex,
   const std::vector<double>& cornerParameters);
 
-/// The non-decreasing sequence nearest to @p values in the sense of least squares (pool adjacent
-/// violators; Barlow et al. 1972), made strictly increasing. In the non-decreasing sequence, runs of
-/// neighbours, the pools, share one value. The members of each pool are spread evenly about this
-/// value, within a part of the smaller gap to the pools beside it.
-std::vector<double> strictlyIncreasingFit(const std::vector<double>& values);
+/// The sequence nearest to @p values in the sense of least squares whose gaps are at least @p leastGap
+/// (>= 0; pool adjacent violators, Barlow et al. 1972), made strictly increasing. In the sequence, runs
+/// of neighbours, the pools, have the least gap. The members of each pool are spread evenly about its
+/// mean, by a part of the smaller gap to the pools beside it.
+std::vector<double> strictlyIncreasingFit(const std::vector<double>& values, double leastGap);
 
 } // namespace flattening

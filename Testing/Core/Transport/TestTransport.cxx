@@ -358,14 +358,14 @@ TEST(Transport, SameBitsWhateverTheThreads)
 TEST(StrictlyIncreasingFit, KeepsWhatIncreases)
 {
   const std::vector<double> values{ -1.0, 0.5, 0.5000001, 4.0 };
-  EXPECT_EQ(strictlyIncreasingFit(values), values);
-  EXPECT_TRUE(strictlyIncreasingFit({}).empty());
-  EXPECT_EQ(strictlyIncreasingFit({ 3.0 }), std::vector<double>{ 3.0 });
+  EXPECT_EQ(strictlyIncreasingFit(values, 0.0), values);
+  EXPECT_TRUE(strictlyIncreasingFit({}, 0.1).empty());
+  EXPECT_EQ(strictlyIncreasingFit({ 3.0 }, 0.1), std::vector<double>{ 3.0 });
 }
 
 TEST(StrictlyIncreasingFit, PoolsAtTheMeanAndIncreases)
 {
-  const std::vector<double> fit = strictlyIncreasingFit({ 0.0, 0.3, 0.2, 0.1, 0.6 });
+  const std::vector<double> fit = strictlyIncreasingFit({ 0.0, 0.3, 0.2, 0.1, 0.6 }, 0.0);
   ASSERT_EQ(fit.size(), 5u);
   EXPECT_EQ(fit[0], 0.0);
   EXPECT_EQ(fit[4], 0.6);
@@ -377,13 +377,34 @@ TEST(StrictlyIncreasingFit, PoolsAtTheMeanAndIncreases)
   for (const auto& values : std::vector<std::vector<double>>{
          { 1.0, 1.0 }, { 5.0, 4.0, 3.0, 2.0, 1.0 }, { 0.0, 0.0, 0.0, 1.0, 0.5, 2.0, 2.0 } })
   {
-    const std::vector<double> increasing = strictlyIncreasingFit(values);
+    const std::vector<double> increasing = strictlyIncreasingFit(values, 0.0);
     EXPECT_TRUE(std::adjacent_find(increasing.begin(), increasing.end(), std::greater_equal<>()) ==
                 increasing.end());
     EXPECT_NEAR(std::accumulate(increasing.begin(), increasing.end(), 0.0),
       std::accumulate(values.begin(), values.end(), 0.0),
       1e-14);
   }
+}
+
+// Two pools nearer to each other than rounding, as where thousands of cells have no part of the
+// boundary: the gaps were lost.
+TEST(StrictlyIncreasingFit, KeepsTheLeastGap)
+{
+  std::vector<double> values;
+  for (int k = 0; k < 5000; ++k)
+  {
+    values.push_back(k < 2500 ? 1.0 : std::nextafter(1.0, 2.0));
+  }
+  values.push_back(1.00001);
+  constexpr double leastGap = 1e-7;
+  const std::vector<double> fit = strictlyIncreasingFit(values, leastGap);
+  for (std::size_t k = 1; k < fit.size(); ++k)
+  {
+    EXPECT_GE(fit[k] - fit[k - 1], leastGap * (1.0 - 1e-6)) << k;
+  }
+  EXPECT_NEAR(std::accumulate(fit.begin(), fit.end(), 0.0),
+    std::accumulate(values.begin(), values.end(), 0.0),
+    1e-9);
 }
 
 // Sites around the circle whose cells' arcs come in order keep their arcs' middles, exactly.
