@@ -34,10 +34,11 @@ constexpr double FirstDamping = 1e-5;
 constexpr double LeastDamping = 1e-7;
 constexpr double LessDamping = 0.3;
 constexpr double MoreDamping = 4.0;
-// The factor of the damping after a failed factorization, and how often to try. A guard: after five
-// times the damping is larger than the Hessian.
-constexpr double RescueDamping = 100.0;
-constexpr int FactorTrials = 5;
+// By which share of itself a diagonal entry grows after a failed factorization: at first by some roundings
+// of double precision, then by more each time. A guard: more than the greatest would stop the steps.
+constexpr double LeastRescueShare = 1e-14;
+constexpr double GreatestRescueShare = 1e-4;
+constexpr double RescueFactor = 100.0;
 // A guard: an update whose cosine of step and change of gradient is lower has no positive curvature, and
 // the metric would get indefinite.
 constexpr double LeastCurvature = 1e-12;
@@ -130,26 +131,29 @@ void RefinementDescent::resetDamping()
   this->Damping = FirstDamping;
 }
 
-// Adds more damping where slivers leave the matrix indefinite in its last digits.
+// Where crushed faces leave the matrix indefinite in its last digits, each diagonal entry grows by a share
+// of itself, so that only their vertices move less.
 void RefinementDescent::factorise(const DomainMap& map, const ProgressCallback& progress)
 {
   SparseMatrix matrix = this->Energy.hessian(map);
-  double added = 0.0;
-  for (int trial = 0; trial < FactorTrials; ++trial)
+  const auto diagonalAt = [&](Eigen::Index column) -> double&
+  { return matrix.valuePtr()[matrix.outerIndexPtr()[column]]; }; // the first of each column
+  for (Eigen::Index column = 0; column < matrix.cols(); ++column)
   {
-    for (Eigen::Index column = 0; column < matrix.cols(); ++column)
-    {
-      matrix.valuePtr()[matrix.outerIndexPtr()[column]] +=
-        this->Damping - added; // the diagonal is first
-    }
-    added = this->Damping;
+    diagonalAt(column) += this->Damping;
+  }
+  for (double share = LeastRescueShare; share <= GreatestRescueShare; share *= RescueFactor)
+  {
     this->Cholesky.compute(matrix, progress, 0.0, "Face refinement: factorization");
     if (this->Cholesky.info() == Eigen::Success)
     {
       this->Updates.clear();
       return;
     }
-    this->Damping *= RescueDamping;
+    for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+    {
+      diagonalAt(column) *= 1.0 + share;
+    }
   }
   throw ConvergenceError("the system of the face refinement cannot be factored: slivers set a floor in "
                          "double precision; remesh the surface (Surface To Disk, Remesh)");
