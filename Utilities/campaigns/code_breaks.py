@@ -38,7 +38,7 @@ BREAKS = [
     at("Mesh/MeshTopology.cxx", "count == 2 && side[0].From == side[1].From", "false"),
     at("Mesh/MeshTopology.cxx", "faces[v] != 0", "false"),
     at("Mesh/EditableSurface.cxx", "t * (q - p)", "(1.0 - t) * (q - p)"),
-    at("Mesh/EditableSurface.cxx", "this->VertexOrigin[source], 1.0 - t", "this->VertexOrigin[source], t"),
+    at("Mesh/EditableSurface.cxx", "1.0 - t", "t", "this->VertexOrigin[source], 1.0 - t"),
     at("Mesh/EditableSurface.cxx", "0.5", "1.0", "return 0.5 * std::sqrt("),
     # --- Intrinsic
     at("Intrinsic/TriangleAngles.cxx", "EIGEN_PI - result.Angle[0] - result.Angle[1]", "EIGEN_PI - result.Angle[0]"),
