@@ -61,10 +61,13 @@ constexpr int MostBalances = 2;
 // Deformations that leave a larger share of the region error are of no use, and steps of the whole mesh
 // follow. A choice: mostly a tenth is left.
 constexpr double LeastBalanceShare = 0.5;
-// The factor of the shape weights in the last round. A compromise: on half a brain, remeshed, the mean
+// The factor of the shape weights in the last rounds. A compromise: on half a brain, remeshed, the mean
 // area error is 0.22, 0.21 and 0.20 % with 1, 0.5 and 0.1, and the angle error 11.1, 11.2 and 11.4
 // degrees.
 constexpr double PolishingShapeFactor = 0.5;
+// The number of these rounds with area weights. A compromise: where 200 of 68,000 faces are enlarged 8
+// times, 84 % of them are within 2 % after one round and 98 % after three.
+constexpr int WeightedPolishingRounds = 3;
 
 } // namespace
 
@@ -263,8 +266,17 @@ void RefinementRounds::polish(DomainMap& map, const ProgressCallback& progress)
   RefinementPatches::Pass pass = this->pass(map);
   pass.ShapeFactor = PolishingShapeFactor;
   pass.SkipsRight = this->Start == RefinementStart::WarmStart;
-  this->Patches.run(pass, map, progress);
-  ++this->Count;
+  const bool hasWeights = (this->Counts.array() != 1.0).any();
+  // Here faces with large weights count by their target areas: they are few, and the rounds before end
+  // without them.
+  pass.Counts = pass.Counts.cwiseMax(1.0);
+  const int rounds = hasWeights ? WeightedPolishingRounds : 1;
+  for (int round = 0; round < rounds; ++round)
+  {
+    const double begin = static_cast<double>(round) / rounds;
+    this->Patches.run(pass, map, subrange(progress, begin, begin + 1.0 / rounds));
+    ++this->Count;
+  }
 }
 
 void RefinementRounds::settle(DomainMap& map,

@@ -2,6 +2,7 @@
 // Area weights from 1e-3 to 1e3, and beyond what doubles resolve.
 #include "AnalyticSurfaces.h"
 #include "Areas/AreaPreservingDisk.h"
+#include "Areas/TargetAreas.h"
 #include "Base/Errors.h"
 #include "Conformal/ConformalDisk.h"
 #include "Mesh/FaceOrientation.h"
@@ -90,15 +91,37 @@ struct WeightedRegions
   // The faces with all corners in the region.
   std::vector<double> faceGains(const AreaPreservingMap& map) const
   {
+    return this->gains(signedFaceAreas(map.Positions, this->Mesh.Faces),
+      faceAreas(this->Mesh.Vertices, this->Mesh.Faces),
+      this->regionOfFaces());
+  }
+
+  // The share of the faces of the first region whose areas are within @p tolerance of their targets.
+  double shareOfRightFaces(const AreaPreservingMap& map, double tolerance) const
+  {
+    const Eigen::VectorXd flat = signedFaceAreas(map.Positions, this->Mesh.Faces);
+    const Eigen::VectorXd targets = faceTargets(this->Mesh, this->Weights);
+    const std::vector<int> regionOf = this->regionOfFaces();
+    int count = 0;
+    int right = 0;
+    for (int f = 0; f < this->Mesh.faceCount(); ++f)
+    {
+      const double ratio = flat[f] / flat.sum() * targets.sum() / targets[f];
+      count += regionOf[f] == 0 ? 1 : 0;
+      right += regionOf[f] == 0 && std::abs(ratio - 1.0) <= tolerance ? 1 : 0;
+    }
+    return static_cast<double>(right) / count;
+  }
+
+  std::vector<int> regionOfFaces() const
+  {
     std::vector<int> regionOf(this->Mesh.faceCount());
     for (int f = 0; f < this->Mesh.faceCount(); ++f)
     {
       const auto corner = [&](int k) { return this->RegionOf[this->Mesh.Faces(f, k)]; };
       regionOf[f] = corner(0) == corner(1) && corner(1) == corner(2) ? corner(0) : Between;
     }
-    return this->gains(signedFaceAreas(map.Positions, this->Mesh.Faces),
-      faceAreas(this->Mesh.Vertices, this->Mesh.Faces),
-      regionOf);
+    return regionOf;
   }
 
   AreaPreservingMap map(bool refined) const
@@ -186,6 +209,17 @@ TEST(WeightRange, RegionsWithASharpEdgeAreLinear)
     EXPECT_TRUE(map.Bijective);
     expectOnes(regions.cellGains(map), 1e-6);
     expectOnes(regions.faceGains(map), 0.002);
+  }
+}
+
+TEST(WeightRange, SingleFacesOfASmallEnlargedRegionAreRight)
+{
+  for (const double factor : { 4.0, 8.0 })
+  {
+    const WeightedRegions regions(20000, { factor }, 0.05, 0.0);
+    const double share = regions.shareOfRightFaces(regions.map(true), 0.02);
+    std::cout << share << "\n";
+    EXPECT_GE(share, 0.97) << factor;
   }
 }
 
