@@ -75,11 +75,14 @@ private:
     double End;
     double X; // of the point
     double Y;
-    double Before;    // distance of the point from the source
-    int Origin;       // the place that the point is an image of
-    int Trail;        // of the half-edges before this one, until push(); then with this one
-    int Passed = 0;   // how many half-edges its lines cross
-    int Earlier = -1; // one of them: the last whose number was a power of 2
+    double Before;        // distance of the point from the source
+    int Origin;           // the place that the point is an image of
+    int Trail;            // of the half-edges before this one, until push(); then with this one
+    int Passed = 0;       // how many half-edges its lines cross
+    int Earlier = -1;     // one of them: the last whose number was a power of 2
+    double Nearest = 0.0; // the least of its distances, from push() on
+
+    bool operator<(const Window& other) const { return other.Nearest < this->Nearest; }
 
     double distanceAt(double position) const;
     double nearest() const;
@@ -109,14 +112,25 @@ private:
     bool operator<(const PlaceEvent& other) const { return other.Distance < this->Distance; }
   };
   // A bucket holds windows and places that are processed together: their distances differ by less than
-  // its width. Of the places the nearest comes first, and of the windows the oldest: in another order,
-  // a speck of the surface that lies in one bucket is spread over again and again, for ever shorter
-  // paths.
+  // its width. Of the places the nearest comes first, and then of the windows the oldest, which is
+  // quick. But where a whole region of small faces lies in one bucket, it is spread over again and
+  // again, for ever shorter paths. There the nearest window or place comes first, once the bucket is
+  // sorted.
   struct Bucket
   {
-    std::vector<Window> Windows;
-    std::size_t NextWindow = 0;
+    bool isEmpty() const { return this->Places.empty() && this->NextWindow == this->Windows.size(); }
+    bool isPlaceNext() const;
+    PlaceEvent takePlace();
+    Window takeWindow();
+    void add(const PlaceEvent& place);
+    void add(const Window& window);
+    void sort();
+    void clear();
+
     std::vector<PlaceEvent> Places; // a heap
+    std::vector<Window> Windows;    // a heap if the bucket is sorted
+    std::size_t NextWindow = 0;     // 0 if it is sorted
+    bool IsSorted = false;
   };
   // The best window so far that saw the apex of a half-edge's face.
   struct ApexView
