@@ -80,11 +80,11 @@ def child(stage, megabytes):
     with os.fdopen(reading, encoding="utf-8", errors="replace") as stream:
         text = stream.read()
     status = os.waitpid(process, 0)[1]
-    # VTK ends the program where an array finds no memory, unless it was built with NDEBUG; so does the C library where the
-    # local data of a thread finds none.
+    # VTK ends the program where an array finds no memory, unless it was built with NDEBUG; so do the C library where the
+    # local data of a thread finds none, and the library of OpenMP, on which CHOLMOD depends, where it finds none itself.
     if os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGABRT and "Unable to allocate" in text:
         return "ended"
-    if "cannot allocate memory for thread-local data" in text:
+    if "cannot allocate memory for thread-local data" in text or "libgomp: Out of memory" in text:
         return "ended"
     code = os.waitstatus_to_exitcode(status)
     assert code in (0, FAILED), f"{STAGES[stage - 1]} with {megabytes} MB: status {code}: {text[-500:]}"
