@@ -34,10 +34,11 @@ constexpr double FirstDamping = 1e-5;
 constexpr double LeastDamping = 1e-7;
 constexpr double LessDamping = 0.3;
 constexpr double MoreDamping = 4.0;
-// By which share of itself a diagonal entry grows after a failed factorization: at first by some roundings
-// of double precision, then by more each time. A guard: more than the greatest would stop the steps.
+// After a failed factorization each diagonal entry grows by a share of itself: at first by some
+// roundings of double precision, then by RescueFactor times as much each time. A guard: shares of more
+// than the greatest would stop the steps.
 constexpr double LeastRescueShare = 1e-14;
-constexpr double GreatestRescueShare = 1e-4;
+constexpr double GreatestRescueShare = 1e-3;
 constexpr double RescueFactor = 100.0;
 // A guard: an update whose cosine of step and change of gradient is lower has no positive curvature, and
 // the metric would get indefinite.
@@ -131,8 +132,9 @@ void RefinementDescent::resetDamping()
   this->Damping = FirstDamping;
 }
 
-// Where crushed faces leave the matrix indefinite in its last digits, each diagonal entry grows by a share
-// of itself, so that only their vertices move less.
+// Crushed faces may leave the matrix indefinite in its last digits. Then each diagonal entry grows by a
+// share of itself: the vertices of these faces, whose entries are the largest, move less, and the others
+// hardly change.
 void RefinementDescent::factorise(const DomainMap& map, const ProgressCallback& progress)
 {
   SparseMatrix matrix = this->Energy.hessian(map);
@@ -142,18 +144,25 @@ void RefinementDescent::factorise(const DomainMap& map, const ProgressCallback& 
   {
     diagonalAt(column) += this->Damping;
   }
-  for (double share = LeastRescueShare; share <= GreatestRescueShare; share *= RescueFactor)
+  const auto succeeds = [&]
   {
     this->Cholesky.compute(matrix, progress, 0.0, "Face refinement: factorization");
-    if (this->Cholesky.info() == Eigen::Success)
-    {
-      this->Updates.clear();
-      return;
-    }
+    return this->Cholesky.info() == Eigen::Success;
+  };
+  bool isFactored = succeeds();
+  for (double share = LeastRescueShare; !isFactored && share <= GreatestRescueShare;
+       share *= RescueFactor)
+  {
     for (Eigen::Index column = 0; column < matrix.cols(); ++column)
     {
       diagonalAt(column) *= 1.0 + share;
     }
+    isFactored = succeeds();
+  }
+  if (isFactored)
+  {
+    this->Updates.clear();
+    return;
   }
   throw ConvergenceError("the system of the face refinement cannot be factored: slivers set a floor in "
                          "double precision; remesh the surface (Surface To Disk, Remesh)");

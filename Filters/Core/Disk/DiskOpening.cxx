@@ -40,7 +40,8 @@ constexpr double FewestSeamEdges = 5.0;
 constexpr double ShortestOpening = 0.05;
 // The least gain and the greatest length of a relief that Automatic cuts, as a disk presses a long
 // boundary together. Measured: 18.5, 20.6 degrees of error in the disk for a brain, raw and remeshed,
-// and 18.7, 22.6 with a gain of 0.2. After longer reliefs, skin and brain of one head had no map at all.
+// and 18.7, 22.6 with a gain of 0.2. After a relief twice as long, the skin of a head has 41 instead of
+// 36 degrees with a free outline, and a brain of a million points had no map in an hour and a half.
 constexpr double AutomaticGain = 0.07;
 const double AutomaticLongest = 1.5 * std::sqrt(EIGEN_PI);
 
