@@ -63,6 +63,39 @@ TEST(HoleFilling, CountsPatchesThatIntersectTheSurface)
   EXPECT_EQ(fillHoles(beside, loopsOf(beside)).IntersectingPatches, 0);
 }
 
+// A pyramid without its base, whose four rim vertices lie alternately above and below the plane z = 0.
+TriangleMesh pyramidWithSaddleRim(double height)
+{
+  TriangleMesh open;
+  open.Vertices.resize(5, 3);
+  open.Vertices << 1, 0, height, 0, 1, -height, -1, 0, height, 0, -1, -height, 0, 0, -3;
+  open.Faces.resize(4, 3);
+  open.Faces << 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4;
+  return open;
+}
+
+// Two triangles cover the hole and have a diagonal in common; a ball around the middle of either
+// diagonal leaves the way free for another patch.
+TEST(HoleFilling, GoesRoundAnObstacle)
+{
+  const TriangleMesh open = pyramidWithSaddleRim(0.5);
+  int obstacles = 0; // in the way of the patch that the hole gets without a ball
+  for (const double z : { 0.5, -0.5 })
+  {
+    TriangleMesh ball = sphere(1);
+    ball.Vertices *= 0.1;
+    ball = moved(ball, 0.0, 0.0, z);
+    obstacles +=
+      countSelfIntersections(both(fillHoles(open, loopsOf(open)).Surface.Mesh, ball)) > 0 ? 1 : 0;
+    const TriangleMesh withBall = both(open, ball);
+    const FilledSurface filled = fillHoles(withBall, loopsOf(withBall));
+    EXPECT_TRUE(loopsOf(filled.Surface.Mesh).empty());
+    EXPECT_EQ(filled.IntersectingPatches, 0) << z;
+    EXPECT_EQ(countSelfIntersections(filled.Surface.Mesh), 0u) << z;
+  }
+  EXPECT_EQ(obstacles, 1);
+}
+
 // An open cylinder, the ends of which are saddles, far from any plane.
 TriangleMesh cylinderBetweenSaddles(int around)
 {

@@ -3,9 +3,11 @@
 #include "Mesh/MeshTopology.h"
 #include "Repair/ConsistentOrientation.h"
 #include "Repair/SurfaceRepair.h"
+#include "Repair/TJunctions.h"
 #include "Support/SampleSurfaces.h"
 
 #include <limits>
+#include <vector>
 
 namespace
 {
@@ -182,6 +184,23 @@ TEST(SurfaceRepair, ClosesTJunctions)
   wide.Vertices(5, 1) += 1e-8;
   EXPECT_EQ(repairTriangleSoup(wide).Report.ClosedTJunctions, 3);
   EXPECT_EQ(topologyOf(repairTriangleSoup(wide)).BoundaryLoops.size(), 2u);
+}
+
+// A vertex beside a sliver is within the tolerance of two of its edges and farther from them than the
+// sliver is high: parts that ended at the vertex would lie over each other.
+TEST(SurfaceRepair, DoesNotFoldASliverToCloseATJunction)
+{
+  const TriangleMesh input =
+    meshOf({ { 0, 0, 0 }, { 1, 0, 0 }, { .5, .005, 0 }, { .25, .008, 0 }, { .35, 1, 0 }, { .25, 1, 0 } },
+      { { 0, 1, 2 }, { 3, 4, 5 } });
+  FaceList list{ { { 0, 1, 2 }, { 3, 4, 5 } }, { 0, 1 } };
+  EXPECT_EQ(closeTJunctions(input.Vertices, list, 0.01), 0);
+  EXPECT_EQ(list.Faces, (std::vector<Triangle>{ { 0, 1, 2 }, { 3, 4, 5 } }));
+  // Over a face of ordinary height the same vertex is on the edge.
+  TriangleMesh high = input;
+  high.Vertices(2, 1) = 0.5;
+  EXPECT_EQ(closeTJunctions(high.Vertices, list, 0.01), 1);
+  EXPECT_EQ(list.Faces.size(), 3u);
 }
 
 TEST(SurfaceRepair, SeparatesWhatTouchesInAVertexOrAnEdge)
