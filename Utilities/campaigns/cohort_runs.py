@@ -65,13 +65,13 @@ def command(ranks, output, files, options=()):
 class Run:
     """One run of a cohort, with its log in a file."""
 
-    def __init__(self, ranks, output, files, scratch, options=(), preexec_fn=None):
+    def __init__(self, ranks, output, files, scratch, options=(), preexec_fn=None, variables=()):
         self.output = output
         handle, self.log = tempfile.mkstemp(prefix="log", dir=scratch)  # what is left of a killed run has its own
         with open(handle, "w", encoding="utf-8") as stream:
             self._process = subprocess.Popen(
                 command(ranks, output, files, options), stdout=stream, stderr=subprocess.STDOUT,
-                env=environment(scratch), start_new_session=True, preexec_fn=preexec_fn,
+                env={**environment(scratch), **dict(variables)}, start_new_session=True, preexec_fn=preexec_fn,
             )
         self.first = self._process.pid
         self._seen = {self.first}

@@ -3,10 +3,10 @@
 
     PYTHONPATH=build/lib/python3/dist-packages python3 Utilities/campaigns/world_faults.py
 
-A disk that is full at several moments, a folder that is read-only or is none, two runs in one
-folder, a rank that dies, and too little memory at each stage. After each of them the same command in a sound world must
-come to the results of a run that nobody disturbed. The checks of a disk and of a read-only folder need the right to mount
-and are left out without it. Needs Linux. The exit status is 0 if all checks hold.
+A disk that is full at several moments or slow, a folder that is read-only or is none, two runs in one folder, a rank
+that dies, and too little memory at each stage. After each of them the same command in a sound world must come to the
+results of a run that nobody disturbed. The checks of a full disk and of a read-only folder need the right to mount and
+are left out without it; that of a slow disk needs a C compiler. Needs Linux. The exit status is 0 if all checks hold.
 """
 
 import os
@@ -20,6 +20,27 @@ import time
 from cohort_runs import Run, content, finished, litter, make_surfaces, results
 
 LONGEST = 120.0  # seconds that a run may take
+
+# Loaded before the C library, it lets each write to a file take a third of a second, and write 4 kB at most.
+SLOW_WRITES = """
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <sys/stat.h>
+#include <unistd.h>
+ssize_t write(int file, const void* bytes, size_t count)
+{
+  static ssize_t (*original)(int, const void*, size_t);
+  struct stat status;
+  if (!original)
+    original = (ssize_t (*)(int, const void*, size_t))dlsym(RTLD_NEXT, "write");
+  if (fstat(file, &status) == 0 && S_ISREG(status.st_mode))
+  {
+    usleep(333000);
+    count = count < 4096 ? count : 4096;
+  }
+  return original(file, bytes, count);
+}
+"""
 
 
 class World:
@@ -82,6 +103,39 @@ def check_disk(world):
             world.check_sound(name)
         finally:
             subprocess.run(["umount", folder], check=True)
+
+
+def check_slow_disk(world):
+    """A disk on which a result takes seconds; a run is killed while it writes one."""
+    library = os.path.join(world.scratch, "slow.so")
+    if subprocess.run(["cc", "-shared", "-fPIC", "-x", "c", "-", "-o", library], input=SLOW_WRITES, text=True,
+                      check=False).returncode:
+        print("left out: a slow disk")
+        return
+    name = "a slow disk"
+    world.folder("slow")
+    began = time.monotonic()
+    world.check(name, world.run(2, variables={"LD_PRELOAD": library}), (1,), r"4 finished, 1 failed")
+    print(f"    {time.monotonic() - began:.1f} s")
+    world.check_sound(name)
+
+    name = "a run that is killed while it writes"
+    world.folder("killed")
+    run = world.run(2, variables={"LD_PRELOAD": library})
+    began = time.monotonic()
+    while run.status(0.01) is None and not partial_results(world.output):
+        pass
+    time.sleep(0.5)
+    left = partial_results(world.output)
+    run.kill([pid for level in run.processes() for pid in level])
+    run.survivors(0)
+    world.report(name, bool(left), f"at {', '.join(left)}")
+    world.check_sound(name)
+
+
+def partial_results(output):
+    folder = os.path.join(output, "results")
+    return [entry for entry in os.listdir(folder) if entry.endswith(".part")] if os.path.isdir(folder) else []
 
 
 def check_folders(world):
@@ -160,6 +214,7 @@ def check_memory(world):
 
 CHECKS = {
     "disk": check_disk,
+    "slow": check_slow_disk,
     "folders": check_folders,
     "arguments": check_arguments,
     "two": check_two_runs,
