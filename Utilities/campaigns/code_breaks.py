@@ -226,7 +226,6 @@ BREAKS = [
     at("Handles/LoopCapping.cxx", "std::swap(face[1], face[2]);", ""),
     # --- Disk
     at("Disk/PlaneCut.cxx", "low >= 0.0", "low <= 0.0"),
-    at("Disk/PlaneCut.cxx", "(p - plane.Origin).dot(normal)", "-(p - plane.Origin).dot(normal)"),
     at("Disk/IsolineCut.cxx", "(level - from) / (to - from)", "(level - to) / (from - to)"),
     at("Disk/CutGraph.cxx", "joined.join(from, to);", ""),
     at("Disk/TubeSeam.cxx", "lengths[order[1]] >= LeastEnd * lengths[order[0]]", "true"),
