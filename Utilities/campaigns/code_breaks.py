@@ -223,7 +223,6 @@ BREAKS = [
     at("Handles/CappedCut.cxx", "step", "-step", "p + step * sum / area"),
     at("Handles/CappedCut.cxx", "std::swap(face[0], face[2]);", ""),
     at("Handles/HalfedgeSurface.cxx", "0.5", "1.0", "this->origin(a), 0.5"),
-    at("Handles/LoopCapping.cxx", "std::swap(face[1], face[2]);", ""),
     # --- Disk
     at("Disk/PlaneCut.cxx", "low >= 0.0", "low <= 0.0"),
     at("Disk/IsolineCut.cxx", "(level - from) / (to - from)", "(level - to) / (from - to)"),

@@ -109,26 +109,13 @@ std::vector<int> facesAbove(const TriangleMesh& mesh, const std::vector<double>&
   return faces;
 }
 
-// Removes the slivers along the cut, and puts its vertices back into the plane exactly.
-DerivedMesh conditioned(const TriangleMesh& part,
-  const std::vector<char>& onCut,
-  const CuttingPlane& plane)
+// Removes the slivers along the cut.
+DerivedMesh conditioned(const TriangleMesh& part, const std::vector<char>& onCut)
 {
   constexpr int smallestLoop = 3; // the boundary is refined afterwards
   EditableSurface surface(part);
   conditionCut(surface, onCut, smallestLoop);
-  const Eigen::Vector3d normal = plane.Normal.stableNormalized();
-  DerivedMesh result = surface.derived();
-  for (int v = 0; v < result.Mesh.vertexCount(); ++v)
-  {
-    const VertexOrigins::InnerIterator origin(result.Vertices, v);
-    if (onCut[origin.col()])
-    {
-      const Eigen::Vector3d p = result.Mesh.Vertices.row(v);
-      result.Mesh.Vertices.row(v) = p - (p - plane.Origin).dot(normal) * normal;
-    }
-  }
-  return result;
+  return surface.derived();
 }
 
 } // namespace
@@ -163,7 +150,7 @@ PlaneCutSurface cutAtPlane(const TriangleMesh& mesh,
   follow(cut.Surface, std::move(part));
 
   report(progress, 0.6, "conditioning the cut");
-  follow(cut.Surface, conditioned(cut.Surface.Mesh, onCut, plane));
+  follow(cut.Surface, conditioned(cut.Surface.Mesh, onCut));
   report(progress, 0.8, "refining the cut");
   follow(cut.Surface, refineBoundary(cut.Surface.Mesh, boundaryVertices));
   report(progress, 1.0, "refining the cut");

@@ -5,9 +5,6 @@
 #include "Mesh/EditableSurface.h"
 #include "Mesh/HoleTriangulation.h"
 
-#include <algorithm>
-#include <utility>
-
 namespace flattening
 {
 namespace
@@ -15,31 +12,6 @@ namespace
 
 using Polyline = std::vector<Eigen::Vector3d>;
 using Faces = std::vector<std::array<int, 3>>;
-
-// Reverses the faces if their sides do not have the direction of the loop.
-void orientAlongLoop(Faces& faces, int n)
-{
-  const bool along = std::any_of(faces.begin(),
-    faces.end(),
-    [n](const auto& face)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        if (face[k] < n && face[(k + 1) % 3] == (face[k] + 1) % n)
-        {
-          return true;
-        }
-      }
-      return false;
-    });
-  if (!along)
-  {
-    for (auto& face : faces)
-    {
-      std::swap(face[1], face[2]);
-    }
-  }
-}
 
 TriangleMesh meshOf(const Polyline& points, const Faces& faces)
 {
@@ -91,12 +63,11 @@ void splitFacesAt(Faces& faces, int a, int b, int middle)
 
 LoopCap spanningCap(const Polyline& loop)
 {
-  Faces faces = triangulatedLoop(loop);
+  const Faces faces = triangulatedLoop(loop);
   if (faces.empty())
   {
     return {};
   }
-  orientAlongLoop(faces, static_cast<int>(loop.size()));
   const TriangleMesh coarse = meshOf(loop, faces);
   SurfaceMesh mesh = toSurfaceMesh(coarse);
   refineFaces(mesh, { mesh.faces().begin(), mesh.faces().end() });

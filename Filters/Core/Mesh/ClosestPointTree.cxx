@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/ClosestPointTree.h"
 
+#include "Base/Errors.h"
 #include "Base/InterruptibleCall.h"
 #include "Mesh/CgalVersions.h"
 #include "Mesh/EditableSurface.h"
@@ -14,6 +15,10 @@ namespace flattening
 {
 namespace
 {
+
+// A hundredth of the greatest double, so that sums of squares of the mesh's coordinates and of the
+// point's are finite, too.
+constexpr double GreatestSquare = 1e306;
 
 using Triangles = std::vector<Kernel::Triangle_3>;
 
@@ -84,6 +89,12 @@ ClosestPointTree::~ClosestPointTree() = default;
 
 SurfacePoint ClosestPointTree::closest(const Eigen::Vector3d& point) const
 {
+  if (!(point.squaredNorm() <= GreatestSquare)) // CGAL ends the program if a square is infinite
+  {
+    throw InvalidInput(
+      "a point lies so far from the surface that double precision does not hold the square "
+      "of its distance: set a point near the surface");
+  }
   const auto [position, primitive] =
     this->Boxes->Boxes.closest_point_and_primitive({ point.x(), point.y(), point.z() });
   SurfacePoint result;

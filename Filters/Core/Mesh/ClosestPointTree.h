@@ -32,7 +32,8 @@ public:
   ClosestPointTree(const ClosestPointTree&) = delete;
   ClosestPointTree& operator=(const ClosestPointTree&) = delete;
 
-  /// The point of the mesh closest to @p point.
+  /// The point of the mesh closest to @p point. @throws InvalidInput if the square of a distance to the
+  /// mesh may not be a finite double.
   SurfacePoint closest(const Eigen::Vector3d& point) const;
 
 private:

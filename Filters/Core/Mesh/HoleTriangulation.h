@@ -15,13 +15,14 @@ namespace flattening
 {
 
 /// The longest loop, in vertices, for which all triangulations are searched, O(n^3): this takes 3 s. A
-/// guard for time. CGAL's faster search in a Delaunay triangulation is not used: where triangulations are
-/// equally good, as for points of a grid or a circle, its choice depends on addresses in memory.
+/// guard for time. CGAL's faster search in a Delaunay triangulation is not used: where triangulations
+/// are equally good, as for points of a grid or a circle, its choice depends on addresses in memory.
 constexpr std::size_t LongestSearchedLoop = 500;
 
 /// The triangulation of a closed loop of least dihedral angles and area (Liepa 2003, "Filling holes in
-/// meshes"; CGAL triangulate_hole_polyline). The corners of its faces are numbers of points. Empty if
-/// there is none, or if the loop has more than LongestSearchedLoop points.
+/// meshes"; CGAL triangulate_hole_polyline). The corners of its faces are numbers of points, ascending,
+/// so that its sides have the direction of the loop. Empty if there is none, or if the loop has more
+/// than LongestSearchedLoop points.
 std::vector<std::array<int, 3>> triangulatedLoop(const std::vector<Eigen::Vector3d>& loop);
 
 /// Covers the hole beside @p border as triangulatedLoop does, with the least angles to the faces around

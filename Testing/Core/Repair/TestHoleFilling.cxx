@@ -174,4 +174,23 @@ TEST(SurfaceComponents, AreRankedByArea)
   EXPECT_THROW(chooseComponent(mesh, components, byIndex(-1)), InvalidInput);
 }
 
+TEST(SurfaceComponents, AreFoundFromFarAway)
+{
+  const TriangleMesh mesh = both(sphere(2), moved(sphere(2), 9, 0, 0));
+  const SurfaceComponents components = connectedComponents(mesh);
+  ComponentChoice choice;
+  choice.By = ComponentChoice::Rule::ClosestToPoint;
+  for (const double distance : { 20.0, 1e100, 1e150 })
+  {
+    choice.Point = { distance, 0.0, 0.0 };
+    EXPECT_EQ(chooseComponent(mesh, components, choice), components.OfFace[mesh.faceCount() - 1]);
+  }
+  for (const double distance : { 1e154, -1e306 })
+  {
+    choice.Point = { distance, distance, 0.0 };
+    EXPECT_TRUE(
+      contains(messageOf<InvalidInput>([&] { chooseComponent(mesh, components, choice); }), "so far"));
+  }
+}
+
 } // namespace
