@@ -108,6 +108,9 @@ with open(path_of("packed.nii.gz"), "r+b") as stream:
     stream.seek(-7, os.SEEK_END)
     stream.write(b"\1\2\3")  # the checksum
 assert "compressed data are damaged" in reading(path_of("packed.nii.gz"))
+with open(path_of("binary.vtp"), "rb") as stream, open(path_of("many.vtp"), "wb") as many:
+    many.write(stream.read().replace(b'NumberOfComponents="3"', b'NumberOfComponents="4294967295"', 1))
+assert "an array has 4,294,967,295 components" in reading(path_of("many.vtp"))
 with open(path_of("cut.nrrd"), "wb") as stream, open(path_of("ball.nrrd"), "rb") as source:
     stream.write(source.read().replace(b"type: short", b"\0: short"))  # VTK's reader does not end with such files
 assert "header has no end" in reading(path_of("cut.nrrd"))

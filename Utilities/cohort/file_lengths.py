@@ -2,10 +2,13 @@
 """Tells whether a file is as long as its header says, which VTK's readers do not all look at.
 
 They put up with binary STL and OBJ files that are cut short, and crash on PLY files. They notice it themselves in
-legacy VTK files, VTK's XML files and text STL files, so that there is nothing here for these.
+legacy VTK files, VTK's XML files and text STL files, so that there is nothing here for these but numbers on which a
+reader of XML files spends minutes.
 """
 
+import mmap
 import os
+import re
 import struct
 
 from ply_length import check_ply
@@ -15,6 +18,8 @@ STL_HEADER = 84  # bytes: a text and the number of triangles
 STL_TRIANGLE = 50
 UNKNOWN_COUNTS = (0, 0xFFFFFFFF)  # written by programs that did not know the number beforehand
 STL_SAMPLE = 1024
+XML_COMPONENTS = re.compile(rb'NumberOfComponents="(\d+)"')
+MOST_COMPONENTS = 10_000_000  # of a tuple of an array; VTK's reader takes a second for as many
 
 
 def check_length(path, extension):
@@ -57,6 +62,16 @@ def check_obj(path):
     return ["the file does not end with a line break: if it is cut short, faces are missing"]
 
 
+def check_xml(path):
+    with open(path, "rb") as stream:
+        if not os.path.getsize(path):
+            return  # which cannot be mapped
+        with mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ) as content:
+            for found in XML_COMPONENTS.finditer(content):
+                if int(found[1][:30]) > MOST_COMPONENTS:
+                    raise FileLengthError(f"the file is damaged: an array has {int(found[1][:30]):,} components")
+
+
 def _last_line(path):
     with open(path, "rb") as stream:
         stream.seek(0, os.SEEK_END)
@@ -68,6 +83,8 @@ CHECKS = {
     ".stl": check_stl,
     ".obj": check_obj,
     ".ply": check_ply,
+    ".vtp": check_xml,
+    ".vti": check_xml,
     ".nii": check_nifti,
     ".nii.gz": check_nifti,
     ".mha": check_metaimage,
