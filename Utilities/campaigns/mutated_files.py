@@ -3,7 +3,7 @@
 
     PYTHONPATH=build/lib/python3/dist-packages pvpython Utilities/campaigns/mutated_files.py --files 5000 --seed 1
 
-Prints a table with a row per format:
+Prints a table with a row per format, also if it is interrupted with Ctrl-C:
     read         files that became a flat map, as a whole
     warned       the same with a warning of the reading
     refused      with a message of the reading or of a filter
@@ -227,7 +227,10 @@ def main():
             names = list(campaign.files)
             campaign.one(names[int(arguments.one.split("-")[1]) % len(names)], arguments.one)
         else:
-            campaign.run()
+            try:
+                campaign.run()
+            except KeyboardInterrupt:
+                print("interrupted")
         sys.exit(1 if campaign.report() else 0)
 
 
