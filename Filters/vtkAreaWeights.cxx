@@ -167,7 +167,8 @@ flattening::ChosenArray vtkAreaWeights::RequireArray(vtkPolyData* input)
   const flattening::ChosenArray chosen = flattening::chosenArray(this, input);
   if (!chosen.Array)
   {
-    throw InvalidInput("no array is chosen to take the weights from: choose a point or cell array, or select points and set Weights From to Selection");
+    throw InvalidInput("no array is chosen to take the weights from: choose a point or cell array, or "
+                       "select points and set Weights From to Selection");
   }
   return chosen;
 }
@@ -241,7 +242,7 @@ std::vector<double> vtkAreaWeights::ScalarFactors(vtkPolyData* input, const Tria
     values[i] = array->GetComponent(i, 0);
     if (!std::isfinite(values[i]))
     {
-      throw InvalidInput("the array " + std::string(array->GetName()) + " has no number at " +
+      throw InvalidInput("the array " + flattening::nameOf(array) + " has no number at " +
                          std::to_string(i) + ": give every point or cell a value");
     }
   }

@@ -159,6 +159,10 @@ void vtkFlatMapSlab::Execute(vtkInformationVector** inputVector, vtkInformationV
   this->RequireDepths();
   const flattening::TriangleMesh surface = flattening::surfaceOfFlattened(input);
   flattening::requireOrdinarySize(surface);
+  if (this->StackSize > 1)
+  {
+    flattening::toPlanarPositions(input); // throws if there is no flat map, which the stack needs
+  }
   const Points3 normals = flattening::vertexNormals(surface);
   const double sign = this->Outwards ? 1.0 : -1.0;
   const Eigen::Affine3d toVolume = flattening::surfaceToVolume(input, volume);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkSeamPreview.h"
 
+#include "Core/Disk/SeamWayPoints.h"
 #include "Core/Geodesics/GeodesicPath.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/PolyDataConversion.h"
@@ -75,7 +76,7 @@ Line legBetween(const std::optional<SurfaceMesh>& surface,
 
 void vtkSeamPreview::SetNumberOfSeamPoints(int number)
 {
-  this->SeamPoints.resize(std::max(number, 0), { 0.0, 0.0, 0.0 });
+  this->SeamPoints.resize(std::clamp(number, 0, flattening::MostSeamPoints), { 0.0, 0.0, 0.0 });
   this->Modified();
 }
 
@@ -90,7 +91,7 @@ void vtkSeamPreview::SetSeamPoint(int index, double x, double y, double z)
 
 void vtkSeamPreview::SetNumberOfSeamPathStarts(int number)
 {
-  this->SeamPathStarts.resize(std::max(number, 0), 0);
+  this->SeamPathStarts.resize(std::clamp(number, 0, flattening::MostSeamPoints), 0);
   this->Modified();
 }
 

@@ -2,6 +2,7 @@
 #include "vtkSurfaceToDiskFilter.h"
 
 #include "Core/Base/Errors.h"
+#include "Core/Disk/SeamWayPoints.h"
 #include "Core/Mesh/CoordinateFrame.h"
 #include "Core/Mesh/MeshMeasures.h"
 #include "Core/Regions/ScaledCurvature.h"
@@ -228,7 +229,7 @@ void vtkSurfaceToDiskFilter::SetSeam(flattening::SurfaceToDiskOptions& options, 
 
 void vtkSurfaceToDiskFilter::SetNumberOfSeamPathStarts(int number)
 {
-  number = std::max(number, 0);
+  number = std::clamp(number, 0, flattening::MostSeamPoints);
   if (number != this->GetNumberOfSeamPathStarts())
   {
     this->SeamPathStarts.resize(number, 0);
@@ -277,7 +278,7 @@ void vtkSurfaceToDiskFilter::RemoveAllSeamPathStarts()
 
 void vtkSurfaceToDiskFilter::SetNumberOfSeamPoints(int number)
 {
-  number = std::max(number, 0);
+  number = std::clamp(number, 0, flattening::MostSeamPoints);
   if (number != this->GetNumberOfSeamPoints())
   {
     this->SeamPoints.resize(number, { 0.0, 0.0, 0.0 });

@@ -414,8 +414,8 @@ public:
 
   ///@{
   /**
-   * Number of points that the seam goes through, if UseSeamPoints is on. Range [2, inf), otherwise an
-   * error. Default: 0.
+   * Number of points that the seam goes through, if UseSeamPoints is on. Range [2, 100000]; less is an
+   * error, more is 100000. Default: 0.
    */
   void SetNumberOfSeamPoints(int number);
   int GetNumberOfSeamPoints();
@@ -435,7 +435,8 @@ public:
 
   ///@{
   /**
-   * Number of further paths of the seam, if UseSeamPoints is on. Range [0, inf); less is 0. Default: 0.
+   * Number of further paths of the seam, if UseSeamPoints is on. Range [0, 100000]; other
+   * numbers become the nearest of these. Default: 0.
    */
   void SetNumberOfSeamPathStarts(int number);
   int GetNumberOfSeamPathStarts();

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 vtkStandardNewMacro(vtkVolumeToSurface);
 
@@ -120,9 +121,11 @@ void vtkVolumeToSurface::RequireSettings() const
     throw InvalidInput(
       "the smoothing is " + flattening::formatted(this->Smoothing) + ": give a length of 0 or more");
   }
-  if (!this->AutomaticAir && !std::isfinite(this->Air))
+  constexpr double greatest = std::numeric_limits<float>::max();
+  if (!this->AutomaticAir && !(std::abs(this->Air) <= greatest))
   {
-    throw InvalidInput("the value of air is not a number: give one below the isovalue");
+    throw InvalidInput(
+      "the value of air is not a number that single precision holds: give one below the isovalue");
   }
 }
 

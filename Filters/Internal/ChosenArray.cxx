@@ -25,6 +25,11 @@ vtkDataArray* arrayOf(vtkDataSetAttributes* attributes, vtkInformation* choice)
 
 } // namespace
 
+std::string nameOf(vtkAbstractArray* array)
+{
+  return array->GetName() ? array->GetName() : "without a name";
+}
+
 ChosenArray chosenArray(vtkAlgorithm* filter, vtkPolyData* data, const std::string& what, int index)
 {
   vtkInformation* choice = filter->GetInputArrayInformation(index);
@@ -49,14 +54,6 @@ ChosenArray chosenArray(vtkAlgorithm* filter, vtkPolyData* data, const std::stri
   if (!result.Array || result.Array->GetNumberOfComponents() != 1)
   {
     throw InvalidInput(called + " is not a point or cell array of one component: choose another");
-  }
-  const vtkIdType expected = result.OnCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
-  if (result.Array->GetNumberOfTuples() != expected)
-  {
-    throw InvalidInput(called + " has " + std::to_string(result.Array->GetNumberOfTuples()) +
-                       " values for " + std::to_string(expected) +
-                       (result.OnCells ? " cells" : " points") +
-                       ": pass an array of the surface itself");
   }
   return result;
 }

@@ -4,6 +4,7 @@
 
 #include <string>
 
+class vtkAbstractArray;
 class vtkAlgorithm;
 class vtkDataArray;
 class vtkPolyData;
@@ -17,11 +18,13 @@ struct ChosenArray
   bool OnCells = false;          ///< whether it is a cell array, else a point array
 };
 
+/// The array's name for messages.
+std::string nameOf(vtkAbstractArray* array);
+
 /// The point or cell array of one component that was set as input array to process @p index of the
 /// filter (SetInputArrayToProcess). None if nothing, an empty name or "None" was set.
 /// @param what name of the array in messages, such as "the region array".
-/// @throws InvalidInput if the data have no such array, or if it has several components or the wrong
-/// number of tuples.
+/// @throws InvalidInput if the data have no such array, or if it has several components.
 ChosenArray chosenArray(vtkAlgorithm* filter,
   vtkPolyData* data,
   const std::string& what = "the array",

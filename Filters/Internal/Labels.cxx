@@ -14,12 +14,12 @@ namespace flattening
 namespace
 {
 
-constexpr double LargestLabel = 9007199254740992.0; // 2^53: a double holds all whole numbers up to it
+constexpr double LargestLabel = 9007199254740992.0; // 2^53: a double holds all whole numbers below it
 
 std::string notALabel(const ChosenArray& chosen, const std::string& what, vtkIdType i, double value)
 {
   std::ostringstream text;
-  text << what << " " << chosen.Array->GetName() << " has ";
+  text << what << " " << nameOf(chosen.Array) << " has ";
   if (std::isnan(value))
   {
     text << "no number at " << (chosen.OnCells ? "cell " : "point ") << i
@@ -43,7 +43,7 @@ std::vector<long long> labelsOf(const ChosenArray& chosen, const std::string& wh
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
     const double value = array->GetComponent(i, 0);
-    if (std::trunc(value) != value || !(std::abs(value) <= LargestLabel))
+    if (std::trunc(value) != value || !(std::abs(value) < LargestLabel))
     {
       throw InvalidInput(notALabel(chosen, what, i, value));
     }

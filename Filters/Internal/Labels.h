@@ -12,7 +12,7 @@ namespace flattening
 
 /// The labels in an array of one component.
 /// @param what name of the array in messages, such as "the label array".
-/// @throws InvalidInput if a value is not a whole number of at most 2^53 in magnitude.
+/// @throws InvalidInput if a value is not a whole number of less than 2^53 in magnitude.
 std::vector<long long> labelsOf(const ChosenArray& chosen, const std::string& what = "the label array");
 
 /// The distinct labels as text in ascending order, at most twenty of them.

@@ -44,13 +44,18 @@ void requireEvaluable(vtkSelection* selection)
   }
 }
 
-// The data with the insidedness array of vtkExtractSelection; null if there is none.
+// The data with the insidedness array of vtkExtractSelection; null if there is none. An array that an
+// earlier selection left is taken away.
 vtkSmartPointer<vtkDataSet> marked(vtkPolyData* data, vtkSelection* selection)
 {
   requireEvaluable(selection);
+  vtkNew<vtkPolyData> unmarked;
+  unmarked->ShallowCopy(data);
+  unmarked->GetPointData()->RemoveArray(InsidednessName);
+  unmarked->GetCellData()->RemoveArray(InsidednessName);
   vtkNew<vtkExtractSelection> extract;
   extract->PreserveTopologyOn();
-  extract->SetInputDataObject(0, data);
+  extract->SetInputDataObject(0, unmarked);
   extract->SetInputDataObject(1, selection);
   extract->Update();
   return vtkDataSet::SafeDownCast(extract->GetOutputDataObject(0));
@@ -100,8 +105,8 @@ std::vector<char> pointsWhereNotZero(vtkPolyData* data, const ChosenArray& array
     const double value = array.Array->GetTuple1(i);
     if (!std::isfinite(value))
     {
-      throw InvalidInput("the array " + std::string(array.Array->GetName()) + " has no number at " +
-                         std::to_string(i) + ": give every point or cell a value");
+      throw InvalidInput("the array " + nameOf(array.Array) + " has no number at " + std::to_string(i) +
+                         ": give every point or cell a value");
     }
     if (value != 0.0)
     {

@@ -11,11 +11,13 @@
 #include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkTriangleFilter.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 
 namespace flattening
@@ -47,6 +49,32 @@ void requireFinitePoints(vtkPolyData* input, vtkCellArray* cells)
   }
 }
 
+// The points, or a copy at the scale of 1 if VTK could not triangulate polygons: it takes fourth powers
+// of the lengths of their edges.
+vtkSmartPointer<vtkPoints> pointsForTriangulation(vtkPolyData* input)
+{
+  constexpr int greatestExponent = 200;
+  const double* bounds = input->GetBounds();
+  const double extent =
+    std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+  const int exponent = extent > 0.0 && std::isfinite(extent) ? std::ilogb(extent) : 0;
+  if (std::abs(exponent) <= greatestExponent)
+  {
+    return input->GetPoints();
+  }
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(input->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    input->GetPoint(i, x);
+    points->SetPoint(
+      i, std::ldexp(x[0], -exponent), std::ldexp(x[1], -exponent), std::ldexp(x[2], -exponent));
+  }
+  return points;
+}
+
 } // namespace
 
 vtkSmartPointer<vtkPolyData> triangulate(vtkPolyData* input)
@@ -56,6 +84,7 @@ vtkSmartPointer<vtkPolyData> triangulate(vtkPolyData* input)
 
   vtkNew<vtkPolyData> bare;
   bare->CopyStructure(input);
+  bare->SetPoints(pointsForTriangulation(input));
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName(OriginalCellIdsName);
   ids->SetNumberOfTuples(input->GetNumberOfCells());
@@ -70,6 +99,7 @@ vtkSmartPointer<vtkPolyData> triangulate(vtkPolyData* input)
   triangles->PassVertsOff();
   triangles->PassLinesOff();
   triangles->Update();
+  triangles->GetOutput()->SetPoints(input->GetPoints());
   return triangles->GetOutput();
 }
 

@@ -15,6 +15,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +35,8 @@ constexpr double RadiusFactor = 3.0;
 // The widest Gaussian, in lengths of the volume along its axis. A guard: the weights of one that is as
 // wide are the same in single precision, and a wider one is too much for VTK's integers.
 constexpr double WidestGaussian = 1e6;
+// In voxels; a narrower one, whose square may be 0, leaves every voxel as it is.
+constexpr double NarrowestGaussian = 1e-3;
 
 template <typename Filter>
 auto run(Filter* filter, const ProgressCallback& progress, const char* stage)
@@ -127,21 +130,28 @@ FloatingVolume inFloatingPoint(vtkImageData* volume,
   vtkDataArray* values,
   const ProgressCallback& progress)
 {
+  vtkSmartPointer<vtkDataArray> numbers = values;
+  if (values->GetDataType() == VTK_BIT) // which VTK's image filters do not know
+  {
+    numbers = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    numbers->DeepCopy(values);
+  }
+  vtkNew<vtkImageCast> cast;
+  cast->SetInputData(countedFromZero(volume, numbers));
+  cast->SetOutputScalarTypeToFloat();
   FloatingVolume result;
-  values->GetFiniteRange(result.Range.data(), 0);
+  result.Image = run(cast.Get(), progress, "Reading the volume");
+  result.Image->GetPointData()->GetScalars()->GetFiniteRange(result.Range.data(), 0);
   if (!(result.Range[0] <= result.Range[1]))
   {
-    throw InvalidInput("no voxel has a finite value: check that the file could be read");
+    throw InvalidInput(
+      "no voxel has a value that single precision holds: check that the file could be read");
   }
   if (result.Range[0] == result.Range[1])
   {
     throw InvalidInput("all voxels have the value " + formatted(result.Range[0]) +
                        ", so that there is no surface: check that the file could be read");
   }
-  vtkNew<vtkImageCast> cast;
-  cast->SetInputData(countedFromZero(volume, values));
-  cast->SetOutputScalarTypeToFloat();
-  result.Image = run(cast.Get(), progress, "Reading the volume");
   return result;
 }
 
@@ -183,6 +193,10 @@ vtkSmartPointer<vtkImageData> smoothed(vtkImageData* volume,
   {
     const auto length = static_cast<double>(voxelsAlong(volume->GetExtent(), k));
     deviations[k] = std::min(standardDeviation / volume->GetSpacing()[k], WidestGaussian * length);
+    if (deviations[k] < NarrowestGaussian)
+    {
+      deviations[k] = 0.0;
+    }
     // Beyond the length of the volume the Gaussian meets no voxel.
     factors[k] = std::min(RadiusFactor, length / deviations[k]);
   }

@@ -26,6 +26,8 @@ namespace
 
 Points3 positionsOf(vtkGraph* graph)
 {
+  graph
+    ->GetPoints(); // makes points for all vertices, at the origin, if there are as many as vertices not
   Points3 positions(graph->GetNumberOfVertices(), 3);
   for (vtkIdType v = 0; v < positions.rows(); ++v)
   {
@@ -56,6 +58,7 @@ std::vector<Eigen::Vector3d> polylineOf(vtkGraph* graph,
   {
     const int parts = segmentParts(corners[k], corners[k + 1], rules);
     counts.Inserted += parts - 1;
+    requireRoomFor(counts.Inserted);
     for (int part = 1; part <= parts; ++part)
     {
       const double share = static_cast<double>(part) / parts;

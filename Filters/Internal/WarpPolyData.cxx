@@ -93,12 +93,14 @@ private:
 
 void PolyDataWarp::subdivideLines()
 {
+  const auto earlier = static_cast<long long>(this->Origins.size());
   for (const Cell& line : cellsOf(this->Input->GetLines()))
   {
     Cell divided(line.begin(), line.begin() + std::min<std::size_t>(1, line.size()));
     for (std::size_t k = 0; k + 1 < line.size(); ++k)
     {
       const int parts = segmentParts(this->point(line[k]), this->point(line[k + 1]), this->Rules);
+      requireRoomFor(static_cast<long long>(this->Origins.size()) - earlier + parts);
       for (int part = 1; part < parts; ++part)
       {
         divided.push_back(static_cast<vtkIdType>(this->Origins.size()));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string>
 
 namespace flattening
 {
@@ -15,6 +16,7 @@ namespace
 // The greatest number of parts of a segment: a guard against a length in other units than the data,
 // which would fill the memory.
 constexpr double MostParts = 1e6;
+constexpr long long MostInserted = 20'000'000; // points in all, as many as remeshing makes at most
 
 } // namespace
 
@@ -46,6 +48,16 @@ int segmentParts(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const WarpR
     throw InvalidInput(message.str());
   }
   return std::max(1, static_cast<int>(parts));
+}
+
+void requireRoomFor(long long inserted)
+{
+  if (inserted > MostInserted)
+  {
+    throw InvalidInput("the lines would get more than " + std::to_string(MostInserted) +
+                       " points: raise the maximal segment length, or check that line and mesh are in "
+                       "the same units");
+  }
 }
 
 void requireSomeInside(const WarpedInSpace& warped, const Points3& points)

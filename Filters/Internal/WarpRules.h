@@ -40,6 +40,10 @@ WarpedInSpace warpInSpace(const Points3& points, const WarpRules& rules);
 /// @throws InvalidInput if it is more than a million.
 int segmentParts(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const WarpRules& rules);
 
+/// Checks the number of points that were inserted on all lines so far.
+/// @throws InvalidInput if it is more than twenty millions.
+void requireRoomFor(long long inserted);
+
 /// Checks that a point lies on the mesh.
 /// @throws InvalidInput if none does; the message tells where the data are.
 void requireSomeInside(const WarpedInSpace& warped, const Points3& points);

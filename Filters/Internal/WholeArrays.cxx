@@ -2,6 +2,7 @@
 #include "Internal/WholeArrays.h"
 
 #include "Core/Base/Errors.h"
+#include "Internal/ChosenArray.h"
 
 #include <vtkAbstractArray.h>
 #include <vtkCellArray.h>
@@ -34,12 +35,11 @@ void requireWholeArrays(vtkDataObject* data)
     for (int i = 0; arrays && i < arrays->GetNumberOfArrays(); ++i)
     {
       vtkAbstractArray* array = arrays->GetAbstractArray(i);
-      if (array->GetNumberOfTuples() < data->GetNumberOfElements(type))
+      if (array->GetNumberOfTuples() != data->GetNumberOfElements(type))
       {
-        const std::string name = array->GetName() ? array->GetName() : "without a name";
-        throw InvalidInput("the array " + name + " has " + std::to_string(array->GetNumberOfTuples()) +
-                           " tuples for " + std::to_string(data->GetNumberOfElements(type)) + " " +
-                           elements +
+        throw InvalidInput("the array " + nameOf(array) + " has " +
+                           std::to_string(array->GetNumberOfTuples()) + " tuples for " +
+                           std::to_string(data->GetNumberOfElements(type)) + " " + elements +
                            ": the data set is damaged; remove the array, e.g. with Pass Arrays");
       }
     }

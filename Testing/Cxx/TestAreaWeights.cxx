@@ -15,6 +15,7 @@
 #include <vtkPointData.h>
 #include <vtkSelection.h>
 #include <vtkSelectionNode.h>
+#include <vtkSignedCharArray.h>
 #include <vtkSphere.h>
 #include <vtkTriangle.h>
 
@@ -324,6 +325,23 @@ TEST(AreaWeights, ASelectionOfPointsOrCells)
   {
     EXPECT_EQ(weightsOf(filter)->GetTuple1(corners->GetId(k)), 2.0);
   }
+}
+
+// ParaView's Extract Selection leaves such an array with Preserve Topology.
+TEST(AreaWeights, ASelectionIsNotThatOfAnArrayOfTheInput)
+{
+  const auto input = labelledHill(2000);
+  vtkNew<vtkSignedCharArray> earlier;
+  earlier->SetName("vtkInsidedness");
+  earlier->SetNumberOfTuples(input->GetNumberOfCells());
+  earlier->Fill(1);
+  input->GetCellData()->AddArray(earlier);
+  vtkNew<vtkAreaWeights> filter;
+  filter->SetInputData(0, input);
+  filter->SetWeightsFromSelection();
+  filter->SetInputData(1, selectionOf(vtkSelectionNode::POINT, { 5, 17, 1000 }));
+  filter->Update();
+  EXPECT_EQ(figure(filter->GetOutput(), "RegionPoints"), 3);
 }
 
 TEST(AreaWeights, LabelsOfCellsGoToThePoints)

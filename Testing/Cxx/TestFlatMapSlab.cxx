@@ -315,6 +315,13 @@ TEST_F(FlatMapSlab, ReportsWhatIsWrong)
   connect(slab);
   slab->SetInputData(polyDataOf(analytic::ringMesh(analytic::flatDisk(), 100).Mesh));
   expectMessage("no point array SurfacePoints");
+  vtkNew<vtkPolyData> bent;
+  bent->DeepCopy(Map);
+  bent->GetPoints()->SetPoint(3, 0.0, 0.0, 1.0);
+  slab->SetInputData(bent);
+  slab->SetStackSize(16);
+  expectMessage("the input is not flat");
+  slab->SetStackSize(0);
   connect(slab);
   ErrorLog errors(slab);
   slab->Update();

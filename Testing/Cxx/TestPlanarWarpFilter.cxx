@@ -217,6 +217,17 @@ TEST(PlanarWarpFilter, GraphsKeepIdsAndData)
   EXPECT_EQ(undirected->GetEdgeData()->GetArray("Load")->GetTuple1(0), 6.0);
 }
 
+TEST(PlanarWarpFilter, APointOfAnyFiniteDistanceIsOutside)
+{
+  vtkNew<vtkPlanarWarp> filter;
+  filter->SetInputData(doubled());
+  filter->SetCarriedData(polyline({ { 0.5, 0.5, 0 }, { 1.5, 0.5, 0 }, { 1e300, 0.5, 0 } }));
+  ErrorLog errors(filter);
+  filter->Update();
+  EXPECT_TRUE(errors.messages().empty());
+  EXPECT_EQ(figure(filter->GetOutputDataObject(0), "OutsidePoints"), 1);
+}
+
 TEST(PlanarWarpFilter, AMagnifierHasTheFactorsAskedFor)
 {
   // The box in the middle of a planar rectangle, four times as large on the map; a fine grid of squares
@@ -318,6 +329,13 @@ TEST(PlanarWarpFilter, ReportsWhatIsWrong)
   bare->AddVertex();
   bare->AddVertex();
   expectFailure(filter, doubled(), bare, "lay the graph out");
+  vtkNew<vtkMutableUndirectedGraph> damaged;
+  vtkNew<vtkPoints> tooFew;
+  tooFew->InsertNextPoint(0.5, 0.5, 0.0);
+  damaged->SetPoints(tooFew);
+  damaged->AddVertex();
+  damaged->AddVertex();
+  expectFailure(filter, doubled(), damaged, "lay the graph out");
 
   filter->SetMaximumSegmentLength(-1.0);
   expectFailure(filter, doubled(), line, "maximal segment length");

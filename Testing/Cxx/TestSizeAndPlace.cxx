@@ -9,6 +9,7 @@
 #include <vtkSurfaceToDiskFilter.h>
 
 #include <vtkNew.h>
+#include <vtkPlaneSource.h>
 #include <vtkSphereSource.h>
 #include <vtkTestErrorObserver.h>
 
@@ -117,6 +118,31 @@ TEST(SizeAndPlace, TheMapIsTheSameAtAnySizeBitForBit)
     EXPECT_EQ(other.figure("SurfaceArea"), std::ldexp(chain.figure("SurfaceArea"), 2 * exponent));
     EXPECT_EQ(figure(other.Disk->GetOutput(), "SeamLength"),
       times(figure(chain.Disk->GetOutput(), "SeamLength")));
+  }
+}
+
+// VTK divides a polygon along its normal, whose square is far from the square of a length.
+TEST(SizeAndPlace, PolygonsOfAnySizeAreDivided)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  plane->SetResolution(10, 10);
+  plane->Update();
+  for (int exponent = -900; exponent <= 900; exponent += 300)
+  {
+    SCOPED_TRACE(exponent);
+    vtkNew<vtkPolyData> scaled;
+    scaled->DeepCopy(plane->GetOutput());
+    for (vtkIdType i = 0; i < scaled->GetNumberOfPoints(); ++i)
+    {
+      const double* x = scaled->GetPoint(i);
+      scaled->GetPoints()->SetPoint(i, std::ldexp(x[0], exponent), std::ldexp(x[1], exponent), 0.0);
+    }
+    vtkNew<vtkSurfaceToDiskFilter> filter;
+    filter->SetInputData(scaled);
+    filter->Update();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 200);
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 121);
   }
 }
 

@@ -210,8 +210,9 @@ TEST(SurfaceToDiskErrors, RegionsOfInterest)
   input->GetPointData()->AddArray(region);
   expectError(filter,
     input,
-    "has " + std::to_string(region->GetNumberOfTuples()) + " values for " +
+    "has " + std::to_string(region->GetNumberOfTuples()) + " tuples for " +
       std::to_string(input->GetNumberOfPoints()) + " points");
+  region->SetNumberOfTuples(input->GetNumberOfPoints());
 
   vtkNew<vtkIntArray> vectors;
   vectors->SetName("Vectors");
@@ -323,7 +324,7 @@ TEST(SurfaceToDiskErrors, StopsWhenAborted)
   EXPECT_FALSE(errors->GetError());
 }
 
-TEST(SurfaceToDiskErrors, ArraysWithTooFewTuplesAreNamed)
+TEST(SurfaceToDiskErrors, ArraysWithTooFewOrManyTuplesAreNamed)
 {
   vtkNew<vtkSurfaceToDiskFilter> filter;
   for (const bool onCells : { false, true })
@@ -331,8 +332,6 @@ TEST(SurfaceToDiskErrors, ArraysWithTooFewTuplesAreNamed)
     const auto input = square(5);
     vtkNew<vtkDoubleArray> array;
     array->SetName("Thickness");
-    array->SetNumberOfTuples(7);
-    array->Fill(1.0);
     if (onCells)
     {
       input->GetCellData()->AddArray(array);
@@ -341,7 +340,13 @@ TEST(SurfaceToDiskErrors, ArraysWithTooFewTuplesAreNamed)
     {
       input->GetPointData()->AddArray(array);
     }
-    expectError(filter, input, "the array Thickness has 7 tuples for ");
+    for (const int tuples : { 7, 700 })
+    {
+      array->SetNumberOfTuples(tuples);
+      array->Fill(1.0);
+      array->Modified();
+      expectError(filter, input, "the array Thickness has " + std::to_string(tuples) + " tuples for ");
+    }
   }
   expectDiskWithoutError(filter, square(5));
 }

@@ -316,6 +316,9 @@ TEST(SurfaceToDiskModes, BoundaryIsTheChosenOne)
   // The flat patch: a polygon of 64 sides.
   EXPECT_NEAR(figure(closest, "FilledArea"), 32.0 * 2.25 * std::sin(2.0 * Pi / 64), 1e-6);
 
+  filter->SetBoundaryPoint(0.0, -1e200, 0.0);
+  EXPECT_EQ(figure(run(filter, input), "FilledHoles"), 1);
+
   filter->SetBoundaryModeToFillAll();
   const auto closed = run(filter, input);
   expectDisk(closed);

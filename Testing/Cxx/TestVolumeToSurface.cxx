@@ -2,6 +2,7 @@
 #include "FilterTest.h"
 #include "FormulaVolumes.h"
 
+#include <vtkBitArray.h>
 #include <vtkCallbackCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkIdList.h>
@@ -11,6 +12,7 @@
 #include <vtkPointData.h>
 #include <vtkShortArray.h>
 #include <vtkTable.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <Eigen/Geometry>
 
@@ -286,6 +288,23 @@ TEST(VolumeToSurface, AMarginClosesTheSurfaceAndVoxelsThatAreNotFiniteAreAir)
   filter->SetMargin(0);
   filter->Update();
   EXPECT_GT(openEdges(filter->GetOutput()), 20);
+}
+
+TEST(VolumeToSurface, AVolumeOfBitsIsOneOfNumbers)
+{
+  const auto inside = [](const Eigen::Vector3d& p) { return ball(p, 6.0) > 100.0 ? 1.0 : 0.0; };
+  const Eigen::Vector3d size(20, 20, 20);
+  const auto bits = filterAt(0.5, 1.0, volumeOf<vtkBitArray>(size, inside));
+  const auto bytes = filterAt(0.5, 1.0, volumeOf<vtkUnsignedCharArray>(size, inside));
+  bits->Update();
+  bytes->Update();
+  ASSERT_EQ(bits->GetOutput()->GetNumberOfPoints(), bytes->GetOutput()->GetNumberOfPoints());
+  ASSERT_GT(bits->GetOutput()->GetNumberOfPoints(), 100);
+  for (vtkIdType i = 0; i < bits->GetOutput()->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_EQ(
+      Eigen::Vector3d(bits->GetOutput()->GetPoint(i)), Eigen::Vector3d(bytes->GetOutput()->GetPoint(i)));
+  }
 }
 
 TEST(VolumeToSurface, TheLargestComponentIsTheOneOfTheGreatestArea)

@@ -41,7 +41,7 @@ TEST(VolumeToSurface, WhatIsNoVolumeIsAnErrorThatSaysWhy)
   expect(changed([](vtkImageData* v) { v->GetPointData()->GetScalars()->Fill(7.0); }),
     "all voxels have the value 7");
   expect(changed([](vtkImageData* v) { v->GetPointData()->GetScalars()->Fill(std::nan("")); }),
-    "no voxel has a finite");
+    "no voxel has a value that single precision holds");
   expect(changed(
            [](vtkImageData* v)
            {
@@ -63,10 +63,15 @@ TEST(VolumeToSurface, WhatIsNoVolumeIsAnErrorThatSaysWhy)
   filter->AutomaticAirOff();
   filter->SetAir(100.0);
   expect(good, "the value of air, 100, is not below the isovalue, 100");
+  filter->SetAir(-1e39);
+  expect(good, "the value of air is not a number that single precision holds");
   filter->AutomaticAirOn();
-  filter->SetInputData(good);
+  filter->SetSmoothing(1e-200);
+  filter->SetInputData(
+    changed([](vtkImageData* v) { v->GetPointData()->GetScalars()->SetTuple1(5, 1e300); }));
   filter->Update();
   EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(figure(filter->GetOutput(), "NotFiniteVoxels"), 1);
 }
 
 TEST(VolumeToSurface, AVolumeThatMemoryCannotHoldIsRefusedBeforeItIsRead)

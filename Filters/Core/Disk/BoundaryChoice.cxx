@@ -36,7 +36,7 @@ int chooseBoundary(const Points3& vertices,
     {
       for (const int v : loops[i])
       {
-        cost = std::min(cost, (vertices.row(v) - choice.Point.transpose()).squaredNorm());
+        cost = std::min(cost, (vertices.row(v) - choice.Point.transpose()).stableNorm());
       }
     }
     if (cost < best)

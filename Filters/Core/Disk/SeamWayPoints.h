@@ -12,6 +12,9 @@
 namespace flattening
 {
 
+/// The greatest number of points, and of paths, that a user may set for a seam: a guard for memory.
+constexpr int MostSeamPoints = 100'000;
+
 struct GeodesicSeamOptions
 {
   /// Two or more points on the surface in the order in which the seam runs through them (input units).

@@ -2,6 +2,7 @@
 #include "FlatMap/PlanarWarp.h"
 
 #include "Base/Errors.h"
+#include "Mesh/ClosestPointTree.h"
 #include "Mesh/FaceOrientation.h"
 #include "Mesh/MeshMeasures.h"
 
@@ -83,7 +84,7 @@ WarpedPoints warped(const Points2& points,
       std::min(begin + WarpedBatch, points.rows()),
       [&](Eigen::Index i)
       {
-        if (points.row(i).allFinite())
+        if (ClosestPointTree::canSearch({ points(i, 0), points(i, 1), 0.0 }))
         {
           const MapPlace place = locate(points.row(i));
           if (place.Distance <= tolerance)

@@ -87,9 +87,14 @@ ClosestPointTree::ClosestPointTree(const TriangleMesh& mesh, const ProgressCallb
 
 ClosestPointTree::~ClosestPointTree() = default;
 
+bool ClosestPointTree::canSearch(const Eigen::Vector3d& point)
+{
+  return point.squaredNorm() <= GreatestSquare;
+}
+
 SurfacePoint ClosestPointTree::closest(const Eigen::Vector3d& point) const
 {
-  if (!(point.squaredNorm() <= GreatestSquare)) // CGAL ends the program if a square is infinite
+  if (!canSearch(point)) // CGAL ends the program if a square is infinite
   {
     throw InvalidInput(
       "a point lies so far from the surface that double precision does not hold the square "

@@ -32,8 +32,10 @@ public:
   ClosestPointTree(const ClosestPointTree&) = delete;
   ClosestPointTree& operator=(const ClosestPointTree&) = delete;
 
-  /// The point of the mesh closest to @p point. @throws InvalidInput if the square of a distance to the
-  /// mesh may not be a finite double.
+  /// Tells whether the squares of distances to @p point are finite doubles.
+  static bool canSearch(const Eigen::Vector3d& point);
+
+  /// The point of the mesh closest to @p point. @throws InvalidInput unless canSearch().
   SurfacePoint closest(const Eigen::Vector3d& point) const;
 
 private:

@@ -18,18 +18,22 @@ namespace flattening
 namespace
 {
 
-// For every point the first one with the same coordinates.
+// For every point the first one with the same coordinates; for one that is not finite itself.
 std::vector<int> exactlyCoincident(const Points3& points)
 {
   const auto key = [&points](int v)
   { return std::make_tuple(points(v, 0), points(v, 1), points(v, 2)); };
-  std::vector<int> order(points.rows());
-  std::iota(order.begin(), order.end(), 0);
+  std::vector<int> representative(points.rows());
+  std::iota(representative.begin(), representative.end(), 0);
+  std::vector<int> order;
+  std::copy_if(representative.begin(),
+    representative.end(),
+    std::back_inserter(order),
+    [&points](int v) { return points.row(v).allFinite(); });
   std::sort(order.begin(),
     order.end(),
     [&key](int a, int b)
     { return std::tuple_cat(key(a), std::tie(a)) < std::tuple_cat(key(b), std::tie(b)); });
-  std::vector<int> representative(order.size());
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     const bool same = i > 0 && key(order[i]) == key(order[i - 1]);
@@ -55,7 +59,7 @@ std::vector<int> coincidentPoints(const Points3& points, double tolerance)
   std::vector<Indexed> distinct;
   for (int v = 0; v < points.rows(); ++v)
   {
-    if (representative[v] == v)
+    if (representative[v] == v && points.row(v).allFinite())
     {
       distinct.emplace_back(pointOf(points, v), v);
     }
@@ -81,7 +85,7 @@ std::vector<int> coincidentPoints(const Points3& points, double tolerance)
   }
   for (int& v : representative)
   {
-    v = joins[v];
+    v = joins[v] < 0 ? v : joins[v];
   }
   return representative;
 }

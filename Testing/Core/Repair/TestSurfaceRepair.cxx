@@ -186,6 +186,27 @@ TEST(SurfaceRepair, ClosesTJunctions)
   EXPECT_EQ(topologyOf(repairTriangleSoup(wide)).BoundaryLoops.size(), 2u);
 }
 
+// A point without coordinates must not stand between equal points while these are sorted.
+TEST(SurfaceRepair, MergesPointsAmongSomeThatAreNotFinite)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const TriangleMesh input = meshOf({ { 2, 0, 0 },
+                                      { nan, nan, nan },
+                                      { 1, 0, 0 },
+                                      { 2, 0, 0 },
+                                      { nan, 0, 0 },
+                                      { 1, 1, 0 },
+                                      { 3, 1, 0 } },
+    { { 0, 5, 2 }, { 3, 6, 5 } });
+  for (const double tolerance : { 0.0, 1e-3 })
+  {
+    const RepairedSurface repaired = repairTriangleSoup(input, tolerance);
+    EXPECT_EQ(repaired.Report.MergedPoints, 1);
+    EXPECT_EQ(topologyOf(repaired).Components, 1);
+    EXPECT_EQ(topologyOf(repaired).Vertices, 4);
+  }
+}
+
 // A vertex beside a sliver is within the tolerance of two of its edges and farther from them than the
 // sliver is high: parts that ended at the vertex would lie over each other.
 TEST(SurfaceRepair, DoesNotFoldASliverToCloseATJunction)
