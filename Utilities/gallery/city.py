@@ -191,7 +191,7 @@ def make(path):
         "",
         "In the GUI: *File > Open* `gallery-output/city.vti`, *Apply*; `city_detail.vti`, *Apply*; `city_mesh.vtp`, *Apply*. *Area Weights*: *Weights From* Implicit Function, "
         f"*Center* {CENTRE[0]:g} {CENTRE[1]:g} 0, *Radius* {RADIUS:g}, *Factor* {FACTOR:g}, *Factor Meaning* Magnification, *Edge Width* 0.8, *Apply*. *Conformal Disk*: *Domain* Rectangle, *Use "
-        f"Corners*, *Lower Left* 0 0 0, *Lower Right* {WIDTH:g} 0 0, *Upper Right* {WIDTH:g} {HEIGHT:g} 0, *Upper Left* 0 {HEIGHT:g} 0, *Apply*. *OMT Area Preserving*: check *Use Area Weight*, "
+        f"Corners*, *Lower Left* 0 0 0, *Lower Right* {WIDTH:g} 0 0, *Upper Right* {WIDTH:g} {HEIGHT:g} 0, *Upper Left* 0 {HEIGHT:g} 0, *Apply*. *OMT Area Preserving*: leave *Use Area Weight* checked, "
         "uncheck *Face Refinement*, *Apply*. *Planar Warp*: *Carried*, *city.vti*, *OK*, *Apply*. Click *Area-Preserving Disk* in the *Pipeline Browser*; *Planar Warp* "
         f"again, *Carried*, *city_detail.vti*, *OK*, *Image Size* {4 * SIZE[0]} {4 * SIZE[1]}, *Apply*; *Threshold* of `InMap` with *Lower Threshold* 1, *Apply*; hide PlanarWarp2. "
         "Type `map scalars` in the search box of the panel and uncheck *Map Scalars* of Threshold1 and of PlanarWarp1: their own colours.",

@@ -137,7 +137,7 @@ def make(path):
         "",
         "In the GUI: *File > Open* `gallery-output/links.vtp`, `stations.vtp` and `links_mesh.vtp`, each with *Apply*. *Area Weights*: *Weights From* Implicit Function, *Center* 0 0 0, "
         f"*Radius* {CORE + 0.005:g} (between two rings of points), *Factor* {FACTOR:g}, *Factor Meaning* Magnification, *Edge Width* {EDGE:g}, *Apply*. *Conformal Disk*: *Use Boundary Point*, "
-        f"*Boundary Point* {RADIUS:g} 0 0, *Apply*. *OMT Area Preserving*: check *Use Area Weight*, uncheck *Face Refinement*, *Apply*. *Planar Warp*: *Carried*, *links.vtp*, *OK*, *Apply*. "
+        f"*Boundary Point* {RADIUS:g} 0 0, *Apply*. *OMT Area Preserving*: leave *Use Area Weight* checked, uncheck *Face Refinement*, *Apply*. *Planar Warp*: *Carried*, *links.vtp*, *OK*, *Apply*. "
         "Click *Area-Preserving Disk* in the *Pipeline Browser*; *Planar Warp* again, *Carried*, *stations.vtp*, *OK*, *Apply*; *Representation* Point Gaussian, coloured by `Core`; hide the data that were "
         f"there before. For (c) *Factor* {SHRUNK:g} in *Area Weights*. [planar_warp.md](planar_warp.md) has more.",
     ]
