@@ -16,10 +16,12 @@ class InVesaliusScan(MetaImageScan):
 
     def __init__(self, path):
         self._folder = tempfile.TemporaryDirectory()
+        header = metaimage_of_invesalius(path, self._folder.name)
         try:
-            super().__init__(metaimage_of_invesalius(path, self._folder.name))
-        except (ValueError, OSError) as error:
-            raise ScanError(str(error)) from None
+            super().__init__(header)
+        except ScanError as error:
+            raise _damaged(path, str(error).removeprefix(f"{header}: ")) from None
+        self._path = path
         self.placement.warnings[:] = [
             "an InVesalius project does not say where the patient's left and right are: the volume stays as it is"
         ]
@@ -28,31 +30,44 @@ class InVesaliusScan(MetaImageScan):
         return np.array(super().load())
 
 
+def _damaged(path, reason):
+    return ScanError(f"{path}: the InVesalius project cannot be read, it may be damaged: {reason}")
+
+
 def metaimage_of_invesalius(path, folder):
     """Unpacks the volume of an InVesalius project (.inv3) into @folder and writes a MetaImage header beside
-    it. Returns the header's path, for OpenDataFile.
+    it. Returns the header's path, for OpenDataFile. Raises ScanError.
 
     A project is a tar archive, compressed or not, with a property list, main.plist, that names a file of
     raw voxels, their type, their number along z, y and x, and their size in mm.
     """
+    try:
+        return _unpacked(path, folder)
+    except ScanError:
+        raise
+    except Exception as error:  # damage shows in tarfile, in what unpacks, in plistlib and in what the list holds
+        reason = getattr(error, "strerror", None) or str(error) or type(error).__name__
+        raise _damaged(path, reason.splitlines()[0].rstrip(":")) from None  # tarfile lists what it tried
+
+
+def _unpacked(path, folder):
     with tarfile.open(path) as archive:
         members = {os.path.basename(member.name): member for member in archive.getmembers()}
         try:
             with archive.extractfile(members["main.plist"]) as stream:
                 project = plistlib.load(stream)
             matrix = project["matrix"]
-            spacing = project["spacing"]
+            spacing, kind, shape = project["spacing"], matrix["dtype"], matrix["shape"]
             voxels = archive.extractfile(members[matrix["filename"]])
         except KeyError as missing:
-            raise ValueError(f"{path} is no InVesalius project: it has no {missing}") from None
+            raise ScanError(f"{path} is no InVesalius project, or it is damaged: it has no {missing}") from None
         types = {"int16": "MET_SHORT", "uint16": "MET_USHORT", "uint8": "MET_UCHAR"}
-        if matrix["dtype"] not in types:
-            raise ValueError(
-                f"{path} has voxels of type {matrix['dtype']}: known are {', '.join(types)}"
-            )
+        if kind not in types:
+            raise ScanError(f"{path} has voxels of type {kind}: known are {', '.join(types)}")
         stem = os.path.splitext(os.path.basename(path))[0]
+        data = stem.encode("ascii", "backslashreplace").decode().replace("\\", "_") + ".raw"  # headers are in ASCII
         os.makedirs(folder, exist_ok=True)
-        with voxels, open(os.path.join(folder, stem + ".raw"), "wb") as raw:
+        with voxels, open(os.path.join(folder, data), "wb") as raw:
             while block := voxels.read(1 << 20):
                 raw.write(block)
     header = os.path.join(folder, stem + ".mhd")
@@ -60,10 +75,10 @@ def metaimage_of_invesalius(path, folder):
         lines.write(
             "ObjectType = Image\n"
             "NDims = 3\n"
-            f"DimSize = {' '.join(str(n) for n in reversed(matrix['shape']))}\n"
+            f"DimSize = {' '.join(str(n) for n in reversed(shape))}\n"
             f"ElementSpacing = {' '.join(repr(float(s)) for s in spacing)}\n"
-            f"ElementType = {types[matrix['dtype']]}\n"
+            f"ElementType = {types[kind]}\n"
             "ElementByteOrderMSB = False\n"
-            f"ElementDataFile = {stem}.raw\n"
+            f"ElementDataFile = {data}\n"
         )
     return header

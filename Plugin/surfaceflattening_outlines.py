@@ -46,8 +46,8 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 data = self.GetInputDataObject(0, 0)
-on_cells = "{association}" == "CELLS"
-labels = vtk_to_numpy((data.GetCellData() if on_cells else data.GetPointData()).GetArray("{name}"))
+on_cells = {association!r} == "CELLS"
+labels = vtk_to_numpy((data.GetCellData() if on_cells else data.GetPointData()).GetArray({name!r}))
 faces = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
 points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
 if on_cells:

@@ -49,7 +49,7 @@ class _VTKScan(Scan):
         for event, texts in (("ErrorEvent", self._errors), ("WarningEvent", self._vtk_warnings)):
             for item in (reader, reader.GetExecutive()):
                 item.AddObserver(event, _recorder(texts))
-        reader.SetFileName(path)
+        reader.SetFileName(os.fsencode(path))  # VTK refuses a str that is not UTF-8
         reader.UpdateInformation()
         self._raise_errors()
         information = reader.GetOutputInformation(0)
@@ -74,6 +74,7 @@ class _VTKScan(Scan):
 
 def _recorder(texts):
     def record(_caller, _event, text=""):
+        text = text or "VTK's message quotes the file or its name, and that is not UTF-8"
         texts.append(" ".join(text.split()).split("): ", 1)[-1])
 
     record.CallDataType = "string0"

@@ -7,6 +7,7 @@ an uncompressed one with what was in memory, and take the first axis of a NRRD w
 
 import bz2
 import gzip
+import math
 import os
 import sys
 import zlib
@@ -68,7 +69,7 @@ class VoxelFileScan(Scan):
             placement, shape, sizes = self.describe(fields, lines, end)
         except ScanError:
             raise
-        except (KeyError, ValueError, IndexError, TypeError) as error:
+        except (KeyError, ValueError, IndexError, TypeError, OverflowError) as error:
             raise ScanError(f"{path}: the header cannot be understood: {error}") from None
         if len(shape) != 3 or min(shape) < 1:
             raise ScanError(
@@ -79,13 +80,17 @@ class VoxelFileScan(Scan):
             raise ScanError(
                 f"{path}: the header has {len(sizes)} sizes of voxels for {len(shape)} dimensions: it may be damaged"
             )
+        if self.components < 1 or not self.files:
+            raise ScanError(
+                f"{path}: the header has {self.components} values of a voxel in {len(self.files)} files: it may be damaged"
+            )
         super().__init__(shape, sizes, placement)
 
     def describe(self, fields, lines, end):
         raise NotImplementedError
 
     def load(self):
-        count = int(np.prod(self.shape, dtype=np.int64)) * self.components
+        count = self._count()
         values = np.concatenate([self._values_of(file) for file in self.files])
         if len(values) < count:
             raise ScanError(
@@ -106,17 +111,23 @@ class VoxelFileScan(Scan):
             if self.encoding in TEXT:
                 return np.array(content.split(), self.kind)
             content = UNPACK[self.encoding](content)
-        except (OSError, EOFError, zlib.error, ValueError) as error:
+        except (OSError, EOFError, zlib.error, ValueError, OverflowError) as error:
             reason = getattr(error, "strerror", None) or error
             raise ScanError(
                 f"{self._path}: the voxels in {file} cannot be read, the file may be damaged or cut short: {reason}"
             ) from None
         return np.frombuffer(content, self.kind, len(content) // self.kind.itemsize)
 
+    def _count(self):
+        """The number of values, by integers of Python: those of numpy would wrap with a damaged header."""
+        return math.prod(self.shape) * self.components
+
     def _start(self, size):
+        if self.skip > size:
+            raise ValueError(f"the header leaves out {self.skip} bytes before the voxels, and the file has {size}")
         if self.skip >= 0:
             return self.skip
-        each = int(np.prod(self.shape, dtype=np.int64)) * self.components * self.kind.itemsize // len(self.files)
+        each = self._count() * self.kind.itemsize // len(self.files)
         return max(size - each, 0)
 
     def _files_of(self, text, lines):

@@ -102,6 +102,8 @@ def apply(filter: Any, surface: Any, name: str, value: Any) -> None:
     if name in LISTS and hasattr(filter, LISTS[name]):
         for element in value:
             getattr(filter, LISTS[name])(*(element if hasattr(element, "__len__") else (element,)))
+    elif name in INPUTS and value is None:
+        return
     elif name in INPUTS and hasattr(value, "IsA"):
         if name == "Selection":
             filter.SetInputDataObject(1, value)

@@ -2,6 +2,7 @@
 """Utilities/cohort with files that are cut short or crash, a full disk, two runs in one folder and untrue arguments."""
 
 import contextlib
+import csv
 import gzip
 import io
 import os
@@ -32,6 +33,7 @@ from case_files import CaseError, extension, read
 from case_list import Case
 from case_records import CaseRecords, RunError
 from child_process import in_child
+from ranks import printable
 from run_lock import RunLock
 
 folder = tempfile.mkdtemp(dir=os.environ.get("TEMPORARY_DIRECTORY"))
@@ -241,5 +243,41 @@ status, text = answer("--output", path_of("file"), path_of("binary.vtk"))
 assert status == 2 and "error: cannot make the folder" in text and "Not a directory" in text, text
 status, text = answer("--output", path_of("other"), "--list", path_of("none"))
 assert status == 2 and "No such file or directory" in text, text
+with open(path_of("utf16"), "w", encoding="utf-16") as stream:
+    stream.write("x.vtk\n")
+status, text = answer("--output", path_of("other"), "--list", path_of("utf16"))
+assert status == 2 and "save it in UTF-8" in text, text
+for option in ("isovalue", "smoothing", "hole-area", "edge-length", "case-memory", "case-time"):
+    for value in ("nan", "inf", "1e999", "two"):
+        status, text = answer("--output", path_of("other"), f"--{option}", value, "x.vtk")
+        words = f"--{option}: '{value}' is not allowed: give a finite number"
+        assert status == 2 and words in text, (option, value, text)
+for option in ("plane-normal", "plane-origin"):
+    status, text = answer("--output", path_of("other"), f"--{option}", "0", "nan", "1", "--", "x.vtk")
+    assert status == 2 and f"--{option}: 'nan' is not allowed" in text, text
+for option in ("case-memory", "case-time"):
+    for value in ("0", "-1", "1e19"):
+        status, text = answer("--output", path_of("other"), f"--{option}", value, "x.vtk")
+        words = f"--{option}: '{value}' is not allowed: give a number more than 0 and at most 1e+09"
+        assert status == 2 and words in text, (option, value, text)
 status, text = answer("--output", path_of("other"), path_of("binary.vtk"), path_of("cut.ply"))
 assert status == 1 and "1 finished, 1 failed" in text and "failed: cut: the file is cut short" in text, text
+
+# --- Names that are not UTF-8 -------------------------------------------------------------------------------------
+ODD = os.fsdecode(b"b\xff\xe4")
+names = [path_of(name) for name in (f"{ODD}.vtk", f"{ODD}_ball.nii", f"{ODD}_damaged.vtk", f"{ODD}_cut.nii", f"{ODD}_gone.ply")]
+for source, name in zip(("binary.vtk", "ball.nii", "utf16", "utf16"), names):
+    shutil.copy(path_of(source), name)
+with open(path_of("names"), "wb") as stream:
+    stream.write(os.fsencode("\n".join(names)))
+arguments = ("--output", path_of(f"output {ODD}"), "--isovalue", "12", "--list", path_of("names"))
+status, text = answer(*arguments)
+assert status == 1 and "2 finished, 3 failed" in text and r"failed: b\udcff\udce4_gone: there is no file" in text, text
+assert text.count(": there is no file") == 2, text
+with open(path_of(f"output {ODD}/summary.csv"), encoding="utf-8", errors="surrogateescape", newline="") as stream:
+    rows = list(csv.DictReader(stream))
+assert [os.path.basename(name).rpartition(".")[0] for name in names] == [row["Case"] for row in rows], rows
+assert sorted(os.listdir(path_of(f"output {ODD}/results"))) == [f"{ODD}.vtp", f"{ODD}_ball.vtp"]
+status, text = answer(*arguments)
+assert status == 1 and "5 cases, 2 finished before" in text, text
+assert printable("ä 脳 \udcff") == "ä 脳 \\udcff"

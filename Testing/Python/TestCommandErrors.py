@@ -6,6 +6,7 @@ nothing is left."""
 from paraview import servermanager, simple  # isort: skip
 
 import surfaceflattening_commands
+from surfaceflattening_outlines import label_array, label_outlines
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
 ARRAY = """
@@ -85,3 +86,15 @@ names = with_array(sphere, LABELS, kind="String", components=1, count="GetNumber
 simple.SetActiveSource(names)
 assert said_by("flatten_and_compare") == []
 assert len(simple.GetLayouts()) == 1
+
+# The name of an array is no code, whatever it holds.
+NAME = 'a"b\'c\\ {0} " + missing + "'
+script = ARRAY.replace('"Array"', repr(NAME).replace("{", "{{").replace("}", "}}")) + LABELS
+script = script.format(kind="Int", components=1, count="GetNumberOfCells", value="i % 2")
+quoted = simple.ProgrammableFilter(Input=sphere, Script=script)
+quoted.UpdatePipeline()
+assert label_array(quoted) == ("CELLS", NAME), label_array(quoted)
+outlines = label_outlines(quoted, *label_array(quoted))
+outlines.UpdatePipeline()
+drawn = servermanager.Fetch(outlines)
+assert drawn.GetNumberOfLines() > 0 and drawn.GetNumberOfPolys() == 0  # a script that fails leaves its input

@@ -9,7 +9,8 @@ from pathlib import Path
 
 import surfaceflattening
 from surfaceflattening.functions import STEPS
-from surfaceflattening.settings import defaults_of, setting_named, snake_case
+from surfaceflattening.running import run
+from surfaceflattening.settings import apply, defaults_of, setting_named, snake_case
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkTriangleFilter
@@ -129,11 +130,46 @@ assert "no array Labels: it has" in raised(ValueError, surfaceflattening.to_disk
 shown = surfaceflattening.flatten(surface, cut_mode="Seam", conformal={"tolerance": 1e-10})
 assert shown.GetNumberOfPoints() == flat.GetNumberOfPoints()
 
-# Warnings are Python's.
+# The documented defaults may be given.
+for _, filter_class, _ in (*STEPS, ("region", surfaceflattening.vtkFlattenRegion, 1)):
+    for setting, default in defaults_of(filter_class).items():
+        apply(filter_class(), surface, setting, default)
+assert coordinates(surfaceflattening.to_disk(surface, cut_mode="Seam", seam_lines=None)) == coordinates(disk)
+assert coordinates(surfaceflattening.conformal(disk, domain=None)) == coordinates(surfaceflattening.conformal(disk))
+region_defaults = {"label_array": "Label", "label": 1, "selection": None}
+assert coordinates(surfaceflattening.region(surface, **region_defaults)) == coordinates(one)
+
+# Warnings are Python's, and name the line of the caller.
+for function in (surfaceflattening.flatten, surfaceflattening.to_disk):
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        here = inspect.currentframe().f_lineno + 1
+        function(surface, cut_mode="Hole")
+    caught = [w for w in caught if w.category is surfaceflattening.FlatteningWarning]
+    assert caught and {(w.filename, w.lineno) for w in caught} == {(__file__, here)}, caught
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert str(caught[0].message) == raised(surfaceflattening.FlatteningWarning, function, surface, cut_mode="Hole")
+
+
+class Complaining(vtkSphereSource):
+    """Warns, and then has an error; None is a text that VTK cannot decode."""
+
+    def AddObserver(self, event, observer):
+        self.observers = {**getattr(self, "observers", {}), event: observer}
+
+    def Update(self):
+        self.observers["WarningEvent"](self, "WarningEvent", "a warning")
+        self.observers["ErrorEvent"](self, "ErrorEvent", None)
+
+
 with warnings.catch_warnings(record=True) as caught:
     warnings.simplefilter("always")
-    surfaceflattening.flatten(surface, cut_mode="Hole")
-assert [w for w in caught if w.category is surfaceflattening.FlatteningWarning], caught
+    assert "not UTF-8" in raised(surfaceflattening.FlatteningError, run, Complaining())
+assert [str(w.message) for w in caught] == ["a warning"], caught
+with warnings.catch_warnings():
+    warnings.simplefilter("error")
+    assert "not UTF-8" in raised(surfaceflattening.FlatteningError, run, Complaining())
 
 # An abort stops the work, and so does an exception in a callback.
 calls = []

@@ -2,10 +2,8 @@
 """One phantom in every format that scans come in becomes the same disk: the readers that OpenDataFile takes, which are
 those that keep the orientation, the recipe of surfaceflattening_volume and Surface To Disk."""
 
-import io
 import math
 import os
-import plistlib
 import tarfile
 import tempfile
 
@@ -29,21 +27,6 @@ def folded_ball():
     folds = 1.5 * np.sin(0.5 * x + 1.0) * np.sin(0.45 * y) + 0.15 * z
     depth = RADIUS + folds - np.sqrt(x * x + y * y + z * z)
     return np.clip(ISOVALUE + 100.0 * depth, -1000, 2000).astype(np.int16)
-
-
-def write_invesalius(path, values, spacing):
-    project = {
-        "matrix": {"filename": "matrix.dat", "dtype": "int16", "shape": list(values.shape)},
-        "spacing": list(spacing),
-    }
-    with tarfile.open(path, "w") as archive:
-        for name, content in (
-            ("main.plist", plistlib.dumps(project)),
-            ("matrix.dat", values.astype("<i2").tobytes()),
-        ):
-            member = tarfile.TarInfo("project/" + name)
-            member.size = len(content)
-            archive.addfile(member, io.BytesIO(content))
 
 
 def fetch(proxy):
@@ -81,7 +64,7 @@ def check_readers(folder, phantom):
     VolumeFiles.write_vti(path("phantom.vti"), phantom, SPACING)
     # ParaView's DICOM reader turns a volume about x by half a turn (which is no mirror image); so do we.
     VolumeFiles.write_dicom_series(path("series"), phantom[::-1, ::-1], SPACING)
-    write_invesalius(path("phantom.inv3"), phantom, SPACING)
+    VolumeFiles.write_invesalius(path("phantom.inv3"), phantom, SPACING)
     images = {
         "VTK image": OpenDataFile(path("phantom.vti")),
         "NIfTI": OpenDataFile(path("phantom.nii")),

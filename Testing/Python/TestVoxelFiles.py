@@ -9,6 +9,7 @@ import tempfile
 import zlib
 
 import numpy as np
+import VolumeFiles
 from surfaceflattening_scans import ScanError, read_scan
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -82,6 +83,17 @@ BAD = {
         )
         + LITTLE,
     },
+    f"leaves out {10**20} bytes": {
+        "far.mhd": metaimage(f"HeaderSize = {10**20}", data="skip.raw"),
+        "far.nhdr": nrrd(f"encoding: raw\nbyte skip: {10**20}\ndata file: skip.raw"),
+    },
+    f"promises {2**64}": {  # a product that 64 bits cannot hold
+        "wrapped.mha": metaimage(size=f"{2**31} {2**31} 4") + LITTLE,
+        "wrapped.nrrd": nrrd("endian: little\nencoding: raw", f"{2**31} {2**31} 4") + LITTLE,
+        "wrapped.mhd": metaimage("HeaderSize = -1", data="skip.raw", size=f"{2**31} {2**31} 4"),
+    },
+    "0 values of a voxel": {"channels.mha": metaimage("ElementNumberOfChannels = 0") + LITTLE},
+    "in 0 files": {"no_files.mhd": metaimage(data="LIST")},
     "line skip": {"lines.nrrd": nrrd("encoding: raw\nline skip: 2") + LITTLE},
 }
 # Read as they are stored, with a warning.
@@ -97,6 +109,36 @@ WITHOUT_PLACE = {
 def write(name, content):
     with open(name, "wb") as stream:
         stream.write(content)
+
+
+def refused(name):
+    """Why a file is not read."""
+    try:
+        read_scan(name, warn=print)
+    except ScanError as error:
+        return str(error)
+    raise AssertionError(f"{name} was read")
+
+
+def check_invesalius(name, mode):
+    """A project is read; one that is cut short or has wrong bytes is read or refused, with its name."""
+    VolumeFiles.write_invesalius(name, VALUES, (2.0, 1.0, 1.0), mode)
+    values_of(name, [])
+    with open(name, "rb") as stream:
+        content = stream.read()
+    reasons = set()
+    for k in range(0, len(content), max(1, len(content) // 150)):
+        damaged = bytearray(content)
+        damaged[k] ^= 0xFF
+        for part in (content[:k], bytes(damaged)):
+            write(name, part)
+            try:
+                read_scan(name, warn=list)
+            except ScanError as error:
+                assert str(error).startswith(name) and tempfile.gettempdir() not in str(error), error
+                reasons.add(str(error).split("damaged: ")[-1])
+    assert reasons and not any("\n" in reason for reason in reasons), reasons
+    print(mode, reasons)
 
 
 def values_of(name, warnings):
@@ -125,16 +167,20 @@ with tempfile.TemporaryDirectory() as folder:
     for words, files in BAD.items():
         for name, content in files.items():
             write(name, content)
-            try:
-                read_scan(name)
-                raise AssertionError(f"{name} was read")
-            except ScanError as error:
-                assert words in str(error) and str(error).startswith(name), (name, error)
-                print(error)
+            said = refused(name)
+            assert words in said and said.startswith(name), (name, said)
+            print(said)
     for words, files in WITHOUT_PLACE.items():
         for name, content in files.items():
             write(name, content)
             said = []
             values_of(name, said)
             assert words in said[0], (name, said)
+    for packing in ("", ":gz", ":bz2", ":xz"):
+        check_invesalius("phantom.inv3", "w" + packing)
+    check_invesalius("Schädel 脳.inv3", "w")
+    for changes in ({"shape": 3}, {"shape": [7, 6]}, {"shape": [7, 6, "x"]}, {"dtype": []}, {"filename": "project"}):
+        VolumeFiles.write_invesalius("odd.inv3", VALUES, (2.0, 1.0, 1.0), **changes)
+        said = refused("odd.inv3")
+        assert said.startswith("odd.inv3") and "damaged" in said, (changes, said)
     os.chdir("/")

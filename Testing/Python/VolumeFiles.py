@@ -7,8 +7,11 @@ against VTK's own idea of it.
 """
 
 import base64
+import io
 import os
+import plistlib
 import struct
+import tarfile
 
 
 def write_nifti(path, values, spacing):
@@ -165,3 +168,19 @@ def _triple(numbers):
 def _lengths(matrix):
     """Of the first three columns."""
     return [float(sum(matrix[row][axis] ** 2 for row in range(3)) ** 0.5) for axis in range(3)]
+
+
+def write_invesalius(path, values, spacing, mode="w", **changes):
+    """@mode: of tarfile. @changes: of what the property list says of the voxels."""
+    project = {
+        "matrix": {"filename": "matrix.dat", "dtype": "int16", "shape": list(values.shape), **changes},
+        "spacing": list(spacing),
+    }
+    with tarfile.open(path, mode) as archive:
+        for name, content in (
+            ("main.plist", plistlib.dumps(project)),
+            ("matrix.dat", values.astype("<i2").tobytes()),
+        ):
+            member = tarfile.TarInfo("project/" + name)
+            member.size = len(content)
+            archive.addfile(member, io.BytesIO(content))

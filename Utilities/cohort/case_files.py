@@ -24,6 +24,7 @@ SURFACE_READERS = {
 }
 SCANS = (".nii", ".nii.gz", ".mha", ".mhd", ".nrrd", ".nhdr")  # which say where they lie in the patient
 VOLUMES = (*SCANS, ".vti")
+NO_TEXT = "VTK's message quotes the file or its name, and that is not UTF-8"
 
 
 class CaseError(Exception):
@@ -46,7 +47,7 @@ class Messages:
     @staticmethod
     def _recorder(texts):
         def record(_caller, _event, text=""):
-            texts.append(cause(text))
+            texts.append(cause(text or NO_TEXT))
 
         record.CallDataType = "string0"
         return record
@@ -107,7 +108,7 @@ def read(path, warnings):
             data = _scan(path, warnings)
         else:
             reader = vtkXMLImageDataReader() if volume else SURFACE_READERS[extension(path)]()
-            reader.SetFileName(path)
+            reader.SetFileName(os.fsencode(path))  # VTK refuses a str that is not UTF-8
             reader.Update()
             data = reader.GetOutput()
     for text in messages.errors + messages.warnings:

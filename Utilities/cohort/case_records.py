@@ -56,10 +56,13 @@ def without_rest(path):
 
 @contextlib.contextmanager
 def whole_file(path, **options):
-    """A stream for a text file that gets its name once it is complete. Raises RunError."""
+    """A stream for a text file that gets its name once it is complete. Raises RunError.
+
+    Names of files that are not UTF-8 become the bytes that they are on disk: read them with the same errors=.
+    """
     part = path + ".part"
     with reported("write", path), without_rest(part):
-        with open(part, "w", encoding="utf-8", **options) as stream:
+        with open(part, "w", encoding="utf-8", errors="surrogateescape", **options) as stream:
             yield stream
         os.replace(part, path)
 

@@ -12,6 +12,7 @@ The exit status is 0 if all cases are finished, 1 if some failed, 2 if the run c
 """
 
 import argparse
+import math
 import os
 import resource
 import sys
@@ -24,6 +25,38 @@ from case_records import CaseRecords, RunError
 from ranks import Ranks
 from run_lock import RunLock
 
+MOST = 1e9  # of seconds or megabytes of a limit: 30 years, and more than any machine has
+
+
+def finite(text):
+    """The number that an argument is, for argparse."""
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"{text!r} is not allowed: give a finite number")
+    return value
+
+
+def limit(text):
+    """The limit of a case that an argument is, for argparse."""
+    value = finite(text)
+    if not 0 < value <= MOST:
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is not allowed: give a number more than 0 and at most {MOST:g}, or leave the option out for no limit"
+        )
+    return value
+
+
+def listed_files(path):
+    """The names in a list of files. Raises OSError, and ValueError if it is no text file."""
+    with open(path, encoding="utf-8", errors="surrogateescape") as lines:  # as names on the command line
+        names = [line.strip() for line in lines if line.strip()]
+    if any("\0" in name for name in names):
+        raise ValueError("it is not a text file, or one in UTF-16: save it in UTF-8")
+    return names
+
 
 def parsed_arguments():
     parser = argparse.ArgumentParser(
@@ -33,28 +66,27 @@ def parsed_arguments():
                         "(.nii .nii.gz .mha .mhd .nrrd .nhdr .vti)")
     parser.add_argument("--list", help="a text file with one file name per line, beside those given")
     parser.add_argument("--output", required=True, help="folder that all ranks see")
-    parser.add_argument("--isovalue", type=float, help="of the surface in a volume")
-    parser.add_argument("--smoothing", type=float, default=1.0, help="of a volume, mm; 0: none (default 1)")
+    parser.add_argument("--isovalue", type=finite, help="of the surface in a volume")
+    parser.add_argument("--smoothing", type=finite, default=1.0, help="of a volume, mm; 0: none (default 1)")
     parser.add_argument("--cut", choices=CUTS, default="automatic",
                         help="how a closed surface is opened (default: automatic)")
-    parser.add_argument("--plane-normal", type=float, nargs=3, default=[1.0, 0.0, 0.0], metavar=("X", "Y", "Z"),
+    parser.add_argument("--plane-normal", type=finite, nargs=3, default=[1.0, 0.0, 0.0], metavar=("X", "Y", "Z"),
                         help="with --cut plane: towards the part that is kept (default 1 0 0)")
-    parser.add_argument("--plane-origin", type=float, nargs=3, metavar=("X", "Y", "Z"),
+    parser.add_argument("--plane-origin", type=finite, nargs=3, metavar=("X", "Y", "Z"),
                         help="with --cut plane, in mm to the patient's right, front and top for a "
                         "scan with an orientation (default: the centre of each surface's bounding box)")
-    parser.add_argument("--hole-area", type=float, default=1e-3, help="with --cut hole: share of the area (default 0.001)")
+    parser.add_argument("--hole-area", type=finite, default=1e-3, help="with --cut hole: share of the area (default 0.001)")
     parser.add_argument("--handles", choices=HANDLES, default="remove")
     parser.add_argument("--remesh", action="store_true", help="even triangles: fewer, better shaped, faster")
-    parser.add_argument("--edge-length", type=float, default=0.0, help="with --remesh; 0: automatic")
+    parser.add_argument("--edge-length", type=finite, default=0.0, help="with --remesh; 0: automatic")
     parser.add_argument("--free-outline", action="store_true", help="a map that is not forced into a disk")
-    parser.add_argument("--case-memory", type=float, metavar="MB", help="of memory that a case may use")
-    parser.add_argument("--case-time", type=float, metavar="S", help="seconds after which a case is given up")
+    parser.add_argument("--case-memory", type=limit, metavar="MB", help="of memory that a case may use")
+    parser.add_argument("--case-time", type=limit, metavar="S", help="seconds after which a case is given up")
     arguments = parser.parse_args()
     if arguments.list:
         try:
-            with open(arguments.list, encoding="utf-8") as lines:
-                arguments.files += [line.strip() for line in lines if line.strip()]
-        except (OSError, UnicodeError) as error:
+            arguments.files += listed_files(arguments.list)
+        except (OSError, ValueError) as error:
             parser.error(f"cannot read {arguments.list}: {getattr(error, 'strerror', None) or error}")
     if not arguments.files:
         parser.error("no files are given")

@@ -2,9 +2,16 @@
 """The processes of a run: one, or those that mpiexec started."""
 
 import json
+import sys
 
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
+
+
+def printable(text):
+    """The text as standard output can take it: names of files need not be text in its encoding, nor in any."""
+    encoding = getattr(sys.stdout, "encoding", None) or "utf-8"  # pvbatch's standard output tells none
+    return text.encode(encoding, "backslashreplace").decode(encoding)
 
 
 class Ranks:
@@ -33,4 +40,4 @@ class Ranks:
             self.controller.Barrier()
 
     def line(self, text):
-        print(f"[rank {self.own}] {text}", flush=True)
+        print(printable(f"[rank {self.own}] {text}"), flush=True)
