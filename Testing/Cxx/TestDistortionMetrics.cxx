@@ -506,6 +506,7 @@ TEST(DistortionMetrics, BadInput)
     metrics->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Labels");
     expectError(metrics, data, " at cell 5, but labels are whole numbers");
   }
+  data = flattenedRectangle(2);
   labels->SetNumberOfTuples(9);
   labels->Fill(0);
   labels->SetValue(4, 1e-9);

@@ -23,6 +23,7 @@ import math
 import os
 import random
 import shutil
+import signal
 import sys
 import tempfile
 import time
@@ -221,6 +222,7 @@ def main():
     parser.add_argument("--verbose", action="store_true", help="print what becomes of each file")
     parser.add_argument("--slow", type=float, default=20.0, help="seconds after which a file is printed too (default 20)")
     arguments = parser.parse_args()
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # pvpython's ends the program
     with tempfile.TemporaryDirectory() as scratch:
         campaign = Campaign(scratch, arguments)
         if arguments.one:

@@ -68,6 +68,12 @@ constexpr double PolishingShapeFactor = 0.5;
 // The number of these rounds with area weights. A compromise: where 200 of 68,000 faces are enlarged 8
 // times, 84 % of them are within 2 % after one round and 98 % after three.
 constexpr int WeightedPolishingRounds = 3;
+// Before them, steps of the whole mesh are made until one round of these lowers the energy by less than
+// LeastWeightedGain: patches hardly reach a region whose faces are thousands of times as small as
+// others. With weights of six decades in one mesh, the area of the smallest region is 0.02 % off with
+// these steps and 2 % without them.
+constexpr double LeastWeightedGain = 0.01;
+constexpr int MostWeightedSteps = 10; // a limit of the time
 
 } // namespace
 
@@ -263,18 +269,23 @@ RefinementPatches::Pass RefinementRounds::pass(const DomainMap& map)
 
 void RefinementRounds::polish(DomainMap& map, const ProgressCallback& progress)
 {
+  const bool hasWeights = (this->Counts.array() != 1.0).any();
+  const bool isWarm = this->Start == RefinementStart::WarmStart;
+  if (hasWeights && !isWarm)
+  {
+    this->settle(map, LeastWeightedGain, MostWeightedSteps, subrange(progress, 0.0, 0.4));
+  }
   RefinementPatches::Pass pass = this->pass(map);
   pass.ShapeFactor = PolishingShapeFactor;
-  pass.SkipsRight = this->Start == RefinementStart::WarmStart;
-  const bool hasWeights = (this->Counts.array() != 1.0).any();
+  pass.SkipsRight = isWarm;
   // Here faces with large weights count by their target areas: they are few, and the rounds before end
   // without them.
   pass.Counts = pass.Counts.cwiseMax(1.0);
   const int rounds = hasWeights ? WeightedPolishingRounds : 1;
   for (int round = 0; round < rounds; ++round)
   {
-    const double begin = static_cast<double>(round) / rounds;
-    this->Patches.run(pass, map, subrange(progress, begin, begin + 1.0 / rounds));
+    const double begin = 0.4 + 0.6 * round / rounds;
+    this->Patches.run(pass, map, subrange(progress, begin, begin + 0.6 / rounds));
     ++this->Count;
   }
 }

@@ -92,10 +92,11 @@ public:
   /// less than the share @p leastGain. @throws Cancelled, ConvergenceError.
   void settle(DomainMap& map, double leastGain, int most, const ProgressCallback& progress);
 
-  /// A last round, or three with area weights, with shapes at half their weight: the areas of the faces
-  /// come nearer to their targets than in rounds that end with the tolerance, and those that balance()
-  /// has left off come right. It takes all patches or, after a warm start, those that need it. @throws
-  /// Cancelled, ConvergenceError.
+  /// A last round, with shapes at half their weight: the areas of the faces come nearer to their targets
+  /// than in rounds that end with the tolerance, and those that balance() has left off come right. With
+  /// area weights these are three rounds, after steps of the whole mesh (settle) unless the start was
+  /// warm. It takes all patches or, after a warm start, those that need it. @throws Cancelled,
+  /// ConvergenceError.
   void polish(DomainMap& map, const ProgressCallback& progress);
 
   int count() const { return this->Count; } ///< number of rounds so far
