@@ -94,9 +94,9 @@ public:
 
   /// A last round, with shapes at half their weight: the areas of the faces come nearer to their targets
   /// than in rounds that end with the tolerance, and those that balance() has left off come right. With
-  /// area weights these are three rounds, after steps of the whole mesh (settle) unless the start was
-  /// warm. It takes all patches or, after a warm start, those that need it. @throws Cancelled,
-  /// ConvergenceError.
+  /// area weights these are three rounds, with those of a wide range after steps of the whole mesh
+  /// (settle) unless the start was warm. It takes all patches or, after a warm start, those that need
+  /// it. @throws Cancelled, ConvergenceError.
   void polish(DomainMap& map, const ProgressCallback& progress);
 
   int count() const { return this->Count; } ///< number of rounds so far
