@@ -26,8 +26,9 @@ namespace
 
 Points3 positionsOf(vtkGraph* graph)
 {
-  graph
-    ->GetPoints(); // makes points for all vertices, at the origin, if there are as many as vertices not
+  // If the graph has too few points, GetPoints() puts all vertices at the origin, which is an error
+  // below; GetPoint() would read beyond the last one.
+  graph->GetPoints();
   Points3 positions(graph->GetNumberOfVertices(), 3);
   for (vtkIdType v = 0; v < positions.rows(); ++v)
   {

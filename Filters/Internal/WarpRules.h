@@ -40,8 +40,8 @@ WarpedInSpace warpInSpace(const Points3& points, const WarpRules& rules);
 /// @throws InvalidInput if it is more than a million.
 int segmentParts(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const WarpRules& rules);
 
-/// Checks the number of points that were inserted on all lines so far.
-/// @throws InvalidInput if it is more than twenty millions.
+/// Checks the number of points that are inserted on all lines together.
+/// @throws InvalidInput if it is more than 20 million.
 void requireRoomFor(long long inserted);
 
 /// Checks that a point lies on the mesh.

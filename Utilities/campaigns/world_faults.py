@@ -122,7 +122,6 @@ def check_slow_disk(world):
     name = "a run that is killed while it writes"
     world.folder("killed")
     run = world.run(2, variables={"LD_PRELOAD": library})
-    began = time.monotonic()
     while run.status(0.01) is None and not partial_results(world.output):
         pass
     time.sleep(0.5)
