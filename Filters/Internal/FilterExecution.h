@@ -85,7 +85,9 @@ int runFilter(vtkAlgorithm* filter, vtkInformationVector* outputs, Body&& body)
   catch (const std::bad_alloc&)
   {
     reportError(filter,
-      "out of memory: reduce the input, e.g. a surface with Decimate or an image with Extract Subset");
+      "out of memory: reduce the input, e.g. a surface with Decimate or an image with Extract Subset, "
+      "or "
+      "what the settings ask for, such as points, pixels or samples");
   }
   catch (const FlatteningError& error)
   {

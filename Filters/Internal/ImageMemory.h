@@ -13,14 +13,8 @@ namespace flattening
 /// Bytes of one tuple of all arrays together.
 std::size_t bytesPerTuple(vtkDataSetAttributes* attributes);
 
-/// Asks for memory and gives it back. VTK ends the program where memory for one of its arrays cannot be
+/// Asks for the memory of an image. VTK ends the program where memory for one of its arrays cannot be
 /// had, so that this must be known before.
-/// @param what takes the memory, such as "an image"
-/// @param remedy what the user can do, such as "set a smaller Size"
-/// @throws InvalidInput if there is not as much memory
-void requireMemory(const std::string& what, double bytes, const std::string& remedy);
-
-/// Asks for the memory of an image.
 /// @param bytes of each of the @p width x @p height pixels, those of intermediate results too
 /// @param remedy what the user can do, such as "set a smaller Size"
 /// @throws InvalidInput if there is not as much memory

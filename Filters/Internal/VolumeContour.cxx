@@ -2,7 +2,7 @@
 #include "Internal/VolumeContour.h"
 
 #include "Core/Base/Errors.h"
-#include "Internal/ImageMemory.h"
+#include "Core/Base/Memory.h"
 #include "Internal/InnerProgress.h"
 
 #include <vtkDataArray.h>

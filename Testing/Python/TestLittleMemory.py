@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Each filter on the way to a flat map, with less and less memory: an error with an empty output, or the right map, and
-the right map as soon as there is memory again. Every run is a child process with a limit on its address space."""
+the right map as soon as there is memory again. Every run is a child process with a limit on its address space. And an
+edge length for which there is too little memory: an error that names it."""
 
 import ctypes
 import os
@@ -91,8 +92,29 @@ def child(stage, megabytes):
     return "failed" if code == FAILED else "done"
 
 
+def refused_remeshing():
+    """What Surface To Disk says where it has 2 GB for ten million points. No work is begun, so no child is needed."""
+    to_disk = pipeline()[1]
+    to_disk.RemeshOn()
+    to_disk.SetTargetEdgeLength(6e-4)  # the sphere has an area of pi
+    errors = []
+
+    def keep(caller, event, message):
+        errors.append(message)
+
+    keep.CallDataType = "string0"
+    to_disk.AddObserver("ErrorEvent", keep)
+    limit(2000)
+    assert result(to_disk) is None
+    limit(None)
+    assert len(errors) == 1, errors
+    return errors[0]
+
+
 if __name__ == "__main__":
     for stage, name in enumerate(STAGES, 1):
         outcomes = [child(stage, megabytes) for megabytes in MEGABYTES]
         print(name, *outcomes, flush=True)
         assert outcomes[-1] == "done" and (name == "vtkDistortionMetrics" or "failed" in outcomes)
+    message = refused_remeshing()
+    assert "memory" in message and "set a greater length" in message, message

@@ -76,8 +76,9 @@ bool triangulateCoarsely(const std::vector<Eigen::Vector3d>& loop,
   return searchTriangulation(loop, coarse, faces);
 }
 
-// Covers the hole with faces, the corners of which are numbers of the half-edges around it, and stand for
-// their targets. Nothing changes, and no face is returned, if the mesh has one of the inner edges already.
+// Covers the hole with faces, the corners of which are numbers of the half-edges around it, and stand
+// for their targets. Nothing changes, and no face is returned, if the mesh has one of the inner edges
+// already.
 std::vector<SurfaceMesh::Face_index> insertFaces(SurfaceMesh& mesh,
   const std::vector<Halfedge>& border,
   std::vector<Corners> faces)
@@ -129,6 +130,14 @@ std::vector<SurfaceMesh::Face_index> coverLongHole(SurfaceMesh& mesh, Halfedge b
                                                    : std::vector<SurfaceMesh::Face_index>();
 }
 
+// Whether the hole is all around one triangle.
+bool surroundsTriangle(const SurfaceMesh& mesh, Halfedge border)
+{
+  const Halfedge within = mesh.opposite(border);
+  return mesh.degree(mesh.face(within)) == 3 && mesh.is_border(mesh.opposite(mesh.next(within))) &&
+         mesh.is_border(mesh.opposite(mesh.prev(within)));
+}
+
 } // namespace
 
 std::vector<std::array<int, 3>> triangulatedLoop(const std::vector<Eigen::Vector3d>& loop)
@@ -147,6 +156,10 @@ std::vector<SurfaceMesh::Face_index> triangulateHole(SurfaceMesh& mesh,
   SurfaceMesh::Halfedge_index border,
   bool planar)
 {
+  if (surroundsTriangle(mesh, border))
+  {
+    return {};
+  }
   const bool isLong = mesh.vertices_around_face(border).size() > LongestSearchedLoop;
   std::vector<SurfaceMesh::Face_index> faces;
   triangulateHoleInto(mesh,

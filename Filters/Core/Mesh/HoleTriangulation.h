@@ -28,7 +28,8 @@ std::vector<std::array<int, 3>> triangulatedLoop(const std::vector<Eigen::Vector
 /// Covers the hole beside @p border as triangulatedLoop does, with the least angles to the faces around
 /// it too, and returns the new faces (CGAL triangulate_hole). Of holes of more than LongestSearchedLoop
 /// vertices a coarse polygon is searched first, and then each part between it and the hole's boundary.
-/// Nothing changes, and no face is returned, if none is found.
+/// Nothing changes, and no face is returned, if none is found, or if the hole is all around one
+/// triangle, whose corners a second one would have too.
 /// @param planar whether nearly flat holes get a constrained Delaunay triangulation of the plane.
 std::vector<SurfaceMesh::Face_index> triangulateHole(SurfaceMesh& mesh,
   SurfaceMesh::Halfedge_index border,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Remeshing/IsotropicRemeshing.h"
 
+#include "Base/Memory.h"
 #include "Mesh/SliverThresholds.h"
 #include "Remeshing/MeshOnSurface.h"
 #include "Remeshing/SelfIntersectionRemoval.h"
@@ -50,8 +51,11 @@ constexpr double SmallestStep = 0.02;
 // A convention: a larger share wears creases off.
 constexpr double GreatestFlipHeight = 0.15;
 
-// The largest number of points that remeshing makes: a convention, some forty gigabytes.
+// The largest number of points that remeshing makes: a convention, some sixteen gigabytes.
 constexpr double MostPoints = 2e7;
+
+// The memory that remeshing takes for each point that it makes, as measured at one and four million.
+constexpr double BytesPerPoint = 800.0;
 
 void requireSensibleLength(const TriangleMesh& mesh, double length)
 {
@@ -71,13 +75,15 @@ void requireSensibleLength(const TriangleMesh& mesh, double length)
     throw InvalidInput(message.str());
   }
   const double points = 2.0 / std::sqrt(3.0) * area / length / length; // half the equilateral faces
+  message << "the target edge length " << length << " would make about " << points << " points";
   if (!(points <= MostPoints))
   {
-    message << "the target edge length " << length << " would make about " << points
-            << " points, more than " << MostPoints << ": set it above "
+    message << ", more than " << MostPoints << ": set it above "
             << std::sqrt(2.0 / std::sqrt(3.0) * area / MostPoints);
     throw InvalidInput(message.str());
   }
+  message << "; this";
+  requireMemory(message.str(), BytesPerPoint * points, "set a greater length");
 }
 
 bool staysSound(const LocalChange& change)

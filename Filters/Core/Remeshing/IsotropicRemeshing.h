@@ -25,7 +25,8 @@ namespace flattening
 /// @param targetEdgeLength input units, > 0.
 /// @param iterations >= 0.
 /// @throws InvalidInput if the length is not positive and finite, so large that fewer than 20 faces
-/// would be left, or so small that more than 20 million points would be made.
+/// would be left, or so small that more than 20 million points would be made, or more than
+/// there is memory for.
 DerivedMesh remeshIsotropically(const TriangleMesh& mesh,
   double targetEdgeLength,
   int iterations = 3,

@@ -3,6 +3,7 @@
 #include "Mesh/MeshTopology.h"
 #include "Mesh/SelfIntersections.h"
 #include "Mesh/SurfaceComponents.h"
+#include "Remeshing/IsotropicRemeshing.h"
 #include "Repair/HoleFilling.h"
 #include "Support/SampleSurfaces.h"
 
@@ -33,6 +34,24 @@ TEST(HoleFilling, CapsACylinder)
   const double polygon = 0.5 * 64 * std::sin(2.0 * Pi / 64);
   EXPECT_NEAR(filled.FilledArea, 2.0 * polygon, 1e-12);
   EXPECT_NEAR(enclosedVolume(mesh), 2.0 * polygon, 1e-12);
+}
+
+// A patch of one face would have the same corners, and splitting an edge of both would make the same edge
+// twice.
+TEST(HoleFilling, ClosesATriangleWithMoreThanItself)
+{
+  TriangleMesh triangle;
+  triangle.Vertices.resize(3, 3);
+  triangle.Vertices << 0, 0, 0, 3, 0, 0, 0, 3, 0;
+  triangle.Faces.resize(1, 3);
+  triangle.Faces << 0, 1, 2;
+  const FilledSurface filled = fillHoles(triangle, loopsOf(triangle));
+  EXPECT_EQ(filled.Surface.Mesh.vertexCount(), 4);
+  EXPECT_EQ(filled.Surface.Mesh.faceCount(), 4);
+  EXPECT_NEAR(filled.FilledArea, 4.5, 1e-12);
+  const DerivedMesh remeshed = remeshIsotropically(filled.Surface.Mesh, 0.5);
+  EXPECT_TRUE(loopsOf(remeshed.Mesh).empty());
+  EXPECT_LT(remeshed.Mesh.faceCount(), 200);
 }
 
 TEST(HoleFilling, RefusesALoopThatIsTooLong)

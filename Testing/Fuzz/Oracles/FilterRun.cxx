@@ -111,6 +111,10 @@ void checkMessages(const std::string& name,
     findings.require(fault.empty(), "message", name + ": the message \"" + message + "\" " + fault);
     findings.require(
       message.find("out of memory") == std::string::npos, "out-of-memory", name + ": " + message);
+    findings.require(
+      name != "vtkSurfaceToDiskFilter" || message.find("run Surface To Disk") == std::string::npos,
+      "message",
+      name + " names itself as the remedy: " + message);
   }
 }
 
