@@ -36,8 +36,8 @@ TEST(HoleFilling, CapsACylinder)
   EXPECT_NEAR(enclosedVolume(mesh), 2.0 * polygon, 1e-12);
 }
 
-// A patch of one face would have the same corners, and splitting an edge of both would make the same edge
-// twice.
+// A patch of one face would have the same corners, and splitting an edge of both would make the same
+// edge twice.
 TEST(HoleFilling, ClosesATriangleWithMoreThanItself)
 {
   TriangleMesh triangle;
