@@ -136,6 +136,7 @@ RepairedSurface repairTriangleSoup(const TriangleMesh& soup,
   if (keptApart.empty() || std::count(keptApart.begin(), keptApart.end(), 0) > 0)
   {
     report.ClosedTJunctions = closeTJunctions(soup.Vertices, list, tolerance);
+    report.DuplicateFaces += report.ClosedTJunctions > 0 ? dropDuplicates(list) : 0;
   }
 
   repaired.Surface = withoutUnusedVertices(soup.Vertices, list);

@@ -193,6 +193,7 @@ int closeTJunctions(const Points3& vertices, FaceList& list, double tolerance)
       list.Origins.insert(list.Origins.end(), parts.size() - 1, list.Origins[edge.Face]);
     }
   }
+  list.dropIf([&faces](std::size_t f) { return repeatsVertex(faces[f]); });
   return static_cast<int>(points.size());
 }
 

@@ -186,6 +186,23 @@ TEST(SurfaceRepair, ClosesTJunctions)
   EXPECT_EQ(topologyOf(repairTriangleSoup(wide)).BoundaryLoops.size(), 2u);
 }
 
+// A vertex near a corner lies on both edges at the corner, as far as the tolerance tells. The part of
+// the face between the vertex and the corner has no area left.
+TEST(SurfaceRepair, ClosesTwoTJunctionsOfOneVertex)
+{
+  const TriangleMesh input =
+    meshOf({ { -1, 0, 0 }, { 0, 0, 0 }, { -.8, .5, 0 }, { -.08, 0, 0 }, { -.5, -1, 0 } },
+      { { 0, 1, 2 }, { 0, 4, 3 }, { 3, 4, 1 } });
+  const RepairedSurface repaired = repairTriangleSoup(input, 0.05);
+  EXPECT_EQ(repaired.Report.ClosedTJunctions, 2);
+  const MeshTopology topology = topologyOf(repaired);
+  EXPECT_EQ(topology.Components, 1);
+  EXPECT_EQ(topology.Vertices, 5);
+  EXPECT_EQ(topology.Faces, 3);
+  ASSERT_EQ(topology.BoundaryLoops.size(), 1u);
+  EXPECT_EQ(topology.BoundaryLoops[0].size(), 5u);
+}
+
 // A point without coordinates must not stand between equal points while these are sorted.
 TEST(SurfaceRepair, MergesPointsAmongSomeThatAreNotFinite)
 {
