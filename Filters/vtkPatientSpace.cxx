@@ -3,50 +3,20 @@
 
 #include "Internal/ArrayConversion.h"
 #include "Internal/FilterExecution.h"
+#include "Internal/MovedPolyData.h"
 #include "Internal/PatientMatrix.h"
 #include "Internal/PolyDataConversion.h"
 
-#include <vtkCellData.h>
-#include <vtkDoubleArray.h>
 #include <vtkInformationVector.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkReverseSense.h>
+
+#include <optional>
 
 vtkStandardNewMacro(vtkPatientSpace);
 
-namespace
-{
-
 using flattening::InvalidInput;
-using flattening::Points3;
-
-void movePoints(vtkPolyData* output, const Eigen::Affine3d& toPatient)
-{
-  const Points3 moved = (flattening::pointsOf(output) * toPatient.linear().transpose()).rowwise() +
-                        toPatient.translation().transpose();
-  vtkNew<vtkPoints> points;
-  points->SetData(flattening::newTuples<vtkDoubleArray>("Points", moved));
-  output->SetPoints(points);
-}
-
-// Normals turn by the inverse transpose, which keeps them on their side of a mirrored surface.
-void turnNormals(vtkDataSetAttributes* attributes, const Eigen::Affine3d& toPatient)
-{
-  vtkDataArray* normals = attributes->GetNormals();
-  if (!normals)
-  {
-    return;
-  }
-  Points3 turned = flattening::toMatrix<3>(normals) * toPatient.linear().inverse();
-  turned.rowwise().normalize();
-  attributes->SetNormals(flattening::newTuples<vtkDoubleArray>(normals->GetName(), turned));
-}
-
-} // namespace
 
 void vtkPatientSpace::Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -73,18 +43,7 @@ void vtkPatientSpace::Execute(vtkInformationVector** inputVector, vtkInformation
     throw InvalidInput("this is a flat map, whose points are not in space: apply Patient Space to the "
                        "surface, before Surface To Disk");
   }
-  if (toPatient->linear().determinant() < 0.0)
-  {
-    vtkNew<vtkReverseSense> reverse;
-    reverse->SetInputData(output);
-    reverse->ReverseCellsOn();
-    reverse->ReverseNormalsOff();
-    reverse->Update();
-    output->ShallowCopy(reverse->GetOutput());
-  }
-  movePoints(output, *toPatient);
-  turnNormals(output->GetPointData(), *toPatient);
-  turnNormals(output->GetCellData(), *toPatient);
+  flattening::movePolyData(output, *toPatient);
   flattening::setDatum(output->GetFieldData(), flattening::InPatientSpaceName, 1LL);
   flattening::report(flattening::progressOf(this), 1.0, "Done");
 }

@@ -6,8 +6,9 @@
  * The input is polydata with the field array `PatientMatrix`, which the plugin's readers of scans write
  * and other filters pass on, for example the isosurface of a scan. The points are carried to
  * millimetres along the patient's right, front and top (RAS+, the space of NIfTI, nibabel and most
- * atlases), in double precision. The point and cell arrays `Normals` are turned along. If the matrix
- * mirrors, the cells are reversed, so that the surface keeps its outside.
+ * atlases), in double precision. The point and cell arrays `Normals` are turned along, and so are the
+ * active normals. If the matrix mirrors, the cells are reversed, so that the surface keeps its outside,
+ * and triangle strips become triangles.
  *
  * Apply it to the surface, before vtkSurfaceToDiskFilter: areas and lengths are those of the patient
  * only in patient space if the voxels are sheared, as those of a CT with a tilted gantry. A surface in

@@ -129,14 +129,23 @@ void vtkVolumeToSurface::RequireSettings() const
   }
 }
 
-// The chosen array, or else the first one.
+// The chosen array, or the first one if none is chosen.
 vtkDataArray* vtkVolumeToSurface::VoxelsOf(vtkImageData* volume)
 {
   int association = 0;
   vtkDataArray* values = this->GetInputArrayToProcess(0, volume, association);
-  return values && association == vtkDataObject::FIELD_ASSOCIATION_POINTS
-           ? values
-           : volume->GetPointData()->GetArray(0);
+  if (values && association == vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  {
+    return values;
+  }
+  const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
+  if (name && *name && std::string(name) != "None")
+  {
+    throw InvalidInput(
+      "the volume has no point array " + std::string(name) +
+      ": choose another, or turn cell arrays into point arrays (Cell Data To Point Data)");
+  }
+  return volume->GetPointData()->GetArray(0);
 }
 
 void vtkVolumeToSurface::Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
@@ -171,9 +180,9 @@ void vtkVolumeToSurface::Execute(vtkInformationVector** inputVector, vtkInformat
     this->AutomaticSmoothing ? AutomaticVoxels * flattening::voxelSize(input) : this->Smoothing;
   double isovalue =
     this->AutomaticIsovalue ? flattening::otsuThreshold(histogram).Value : this->Isovalue;
-  if (done.Smoothing == 0.0 && isWhole(values))
+  if (done.Smoothing == 0.0 && isWhole(values) && isovalue == std::floor(isovalue))
   {
-    isovalue = std::ceil(isovalue) - 0.5;
+    isovalue -= 0.5;
   }
   if (this->Margin > 0 && done.Air >= isovalue)
   {

@@ -20,7 +20,7 @@
  *
  * Voxels that are NaN or infinite are taken for air. A volume of whole numbers that is not smoothed has
  * voxels at an isovalue that is a whole number, and a surface that touches itself there; such an
- * isovalue is moved down by a half.
+ * isovalue is moved down by a half. The directions of the axes of the volume are kept.
  *
  * Columns of port 1:
  * - `Amount` (double): how much there is of it.

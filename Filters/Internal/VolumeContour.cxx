@@ -4,6 +4,7 @@
 #include "Core/Base/Errors.h"
 #include "Core/Base/Memory.h"
 #include "Internal/InnerProgress.h"
+#include "Internal/MovedPolyData.h"
 
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>
@@ -12,6 +13,7 @@
 #include <vtkImageConstantPad.h>
 #include <vtkImageData.h>
 #include <vtkImageGaussianSmooth.h>
+#include <vtkMatrix3x3.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -47,6 +49,20 @@ auto run(Filter* filter, const ProgressCallback& progress, const char* stage)
   return vtkSmartPointer(filter->GetOutput());
 }
 
+// The image that a filter makes of another one, in the same place: VTK's filters forget the directions
+// of the axes.
+template <typename Filter>
+vtkSmartPointer<vtkImageData> filtered(Filter* filter,
+  vtkImageData* image,
+  const ProgressCallback& progress,
+  const char* stage)
+{
+  filter->SetInputData(image);
+  const vtkSmartPointer<vtkImageData> result = run(filter, progress, stage);
+  result->SetDirectionMatrix(image->GetDirectionMatrix());
+  return result;
+}
+
 // The number of voxels along an axis. Extents may reach over all integers.
 long long voxelsAlong(const int extent[6], int axis)
 {
@@ -78,6 +94,15 @@ vtkSmartPointer<vtkImageData> countedFromZero(vtkImageData* volume, vtkDataArray
   voxels->SetOrigin(first);
   voxels->GetPointData()->SetScalars(values);
   return voxels;
+}
+
+// The rotation, about the origin of the volume, that turns the axes of the coordinates to its own.
+Eigen::Affine3d directionOf(vtkImageData* volume)
+{
+  const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> axes(
+    volume->GetDirectionMatrix()->GetData());
+  const Eigen::Translation3d origin(Eigen::Vector3d(volume->GetOrigin()));
+  return origin * Eigen::Affine3d(Eigen::Matrix3d(axes)) * origin.inverse();
 }
 
 } // namespace
@@ -137,10 +162,9 @@ FloatingVolume inFloatingPoint(vtkImageData* volume,
     numbers->DeepCopy(values);
   }
   vtkNew<vtkImageCast> cast;
-  cast->SetInputData(countedFromZero(volume, numbers));
   cast->SetOutputScalarTypeToFloat();
   FloatingVolume result;
-  result.Image = run(cast.Get(), progress, "Reading the volume");
+  result.Image = filtered(cast.Get(), countedFromZero(volume, numbers), progress, "Reading the volume");
   result.Image->GetPointData()->GetScalars()->GetFiniteRange(result.Range.data(), 0);
   if (!(result.Range[0] <= result.Range[1]))
   {
@@ -175,12 +199,11 @@ vtkSmartPointer<vtkImageData> padded(vtkImageData* volume,
   const ProgressCallback& progress)
 {
   vtkNew<vtkImageConstantPad> pad;
-  pad->SetInputData(volume);
   const int* e = volume->GetExtent();
   pad->SetOutputWholeExtent(
     e[0] - voxels, e[1] + voxels, e[2] - voxels, e[3] + voxels, e[4] - voxels, e[5] + voxels);
   pad->SetConstant(air);
-  return run(pad.Get(), progress, "Adding a margin");
+  return filtered(pad.Get(), volume, progress, "Adding a margin");
 }
 
 vtkSmartPointer<vtkImageData> smoothed(vtkImageData* volume,
@@ -201,10 +224,9 @@ vtkSmartPointer<vtkImageData> smoothed(vtkImageData* volume,
     factors[k] = std::min(RadiusFactor, length / deviations[k]);
   }
   vtkNew<vtkImageGaussianSmooth> smooth;
-  smooth->SetInputData(volume);
   smooth->SetStandardDeviations(deviations[0], deviations[1], deviations[2]);
   smooth->SetRadiusFactors(factors[0], factors[1], factors[2]);
-  return run(smooth.Get(), progress, "Smoothing the volume");
+  return filtered(smooth.Get(), volume, progress, "Smoothing the volume");
 }
 
 vtkSmartPointer<vtkPolyData> isosurface(vtkImageData* volume,
@@ -220,11 +242,22 @@ vtkSmartPointer<vtkPolyData> isosurface(vtkImageData* volume,
                        formatted(range[0]) + " and " + formatted(range[1]) +
                        ": choose one between them, tick Automatic Isovalue, or smooth less");
   }
+  // VTK's filter turns the triangles of a mirrored volume inside out, so that it gets one that is not
+  // turned.
+  vtkNew<vtkImageData> straight;
+  straight->ShallowCopy(volume);
+  vtkNew<vtkMatrix3x3> identity;
+  straight->SetDirectionMatrix(identity);
   vtkNew<vtkFlyingEdges3D> contour;
-  contour->SetInputData(volume);
+  contour->SetInputData(straight);
   contour->SetValue(0, isovalue);
   contour->ComputeScalarsOff(); // it has one value everywhere
-  return run(contour.Get(), progress, "Contouring the volume");
+  const vtkSmartPointer<vtkPolyData> surface = run(contour.Get(), progress, "Contouring the volume");
+  if (!volume->GetDirectionMatrix()->IsIdentity())
+  {
+    movePolyData(surface, directionOf(volume));
+  }
+  return surface;
 }
 
 double voxelSize(vtkImageData* volume)

@@ -7,10 +7,13 @@
 #include <vtkPatientSpace.h>
 
 #include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkPolyDataNormals.h>
 
 #include <Eigen/Geometry>
@@ -117,6 +120,27 @@ TEST(PatientSpace, CarriesPointsByTheMatrixAndKeepsTheOutsideOfAMirroredSurface)
     const vtkSmartPointer<vtkPolyData> again = placed(output);
     EXPECT_EQ(pointOf(again, 7), pointOf(output, 7));
   }
+}
+
+TEST(PatientSpace, AMirroredStripKeepsItsOutside)
+{
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0, 0, 0);
+  points->InsertNextPoint(1, 0, 0);
+  points->InsertNextPoint(0, 1, 0);
+  points->InsertNextPoint(1, 1, 0);
+  vtkNew<vtkCellArray> strip;
+  strip->InsertNextCell({ 0, 1, 2, 3 });
+  vtkNew<vtkPolyData> input;
+  input->SetPoints(points);
+  input->SetStrips(strip);
+  RowMatrix matrix = RowMatrix::Identity();
+  matrix(0, 0) = -1.0;
+  setMatrix(input, matrix);
+  const vtkSmartPointer<vtkPolyData> output = placed(input);
+  ASSERT_EQ(output->GetNumberOfCells(), 2);
+  EXPECT_GT(faceNormal(output, 0).z(), 0.0);
+  EXPECT_GT(faceNormal(output, 1).z(), 0.0);
 }
 
 TEST(PatientSpace, WithoutAMatrixTheSurfaceStaysAndAWarningSaysSo)

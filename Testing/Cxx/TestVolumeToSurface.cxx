@@ -144,6 +144,42 @@ TEST(VolumeToSurface, VoxelsMayBeCountedFromTheLeastInteger)
   EXPECT_EQ(found.Volume, expected.Volume) << "the voxels are where they were";
 }
 
+// The axes of a volume may be turned, and mirrored too.
+TEST(VolumeToSurface, TheDirectionsOfTheAxesAreKept)
+{
+  const Eigen::Vector3d centre(5.0, 2.0, -4.0);
+  const auto volume = volumeOf(Eigen::Vector3d(60, 60, 60),
+    [&centre](const Eigen::Vector3d& p) {
+      return 100.0 - 5.0 * ((p - centre).cwiseQuotient(Eigen::Vector3d(1.0, 1.2, 0.8)).norm() - 16.0);
+    });
+  const auto filter = filterAt(100.0, 2.0, volume);
+  filter->Update();
+  const Measures expected = measured(filter->GetOutput());
+  const Eigen::Matrix3d turned = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).matrix();
+  const Eigen::Vector3d origin(volume->GetOrigin());
+  for (const double sign : { 1.0, -1.0 })
+  {
+    Eigen::Matrix<double, 3, 3, Eigen::RowMajor> direction = turned;
+    direction.col(0) *= sign;
+    volume->SetDirectionMatrix(direction.data());
+    filter->Update();
+    const Measures found = measured(filter->GetOutput());
+    EXPECT_NEAR(found.Area, expected.Area, 1e-4 * expected.Area);
+    EXPECT_NEAR(found.Volume, expected.Volume, 1e-4 * expected.Volume) << "and its outside is outside";
+    double bounds[6];
+    filter->GetOutput()->GetBounds(bounds);
+    const Eigen::Vector3d place = origin + direction * (centre - origin);
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_NEAR(0.5 * (bounds[2 * k] + bounds[2 * k + 1]), place[k], 0.1);
+    }
+    // The first normal points away from the centre, too.
+    const Eigen::Vector3d first(filter->GetOutput()->GetPoint(0));
+    const Eigen::Vector3d normal(filter->GetOutput()->GetPointData()->GetNormals()->GetTuple3(0));
+    EXPECT_GT(normal.dot((first - place).normalized()), 0.8);
+  }
+}
+
 // A Gaussian that is wider than the volume has more voxels than fit in an integer. It leaves the mean.
 TEST(VolumeToSurface, TheSmoothingMayBeWiderThanTheVolume)
 {
@@ -252,6 +288,9 @@ TEST(VolumeToSurface, WholeNumbersArePartedHalfway)
   const auto exact = filterAt(100.0, 0.0, volume);
   exact->Update();
   EXPECT_EQ(figure(exact->GetOutput(), "Isovalue"), 99.5);
+  exact->SetIsovalue(50.1);
+  exact->Update();
+  EXPECT_EQ(figure(exact->GetOutput(), "Isovalue"), 50.1) << "no voxel has it";
 }
 
 TEST(VolumeToSurface, AMarginClosesTheSurfaceAndVoxelsThatAreNotFiniteAreAir)

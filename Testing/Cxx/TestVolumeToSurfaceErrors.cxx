@@ -54,6 +54,9 @@ TEST(VolumeToSurface, WhatIsNoVolumeIsAnErrorThatSaysWhy)
     "a voxel of \"Colours\" has 4 values");
   expect(changed([](vtkImageData* v) { v->GetPointData()->Initialize(); }), "no numbers at its voxels");
   expect(changed([](vtkImageData* v) { v->SetSpacing(1.0, 0.0, 1.0); }), "the size 0 along axis 2");
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Density");
+  expect(good, "the volume has no point array Density");
+  filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Values");
   filter->SetIsovalue(5000.0);
   expect(good, "the isovalue 5000 is not between the least and greatest value");
   filter->SetIsovalue(100.0);
