@@ -9,6 +9,7 @@
 #include "Core/Mesh/MeshTopology.h"
 #include "Core/Untangling/MapPlacement.h"
 #include "Internal/FilterExecution.h"
+#include "Internal/MapMeasures.h"
 #include "Internal/PolyDataConversion.h"
 #include "Internal/TextureCoordinates.h"
 
@@ -164,6 +165,7 @@ void fillMap(vtkPolyData* output,
   double scale)
 {
   output->ShallowCopy(input);
+  flattening::removeEarlierMeasures(output);
   output->SetPoints(vtk::TakeSmartPointer(flattening::newPlanarPoints(positions)));
   flattening::keepSurfaceTextureCoordinates(output);
   flattening::setTextureCoordinates(output, map.Positions);

@@ -5,8 +5,8 @@
  *
  * The input is an oriented triangle surface with one component, one boundary loop and no handle, as
  * vtkSurfaceToDiskFilter makes it. The output has the same points and cells, one to one and with all of
- * their arrays, but its points lie in the disk around the origin of the plane z = 0, and the boundary
- * vertices lie exactly on the circle.
+ * their arrays except those that Distortion Metrics added to an earlier map, but its points lie in the
+ * disk around the origin of the plane z = 0, and the boundary vertices lie exactly on the circle.
  *
  * There are three methods (SetMethod), which share the centring and the rotation of the disk;
  * docs/conformal_methods.md compares them.

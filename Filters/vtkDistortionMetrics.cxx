@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkDistortionMetrics.h"
 
-#include "Core/FlatMap/DistortionMeasures.h"
-#include "Core/FlatMap/DistortionSummary.h"
-#include "Core/FlatMap/LengthDistortion.h"
 #include "Core/Mesh/CoordinateFrame.h"
 #include "Internal/ArrayConversion.h"
 #include "Internal/ChosenArray.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/Labels.h"
+#include "Internal/MapMeasures.h"
 #include "Internal/PolyDataConversion.h"
 #include "Internal/TextureCoordinates.h"
 
-#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -27,7 +24,6 @@
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -113,79 +109,6 @@ Regions facesOfRegions(const flattening::ChosenArray& chosen, const TriangleMesh
   return regions;
 }
 
-void addCellArrays(vtkPolyData* output, const FaceDistortion& distortion)
-{
-  vtkCellData* cells = output->GetCellData();
-  const auto add = [cells](const char* name, const Eigen::VectorXd& values)
-  { cells->AddArray(flattening::newArray<vtkDoubleArray>(name, values)); };
-  add("AreaDistortion", distortion.AreaDistortion);
-  add("AngleDistortion", distortion.AngleDistortion);
-  add("AreaRatio", distortion.AreaRatio);
-  add("BeltramiMagnitude", distortion.BeltramiMagnitude);
-  add("StretchL2", distortion.StretchL2);
-  add("SymmetricDirichlet", distortion.SymmetricDirichlet);
-  add("AngleError", distortion.AngleError);
-  std::vector<char> degenerate(distortion.faceCount());
-  for (int f = 0; f < distortion.faceCount(); ++f)
-  {
-    degenerate[f] = distortion.degenerate(f);
-  }
-  cells->AddArray(flattening::newArray<vtkUnsignedCharArray>("Flipped", distortion.Flipped));
-  cells->AddArray(flattening::newArray<vtkUnsignedCharArray>("Degenerate", degenerate));
-}
-
-// Calls @p visit(name, value) for the values of a summary, in the order of the columns of the table.
-template <typename Visit>
-void forEachValue(const DistortionSummary& summary, const Visit& visit)
-{
-  visit("SurfaceArea", summary.SurfaceArea);
-  visit("FlatArea", summary.FlatArea);
-  visit("FacesWithin2Percent", summary.FacesWithin2Percent);
-  visit("RootMeanSquareStretch", summary.RootMeanSquareStretch);
-  visit("SDAreaRatio", summary.SDAreaRatio);
-  visit("SDLogAreaRatio", summary.SDLogAreaRatio);
-  for (int m = 0; m < flattening::MeasureCount; ++m)
-  {
-    const std::string name = flattening::MeasureNames[m];
-    const flattening::MeasureStatistics& statistics = summary.Measures[m];
-    visit("Mean" + name, statistics.Mean);
-    visit("AreaWeightedMean" + name, statistics.AreaWeightedMean);
-    visit("P95" + name, statistics.P95);
-    visit("P99" + name, statistics.P99);
-    visit("Max" + name, statistics.Max);
-  }
-}
-
-void setReport(vtkFieldData* fieldData, const DistortionSummary& total)
-{
-  flattening::setDatum(fieldData, "FlippedFaces", static_cast<long long>(total.FlippedFaces));
-  flattening::setDatum(fieldData, "DegenerateFaces", static_cast<long long>(total.DegenerateFaces));
-  forEachValue(total,
-    [fieldData](const std::string& name, double value)
-    { flattening::setDatum(fieldData, name.c_str(), value); });
-}
-
-// Adds the array of the local errors and the field data of all lengths.
-void addLengths(vtkPolyData* output, const flattening::LengthDistortion& lengths)
-{
-  output->GetPointData()->AddArray(
-    flattening::newArray<vtkDoubleArray>("LengthError", lengths.VertexErrors));
-  const auto set = [output](const std::string& name, double value)
-  { flattening::setDatum(output->GetFieldData(), name.c_str(), value); };
-  const std::pair<const char*, const flattening::LengthErrors&> kinds[] = {
-    { "Local", lengths.Local }, { "WithinMap", lengths.WithinMap }, { "Global", lengths.Global }
-  };
-  for (const auto& [kind, errors] : kinds)
-  {
-    const std::string name = std::string(kind) + "LengthError";
-    set("Mean" + name, errors.Mean);
-    set("StandardError" + name, errors.StandardError);
-    set("P95" + name, errors.P95);
-  }
-  set("RingDistanceError", lengths.RingDistanceError);
-  set("LengthScale", lengths.Local.Scale);
-}
-
 // A row of the table.
 struct Row
 {
@@ -222,7 +145,7 @@ void fillTable(vtkTable* table, const std::vector<Row>& rows)
   for (const Row& row : rows)
   {
     std::size_t column = 0;
-    forEachValue(row.Summary,
+    flattening::forEachValue(row.Summary,
       [&](const std::string& name, double value)
       {
         if (column == columns.size())
@@ -296,7 +219,7 @@ void vtkDistortionMetrics::Execute(vtkInformationVector** inputVector,
   flattening::report(progress, facesBegin, "Measuring the faces");
   const FaceDistortion distortion = flattening::measureDistortion(surface, flat, weights);
   output->ShallowCopy(input);
-  addCellArrays(output, distortion);
+  flattening::addMeasures(output, distortion);
   flattening::setTextureCoordinates(output, flat);
 
   flattening::report(progress, regionsBegin, "Summing up the regions");
@@ -309,13 +232,14 @@ void vtkDistortionMetrics::Execute(vtkInformationVector** inputVector,
   }
   rows.push_back({ -1, "Total", flattening::summariseDistortion(distortion) });
   fillTable(table, rows);
-  setReport(output->GetFieldData(), rows.back().Summary);
+  flattening::setMeasures(output->GetFieldData(), rows.back().Summary);
+  flattening::removeLengths(output);
   if (this->MeasureLengths)
   {
     flattening::LengthOptions options;
     options.Radius = this->LengthRadius;
     options.Samples = this->LengthSamples;
-    addLengths(output,
+    flattening::addLengths(output,
       flattening::measureLengths(
         surface, flat, options, flattening::subrange(progress, lengthsBegin, 1.0)));
   }

@@ -11,6 +11,7 @@
 #include "Internal/ChosenArray.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/Labels.h"
+#include "Internal/MapMeasures.h"
 #include "Internal/PolyDataConversion.h"
 #include "Internal/RegionOutput.h"
 #include "Internal/RegionReport.h"
@@ -20,6 +21,7 @@
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSelection.h>
 #include <vtkTable.h>
@@ -125,6 +127,16 @@ RegionDisk withFineBoundary(RegionDisk region)
   return region;
 }
 
+// Removes what describes the map that the input may be.
+void removeEarlierMap(vtkPolyData* region)
+{
+  flattening::removeEarlierMeasures(region);
+  for (const char* name : { "ConformalFactor", "CellArea", "PowerWeight", "FlatPoints" })
+  {
+    region->GetPointData()->RemoveArray(name);
+  }
+}
+
 void setReport(vtkFieldData* data,
   const RegionDisk& region,
   double margin,
@@ -227,6 +239,7 @@ void vtkFlattenRegion::Execute(vtkInformationVector** inputVector, vtkInformatio
   const flattening::RegionReport measures =
     flattening::measureRegion(region, positions, flattening::subrange(progress, 0.7, 1.0));
   flattening::setFlatRegion(output, input, region.Disk, positions);
+  removeEarlierMap(output);
   output->GetCellData()->AddArray(
     flattening::newArray<vtkUnsignedCharArray>("InRegion", region.InRegion));
   flattening::fillMeasures(

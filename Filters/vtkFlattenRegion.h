@@ -11,9 +11,9 @@
  * says which area was left out with the other pieces.
  *
  * Output port 0 is the flat region with its margin, in the plane z = 0, with the area of the surface
- * and all arrays of the input. Output port 1 is a vtkTable with the rows `Area`, `GreatestDiameter`,
- * `ExtentAcross` and `Perimeter`. Output port 2 has the two diameters and the outline as polylines on
- * the flat map.
+ * and all arrays of the input, except those that describe it as a flat map. Output port 1 is a vtkTable
+ * with the rows `Area`, `GreatestDiameter`, `ExtentAcross` and `Perimeter`. Output port 2 has the two
+ * diameters and the outline as polylines on the flat map.
  *
  * Output arrays of port 0:
  * - point `SurfacePoints` (double x 3, input units): where the flat point lies on the surface.

@@ -11,6 +11,7 @@
 #include "Internal/ArrayConversion.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/FlatDomain.h"
+#include "Internal/MapMeasures.h"
 #include "Internal/PolyDataConversion.h"
 #include "Internal/TextureCoordinates.h"
 
@@ -184,6 +185,7 @@ void fillMap(vtkPolyData* output,
   const Placement& placement)
 {
   output->ShallowCopy(input);
+  flattening::removeEarlierMeasures(output);
   output->SetPoints(vtk::TakeSmartPointer(flattening::newPlanarPoints(positions)));
   flattening::deactivateNormals(output);
   flattening::setTextureCoordinates(output, map.Positions);

@@ -28,13 +28,13 @@
  * and the points follow the smooth map through the centroids. vtkDistortionMetrics measures the
  * remaining error; it is large near a boundary that was a hole too small for its number of points.
  *
- * Output port 0 has the points and cells of the input, one to one and with all of their arrays, in the
- * plane z = 0: in the disk around the origin, in the rectangle with its lower left corner there, or in
- * the polygon, scaled about its centroid. With FreeOutline, the map lies around the centroid of the
- * domain instead. Output port 1 is the power diagram (Zhao et al. 2013, figure
- * 4): one polygon per cell, with arcs as polylines of steps of at most one degree. Points that share a
- * position or a site share a cell. With FreeOutline, the cells are carried along with the map; their
- * areas are those in the domain.
+ * Output port 0 has the points and cells of the input, one to one and with all of their arrays, except
+ * those that Distortion Metrics added to an earlier map, in the plane z = 0: in the disk around the
+ * origin, in the rectangle with its lower left corner there, or in the polygon, scaled about its
+ * centroid. With FreeOutline, the map lies around the centroid of the domain instead. Output port 1 is
+ * the power diagram (Zhao et al. 2013, figure 4): one polygon per cell, with arcs as polylines of steps
+ * of at most one degree. Points that share a position or a site share a cell. With FreeOutline, the
+ * cells are carried along with the map; their areas are those in the domain.
  *
  * Newton's method on the convex energy is damped by the rule of Kitagawa, Merigot and Thibert, which
  * converges from any start without empty cells. Where the conformal map shrinks a long protrusion to

@@ -4,9 +4,12 @@
 #include "FilterTest.h"
 
 #include <vtkConformalDiskFilter.h>
+#include <vtkDistortionMetrics.h>
 #include <vtkFlattenRegion.h>
+#include <vtkOMTAreaPreservingFilter.h>
 
 #include <vtkCellData.h>
+#include <vtkDoubleArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
@@ -218,6 +221,46 @@ TEST(FlattenRegion, OfAFlatMapMeansTheSurfaceInSpace)
   EXPECT_EQ(figure(ofMap->GetOutput(), "Area"), figure(ofSurface->GetOutput(), "Area"));
   EXPECT_EQ(
     figure(ofMap->GetOutput(), "GreatestDiameter"), figure(ofSurface->GetOutput(), "GreatestDiameter"));
+}
+
+// The map of the region keeps the areas of the surface, whatever those of the map before were to be, and
+// has none of its measures.
+TEST(FlattenRegion, ForgetsTheMapBefore)
+{
+  const auto input = hemisphere(3000);
+  vtkNew<vtkDoubleArray> weights;
+  weights->SetName("AreaWeight");
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    weights->InsertNextValue(input->GetPoint(i)[0] > 0.0 ? 4.0 : 1.0);
+  }
+  input->GetPointData()->AddArray(weights);
+  vtkNew<vtkConformalDiskFilter> conformal;
+  conformal->SetInputData(input);
+  vtkNew<vtkOMTAreaPreservingFilter> omt;
+  omt->SetInputConnection(conformal->GetOutputPort());
+  vtkNew<vtkDistortionMetrics> ofMap;
+  ofMap->SetInputConnection(omt->GetOutputPort());
+  ofMap->MeasureLengthsOn();
+  ofMap->SetLengthSamples(20);
+  vtkNew<vtkFlattenRegion> region;
+  region->SetInputConnection(ofMap->GetOutputPort());
+  useLabels(region);
+  vtkNew<vtkDistortionMetrics> ofRegion;
+  ofRegion->SetInputConnection(region->GetOutputPort());
+  ofRegion->Update();
+  EXPECT_GT(figure(ofRegion->GetOutput(), "FacesWithin2Percent"), 90.0);
+  EXPECT_FALSE(region->GetOutput()->GetPointData()->HasArray("TargetArea"));
+  EXPECT_FALSE(region->GetOutput()->GetPointData()->HasArray("LengthError"));
+  EXPECT_FALSE(region->GetOutput()->GetCellData()->HasArray("AngleDistortion"));
+  EXPECT_FALSE(region->GetOutput()->GetFieldData()->HasArray("MeanLocalLengthError"));
+  EXPECT_FALSE(region->GetOutput()->GetFieldData()->HasArray("FacesWithin2Percent"));
+  // Nor has another map of the same surface.
+  omt->SetInputConnection(ofMap->GetOutputPort());
+  ofMap->SetInputConnection(conformal->GetOutputPort());
+  omt->Update();
+  EXPECT_FALSE(omt->GetOutput()->GetPointData()->HasArray("LengthError"));
+  EXPECT_FALSE(omt->GetOutput()->GetCellData()->HasArray("AngleDistortion"));
 }
 
 TEST(FlattenRegion, ASelectionIsARegion)
