@@ -5,6 +5,7 @@
 #include "Internal/ArrayConversion.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/ImageMemory.h"
+#include "Internal/InnerError.h"
 #include "Internal/InnerProgress.h"
 #include "Internal/PatientMatrix.h"
 #include "Internal/PolyDataConversion.h"
@@ -25,7 +26,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 
 vtkStandardNewMacro(vtkFlatMapSlab);
 
@@ -58,12 +58,10 @@ vtkSmartPointer<vtkImageData> pixelsOf(vtkPolyData* map,
   image->SetSize(size);
   image->SetMargin(0);
   const flattening::InnerProgress forwarding(image, progress, PixelsStage);
+  const flattening::InnerError error(image);
   image->Update();
+  error.rethrow();
   flattening::report(progress, 1.0, PixelsStage); // throws if an abort left the image empty
-  if (image->GetOutput()->GetNumberOfPoints() == 0)
-  {
-    throw std::bad_alloc(); // the one error that the image has on a map that was read before
-  }
   return image->GetOutput();
 }
 

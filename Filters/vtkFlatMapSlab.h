@@ -17,8 +17,8 @@
  *
  * A surface in patient space (vtkPatientSpace) is sampled where the field array `PatientMatrix` of the
  * volume says that it lies in the patient. The same is done if both have a matrix and these differ.
- * Otherwise surface and volume are taken to have the same coordinates, with a warning if the volume alone
- * has a matrix.
+ * Otherwise surface and volume are taken to have the same coordinates, with a warning if the volume
+ * alone has a matrix.
  *
  * Samples deeper than the radius of curvature of a surface that bends inwards cross those of
  * neighbouring points. A warning is given if samples lie outside the volume.
@@ -26,13 +26,14 @@
  * Output arrays of port 0:
  * - point `XSlab` (float x depths, as in the volume): samples of the point array X of the
  *   volume, one component per depth and named by it; an array with several components has all
- *   components of the first depth first. The value is NaN outside the volume.
+ *   components of the first depth first. The value is NaN outside the volume. With NearestVoxel, values
+ *   of 32 and more bits are double.
  * - point `InVolume` (unsigned char x depths): 1 where the sample lies inside the volume, 0 outside.
  * - point `SurfaceNormals` (double x 3, dimensionless): outward unit normal of the surface.
  *
  * Output arrays of port 1:
- * - point `X` (float x components of the array, as in the volume): samples of the point array
- *   X of the volume; NaN outside the volume and the map.
+ * - point `X` (float or double as `XSlab`, x components of the array, as in the volume): samples of the
+ *   point array X of the volume; NaN outside the volume and the map.
  * - point `InVolume` (unsigned char): 1 where the pixel lies on the map and its sample inside the
  *   volume, 0 elsewhere.
  *
@@ -42,9 +43,9 @@
  *
  * An empty input on either port gives empty outputs. The following are errors, each with empty outputs:
  * cells that are not triangles; no array `SurfacePoints`; no depth; a depth that is not finite or given
- * twice; a volume that has no point arrays or contains no sample; a volume that does not say where it
- * lies in the patient, though the surface is in patient space; a stack for which there is too little
- * memory.
+ * twice; a volume that has no point arrays, has voxels without size, or contains no sample; a volume
+ * that does not say where it lies in the patient, though the surface is in patient space; a stack for
+ * which there is too little memory.
  *
  * @sa vtkFlatMapImage vtkOMTAreaPreservingFilter vtkProbeFilter
  */

@@ -3,9 +3,9 @@
 
 #include "Internal/ArrayConversion.h"
 
+#include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
-#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -45,9 +45,9 @@ void addSlabArrays(vtkPolyData* output, const Layers& layers, const std::vector<
 {
   for (std::size_t a = 0; a < layers.front().size(); ++a)
   {
-    vtkFloatArray* first = layers.front()[a].Values;
+    vtkDataArray* first = layers.front()[a].Values;
     const int width = first->GetNumberOfComponents();
-    vtkNew<vtkFloatArray> slab;
+    const auto slab = vtk::TakeSmartPointer(first->NewInstance());
     slab->SetName((std::string(first->GetName()) + "Slab").c_str());
     slab->SetNumberOfComponents(width * static_cast<int>(depths.size()));
     slab->SetNumberOfTuples(first->GetNumberOfTuples());
@@ -121,8 +121,8 @@ void fillStack(vtkImageData* stack,
   mask->SetNumberOfTuples(perLayer * count);
   for (std::size_t a = 0; a < layers.front().size(); ++a)
   {
-    vtkFloatArray* first = layers.front()[a].Values;
-    vtkNew<vtkFloatArray> values;
+    vtkDataArray* first = layers.front()[a].Values;
+    const auto values = vtk::TakeSmartPointer(first->NewInstance());
     values->SetName(first->GetName());
     values->SetNumberOfComponents(first->GetNumberOfComponents());
     values->SetNumberOfTuples(perLayer * count);

@@ -4,7 +4,7 @@
 #include "Core/Base/Errors.h"
 
 #include <vtkCellData.h>
-#include <vtkFloatArray.h>
+#include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -27,9 +27,18 @@ namespace
 constexpr vtkIdType Batch = 1 << 20;
 constexpr Eigen::Index SampleBatch = 1 << 18;
 
-vtkSmartPointer<vtkFloatArray> inFloatingPoint(vtkDataArray* array, const ProgressCallback& progress)
+// Whether an array has values that single precision need not hold.
+bool needsDouble(vtkDataArray* array)
 {
-  auto values = vtkSmartPointer<vtkFloatArray>::New();
+  return array->GetDataType() != VTK_FLOAT && array->GetDataTypeSize() > 2;
+}
+
+vtkSmartPointer<vtkDataArray> inFloatingPoint(vtkDataArray* array,
+  bool isDouble,
+  const ProgressCallback& progress)
+{
+  const auto values =
+    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(isDouble ? VTK_DOUBLE : VTK_FLOAT));
   const vtkIdType count = array->GetNumberOfTuples();
   values->SetNumberOfComponents(array->GetNumberOfComponents());
   values->SetNumberOfTuples(count);
@@ -39,6 +48,26 @@ vtkSmartPointer<vtkFloatArray> inFloatingPoint(vtkDataArray* array, const Progre
     values->InsertTuples(begin, std::min(Batch, count - begin), begin, array);
   }
   return values;
+}
+
+// Gives a single slice a thickness, so that places between its voxels can be found.
+void requireVoxels(vtkImageData* volume)
+{
+  const int* size = volume->GetDimensions();
+  double lengths[3];
+  volume->GetSpacing(lengths);
+  for (int k = 0; k < 3; ++k)
+  {
+    const bool isLength = lengths[k] != 0.0 && std::isfinite(lengths[k]);
+    if (!isLength && size[k] > 1)
+    {
+      throw InvalidInput("a voxel has the size " + formatted(lengths[k]) + " along axis " +
+                         std::to_string(k + 1) +
+                         ": set the Spacing of the volume to what it was scanned with");
+    }
+    lengths[k] = isLength ? lengths[k] : 1.0;
+  }
+  volume->SetSpacing(lengths);
 }
 
 // Moves a point within the volume to the centre of its voxel.
@@ -94,6 +123,7 @@ VolumeSampling::VolumeSampling(vtkImageData* volume,
   , ToVolume(toVolume)
 {
   this->Volume->CopyStructure(volume);
+  requireVoxels(this->Volume);
   // VTK 9.3 copies the marks of hidden voxels with the structure: they would be taken for the first
   // array, and leave hidden voxels without values that older versions of VTK give them.
   this->Volume->GetPointData()->Initialize();
@@ -103,8 +133,9 @@ VolumeSampling::VolumeSampling(vtkImageData* volume,
   {
     if (vtkDataArray* array = volume->GetPointData()->GetArray(a); array && array->GetName())
     {
-      const vtkSmartPointer<vtkFloatArray> values =
-        inFloatingPoint(array, subrange(progress, static_cast<double>(a) / count, (a + 1.0) / count));
+      const vtkSmartPointer<vtkDataArray> values = inFloatingPoint(array,
+        nearest && needsDouble(array),
+        subrange(progress, static_cast<double>(a) / count, (a + 1.0) / count));
       values->SetName(std::to_string(this->Names.size()).c_str());
       this->Volume->GetPointData()->AddArray(values);
       this->Names.emplace_back(array->GetName());
@@ -126,10 +157,10 @@ std::vector<VolumeSamples> VolumeSampling::at(const Points3& points,
   std::vector<VolumeSamples> samples(this->Names.size());
   for (std::size_t a = 0; a < this->Names.size(); ++a)
   {
-    samples[a].Values = vtkSmartPointer<vtkFloatArray>::New();
+    vtkDataArray* voxels = this->Volume->GetPointData()->GetArray(static_cast<int>(a));
+    samples[a].Values = vtk::TakeSmartPointer(voxels->NewInstance());
     samples[a].Values->SetName(this->Names[a].c_str());
-    samples[a].Values->SetNumberOfComponents(
-      this->Volume->GetPointData()->GetArray(static_cast<int>(a))->GetNumberOfComponents());
+    samples[a].Values->SetNumberOfComponents(voxels->GetNumberOfComponents());
     samples[a].Values->SetNumberOfTuples(points.rows());
     samples[a].Inside.resize(points.rows());
   }
@@ -160,7 +191,7 @@ void VolumeSampling::sample(const Points3& points,
   vtkDataArray* valid = found->GetArray(probe->GetValidPointMaskArrayName());
   for (std::size_t a = 0; a < samples.size(); ++a)
   {
-    vtkFloatArray* values = samples[a].Values;
+    vtkDataArray* values = samples[a].Values;
     values->InsertTuples(first, points.rows(), 0, found->GetArray(std::to_string(a).c_str()));
     for (Eigen::Index i = 0; i < points.rows(); ++i)
     {

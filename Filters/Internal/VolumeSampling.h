@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-class vtkFloatArray;
+class vtkDataArray;
 class vtkImageData;
 
 namespace flattening
@@ -21,19 +21,20 @@ namespace flattening
 /// The values of one array of a volume at given points.
 struct VolumeSamples
 {
-  vtkSmartPointer<vtkFloatArray> Values; ///< with the name and components of the array; NaN outside
-  std::vector<char> Inside;              ///< one flag per point: 1 in the volume
+  vtkSmartPointer<vtkDataArray> Values; ///< with the name and components of the array; NaN outside
+  std::vector<char> Inside;             ///< one flag per point: 1 in the volume
 };
 
 /// Samples every numeric point array of a volume. It holds copies of the arrays in floating point, as
-/// VTK rounds interpolated integers.
+/// VTK rounds interpolated integers: in single precision, or in double precision where the values of
+/// voxels may need it, such as labels above 2^24.
 class VolumeSampling
 {
 public:
   /// @param nearest whether to take the value of the nearest voxel, as labels need it, instead of
   /// interpolating linearly.
   /// @param toVolume takes the points that are sampled to the coordinates of the volume.
-  /// @throws InvalidInput if the volume has no numeric point array.
+  /// @throws InvalidInput if the volume has no numeric point array, or voxels without size.
   VolumeSampling(vtkImageData* volume,
     bool nearest,
     const Eigen::Affine3d& toVolume,

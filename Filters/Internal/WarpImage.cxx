@@ -42,6 +42,27 @@ void requirePicture(vtkImageData* image)
   }
 }
 
+// The picture, whose pixels may have any thickness: those of a resampled plane have none, and VTK could
+// not tell where a position lies.
+vtkSmartPointer<vtkImageData> pictureOf(vtkImageData* image)
+{
+  requirePicture(image);
+  double pixel[3];
+  image->GetSpacing(pixel);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    if (pixel[axis] == 0.0 || !std::isfinite(pixel[axis]))
+    {
+      throw InvalidInput("a pixel has the size " + formatted(pixel[axis]) + " along axis " +
+                         std::to_string(axis + 1) + ": set the Spacing of the image");
+    }
+  }
+  auto picture = vtkSmartPointer<vtkImageData>::New();
+  picture->ShallowCopy(image);
+  picture->SetSpacing(pixel[0], pixel[1], 1.0);
+  return picture;
+}
+
 // The position in units of pixels. In the outer half of the outermost pixels it is moved to their
 // centres. Returns false outside the image.
 bool pixelAt(vtkImageData* image, double x, double y, double index[3])
@@ -195,12 +216,12 @@ void addPixels(const ShownPixels& shown,
 
 } // namespace
 
-long long warpImage(vtkImageData* input,
+long long warpImage(vtkImageData* image,
   vtkPolyData* flat,
   const ResamplingRules& rules,
   vtkImageData* output)
 {
-  requirePicture(input);
+  const vtkSmartPointer<vtkImageData> input = pictureOf(image);
   layOut(input, flat, rules, output);
   ShownPixels shown;
   findShownPixels(input, sourcesOf(pixelCentres(output), rules), shown);
@@ -225,9 +246,9 @@ long long warpImage(vtkImageData* input,
   return shown.Outside;
 }
 
-long long addTextureCoordinates(vtkImageData* image, const Points3& before, vtkPolyData* flat)
+long long addTextureCoordinates(vtkImageData* input, const Points3& before, vtkPolyData* flat)
 {
-  requirePicture(image);
+  const vtkSmartPointer<vtkImageData> image = pictureOf(input);
   const int* extent = image->GetExtent();
   const int* size = image->GetDimensions();
   vtkNew<vtkFloatArray> coordinates;

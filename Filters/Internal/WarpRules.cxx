@@ -62,7 +62,8 @@ void requireRoomFor(long long inserted)
 
 void requireSomeInside(const WarpedInSpace& warped, const Points3& points)
 {
-  if (std::find(warped.Inside.begin(), warped.Inside.end(), 1) == warped.Inside.end())
+  if (points.rows() > 0 &&
+      std::find(warped.Inside.begin(), warped.Inside.end(), 1) == warped.Inside.end())
   {
     std::ostringstream message;
     message

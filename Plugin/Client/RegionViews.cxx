@@ -14,6 +14,7 @@
 
 #include <vtkNew.h>
 #include <vtkSMParaViewPipelineControllerWithRendering.h>
+#include <vtkSMProperty.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMProxySelectionModel.h>
 #include <vtkSMSessionProxyManager.h>
@@ -26,7 +27,8 @@
 namespace
 {
 
-constexpr int FromSelection = 1; // of RegionFrom and WeightsFrom
+constexpr int RegionFromSelection = 1;
+constexpr int WeightsFromSelection = 3;
 
 std::string kindOf(pqPipelineSource* source)
 {
@@ -71,10 +73,12 @@ void RegionViews::beginWithSelection(pqPipelineSource* source)
   auto* data =
     vtkSMSourceProxy::SafeDownCast(input.GetNumberOfElements() > 0 ? input.GetAsProxy() : nullptr);
   vtkSMSourceProxy* selection = data ? data->GetSelectionInput(input.GetOutputPort()) : nullptr;
-  if (selection && vtkSMPropertyHelper(proxy, "Selection").GetNumberOfElements() == 0)
+  const bool isRegion = kind == "FlattenRegion";
+  vtkSMProperty* from = proxy->GetProperty(isRegion ? "RegionFrom" : "WeightsFrom");
+  if (selection && from->IsValueDefault() &&
+      vtkSMPropertyHelper(proxy, "Selection").GetNumberOfElements() == 0)
   {
-    vtkSMPropertyHelper(proxy, kind == "FlattenRegion" ? "RegionFrom" : "WeightsFrom")
-      .Set(FromSelection);
+    vtkSMPropertyHelper(from).Set(isRegion ? RegionFromSelection : WeightsFromSelection);
     vtkSMPropertyHelper(proxy, "Selection")
       .Set(selection, data->GetSelectionInputPort(input.GetOutputPort()));
   }

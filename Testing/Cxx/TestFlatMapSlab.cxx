@@ -13,6 +13,7 @@
 #include <vtkPointData.h>
 #include <vtkShortArray.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkUnsignedIntArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -272,6 +273,14 @@ TEST_F(FlatMapSlab, IntegersAreInterpolatedAndLabelsAreNot)
     ++of[labels->GetTuple1(i) == 9.0];
   }
   EXPECT_GT(std::min(of[0], of[1]), labels->GetNumberOfTuples() / 4);
+
+  constexpr double large = 614454277.0; // more than single precision holds
+  slab->SetVolumeData(
+    volumeOf<vtkUnsignedIntArray>("Label", [](double, double, double) { return large; }));
+  slab->SetStackSize(16);
+  slab->Update();
+  EXPECT_EQ(slab->GetOutput()->GetPointData()->GetArray("LabelSlab")->GetTuple1(7), large);
+  EXPECT_EQ(slab->GetStack()->GetPointData()->GetArray("Label")->GetTuple1(8 * 16 + 8), large);
 }
 
 TEST_F(FlatMapSlab, EmptyInputGivesEmptyOutputs)
@@ -312,6 +321,11 @@ TEST_F(FlatMapSlab, ReportsWhatIsWrong)
   bare->SetDimensions(4, 4, 4);
   slab->SetVolumeData(bare);
   expectMessage("no numbers at its points");
+  vtkNew<vtkImageData> thin;
+  thin->DeepCopy(Distance);
+  thin->SetSpacing(1.0, 1.0, 0.0);
+  slab->SetVolumeData(thin);
+  expectMessage("a voxel has the size 0 along axis 3");
   connect(slab);
   slab->SetInputData(polyDataOf(analytic::ringMesh(analytic::flatDisk(), 100).Mesh));
   expectMessage("no point array SurfacePoints");
@@ -321,6 +335,14 @@ TEST_F(FlatMapSlab, ReportsWhatIsWrong)
   slab->SetInputData(bent);
   slab->SetStackSize(16);
   expectMessage("the input is not flat");
+  vtkNew<vtkPolyData> shrunk;
+  shrunk->DeepCopy(Map);
+  for (vtkIdType i = 0; i < shrunk->GetNumberOfPoints(); ++i)
+  {
+    shrunk->GetPoints()->SetPoint(i, i, 0.0, 0.0);
+  }
+  slab->SetInputData(shrunk);
+  expectMessage("the flat map or its surface has no area");
   slab->SetStackSize(0);
   connect(slab);
   ErrorLog errors(slab);

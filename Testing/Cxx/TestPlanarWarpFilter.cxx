@@ -6,6 +6,7 @@
 
 #include <vtkAreaWeights.h>
 #include <vtkBox.h>
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkConformalDiskFilter.h>
 #include <vtkDoubleArray.h>
@@ -286,6 +287,13 @@ TEST(PlanarWarpFilter, EmptyInputGivesEmptyOutput)
   filter->Update();
   filter->SetInputData(doubled());
   filter->SetCarriedData(vtkNew<vtkPolyData>());
+  filter->Update();
+  EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::POINT), 0);
+  vtkNew<vtkPolyData> pointless; // a cell without points
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell(0);
+  pointless->SetPolys(cells);
+  filter->SetCarriedData(pointless);
   filter->Update();
   EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::POINT), 0);
   filter->SetCarriedData(vtkNew<vtkMutableUndirectedGraph>());

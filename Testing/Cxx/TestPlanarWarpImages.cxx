@@ -4,6 +4,7 @@
 
 #include <vtkPlanarWarp.h>
 
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -116,6 +117,35 @@ TEST(PlanarWarpImages, AnImageAroundTheMeshIsLeftUnmoved)
   }
   EXPECT_LT(unmoved, 1e-12);
   EXPECT_LT(moved, 1.0 / 40 / 40 / 8 * 1.01); // f'' h^2 / 8
+}
+
+// Resampling of a plane gives pixels without thickness.
+TEST(PlanarWarpImages, ThePixelsNeedNoThickness)
+{
+  for (const bool isTexture : { false, true })
+  {
+    vtkNew<vtkPlanarWarp> filter;
+    filter->SetInputData(doubled());
+    const auto image = picture();
+    filter->SetCarriedData(image);
+    filter->SetImageOutput(isTexture ? vtkPlanarWarp::TEXTURED_MESH : vtkPlanarWarp::RESAMPLED_IMAGE);
+    filter->Update();
+    const auto expected = vtk::TakeSmartPointer(filter->GetOutputDataObject(0)->NewInstance());
+    expected->DeepCopy(filter->GetOutputDataObject(0));
+    image->SetSpacing(image->GetSpacing()[0], image->GetSpacing()[1], 0.0);
+    filter->Update();
+    const auto values = [isTexture](vtkDataObject* data)
+    {
+      vtkFieldData* points = data->GetAttributes(vtkDataObject::POINT);
+      return points->GetArray(isTexture ? "TCoords" : "Ramp");
+    };
+    vtkDataArray* found = values(filter->GetOutputDataObject(0));
+    ASSERT_EQ(found->GetNumberOfTuples(), values(expected)->GetNumberOfTuples());
+    for (vtkIdType i = 0; i < found->GetNumberOfTuples(); ++i)
+    {
+      ASSERT_EQ(found->GetComponent(i, 0), values(expected)->GetComponent(i, 0)) << i;
+    }
+  }
 }
 
 TEST(PlanarWarpImages, TheMeshCanCarryTheImageAsATexture)
