@@ -37,6 +37,7 @@ using flattening::TriangleMesh;
 using flattening::WeightedRegion;
 
 constexpr const char* WeightsName = "AreaWeight";
+constexpr long long NoLabel = VTK_LONG_LONG_MIN; // of points that no cell uses
 
 // The weights of an earlier filter (n); all 1 if the input has none.
 Eigen::VectorXd earlierWeights(vtkPolyData* input)
@@ -64,7 +65,9 @@ std::vector<double> averaged(const TriangleMesh& mesh, const std::vector<double>
   const Eigen::VectorXd sums =
     flattening::vertexAreas(mesh.Faces, areas.cwiseProduct(values), mesh.vertexCount());
   const Eigen::VectorXd shares = flattening::vertexAreas(mesh.Faces, areas, mesh.vertexCount());
-  const Eigen::VectorXd means = sums.array() / shares.array();
+  // A point that no face uses, or faces without area alone, gets 1.
+  const Eigen::VectorXd means =
+    (shares.array() > 0.0).select(sums.array() / shares.array(), Eigen::ArrayXd::Ones(shares.size()));
   return { means.begin(), means.end() };
 }
 
@@ -179,7 +182,7 @@ std::vector<WeightedRegion> vtkAreaWeights::LabelRegions(vtkPolyData* input, con
   std::vector<long long> labels = flattening::labelsOf(chosen);
   if (chosen.OnCells)
   {
-    labels = flattening::vertexLabels(mesh, labels, VTK_LONG_LONG_MIN);
+    labels = flattening::vertexLabels(mesh, labels, NoLabel);
   }
   std::vector<std::pair<double, double>> table = this->LabelFactors;
   if (this->WeightsFrom == LABEL)
@@ -207,6 +210,7 @@ std::vector<WeightedRegion> vtkAreaWeights::LabelRegions(vtkPolyData* input, con
       [label = label](long long l) { return static_cast<double>(l) == label; });
     if (std::none_of(region.Inside.begin(), region.Inside.end(), [](char inside) { return inside; }))
     {
+      labels.erase(std::remove(labels.begin(), labels.end(), NoLabel), labels.end());
       throw InvalidInput("no point has the " + name.str() + "; there are " + flattening::listed(labels));
     }
     regions.push_back(std::move(region));

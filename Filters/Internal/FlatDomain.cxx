@@ -62,6 +62,43 @@ void outlinePoints(vtkPolyData* data, vtkIdList* ids)
   }
 }
 
+// Whether the boundary lies on the sides of the box between two corners, and has a vertex in each
+// corner.
+bool isRectangle(const Points2& positions,
+  const std::vector<int>& loop,
+  const Eigen::RowVector2d& low,
+  const Eigen::RowVector2d& high,
+  double slack)
+{
+  bool hasCorner[2][2] = { { false, false }, { false, false } };
+  for (const int v : loop)
+  {
+    const Eigen::RowVector2d fromLow = positions.row(v) - low;
+    const Eigen::RowVector2d fromHigh = high - positions.row(v);
+    if (std::min(fromLow.minCoeff(), fromHigh.minCoeff()) > slack)
+    {
+      return false;
+    }
+    const Eigen::RowVector2d nearest = fromLow.cwiseMin(fromHigh);
+    if (nearest.maxCoeff() <= slack)
+    {
+      hasCorner[fromHigh.x() < fromLow.x()][fromHigh.y() < fromLow.y()] = true;
+    }
+  }
+  return (high - low).minCoeff() > slack && hasCorner[0][0] && hasCorner[0][1] && hasCorner[1][0] &&
+         hasCorner[1][1];
+}
+
+// Whether the boundary lies on a circle around the origin, as that of a disk with four vertices may do
+// which are the corners of a rectangle.
+bool isCircle(const Points2& positions, const std::vector<int>& loop, double slack)
+{
+  const double radius = positions.row(loop.front()).norm();
+  return std::all_of(loop.begin(),
+    loop.end(),
+    [&](int v) { return std::abs(positions.row(v).norm() - radius) <= slack; });
+}
+
 } // namespace
 
 std::shared_ptr<const ConvexDomain> FlatDomain::normalised() const
@@ -88,15 +125,9 @@ FlatDomain flatDomain(const Points2& positions, const std::vector<int>& loop)
   }
   const double slack = Tolerance * (high - low).norm();
   FlatDomain domain;
-  domain.IsRectangle = std::all_of(loop.begin(),
-    loop.end(),
-    [&](int v)
-    {
-      const Eigen::RowVector2d fromLow = positions.row(v) - low;
-      const Eigen::RowVector2d fromHigh = high - positions.row(v);
-      return std::min(fromLow.minCoeff(), fromHigh.minCoeff()) <= slack;
-    });
-  if (domain.IsRectangle && (high - low).minCoeff() > slack)
+  domain.IsRectangle =
+    isRectangle(positions, loop, low, high, slack) && !isCircle(positions, loop, slack);
+  if (domain.IsRectangle)
   {
     domain.Centre = 0.5 * (low + high);
     domain.Width = high.x() - low.x();
@@ -104,7 +135,6 @@ FlatDomain flatDomain(const Points2& positions, const std::vector<int>& loop)
     domain.Scale = std::sqrt(domain.Width * domain.Height / EIGEN_PI);
     return domain;
   }
-  domain.IsRectangle = false;
   domain.Scale = diskRadius(positions, loop);
   return domain;
 }

@@ -96,7 +96,7 @@ TriangleMesh toTriangleMesh(vtkPolyData* data)
 double coordinateStep(vtkPolyData* data)
 {
   std::array<double, 6> bounds;
-  data->GetBounds(bounds.data());
+  data->GetCellsBounds(bounds.data()); // points that no cell uses do not count
   double greatest = 0.0;
   for (const double bound : bounds)
   {

@@ -41,6 +41,13 @@ void requireEvaluable(vtkSelection* selection)
         "the selection is a query, not a list of points or cells: freeze it (Find Data, "
         "Freeze) and press Copy Active Selection again");
     }
+    const int type = selection->GetNode(i)->GetContentType();
+    if (type == vtkSelectionNode::BLOCKS || type == vtkSelectionNode::BLOCK_SELECTORS)
+    {
+      throw InvalidInput(
+        "the selection is one of blocks, not of points or cells: select points or cells, "
+        "or pass the blocks alone (Extract Block)");
+    }
   }
 }
 

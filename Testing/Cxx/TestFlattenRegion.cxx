@@ -303,6 +303,22 @@ TEST(FlattenRegion, ASelectionIsARegion)
 }
 
 // The teeth of the boundary are in the margin, so that the triangles of the region keep their areas.
+TEST(FlattenRegion, ASelectionOfBlocksIsRefused)
+{
+  vtkNew<vtkFlattenRegion> filter;
+  filter->SetInputData(0, hemisphere(300));
+  vtkNew<vtkSelectionNode> node;
+  node->SetContentType(vtkSelectionNode::BLOCKS);
+  vtkNew<vtkSelection> selection;
+  selection->AddNode(node);
+  filter->SetInputData(1, selection);
+  filter->SetRegionFrom(vtkFlattenRegion::SELECTION);
+  ErrorLog errors(filter);
+  filter->Update();
+  ASSERT_EQ(errors.messages().size(), 1u);
+  EXPECT_NE(errors.messages()[0].find("one of blocks"), std::string::npos) << errors.messages()[0];
+}
+
 TEST(FlattenRegion, TheAutomaticMarginIsFourEdgesOrWhatLeavesADisk)
 {
   const auto input = hemisphere(3000);

@@ -7,6 +7,7 @@
 #include <vtkOMTAreaPreservingFilter.h>
 
 #include <vtkCellData.h>
+#include <vtkDoubleArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkRegularPolygonSource.h>
@@ -158,6 +159,60 @@ TEST(OMTDomain, CornersAreFreeUnlessTheyAreFixed)
   filter->Update();
   EXPECT_FALSE(filter->GetOutput()->GetFieldData()->GetArray("CornerPointIds"));
   expectBounds(filter->GetOutput(), { -1, 1, -1, 1 }, 1e-2);
+}
+
+// Few points of a circle may all lie on the sides of a box. Those of a square turned by 45 degrees are
+// in its corners, even.
+TEST(OMTDomain, ADiskOfFewBoundaryPointsIsNoRectangle)
+{
+  for (const int boundary : { 3, 4 })
+  {
+    for (int turn = 0; turn < 8; ++turn)
+    {
+      TriangleMesh mesh;
+      mesh.Vertices = Points3::Zero(boundary + 1, 3);
+      mesh.Faces.resize(boundary, 3);
+      for (int k = 0; k < boundary; ++k)
+      {
+        const double angle = 2.0 * EIGEN_PI * (k / static_cast<double>(boundary) + turn / 24.0);
+        mesh.Vertices.row(k) << std::cos(angle), std::sin(angle), 0.0;
+        mesh.Faces.row(k) << k, (k + 1) % boundary, boundary;
+      }
+      const auto map = polyDataOf(mesh);
+      vtkNew<vtkDoubleArray> places;
+      places->DeepCopy(map->GetPoints()->GetData());
+      places->SetName("SurfacePoints");
+      map->GetPointData()->AddArray(places);
+      vtkNew<vtkOMTAreaPreservingFilter> filter;
+      ErrorLog errors(filter);
+      filter->SetInputData(map);
+      filter->Update();
+      EXPECT_TRUE(errors.messages().empty());
+      ASSERT_EQ(filter->GetOutput()->GetNumberOfPoints(), boundary + 1);
+      double x[3];
+      filter->GetOutput()->GetPoint(boundary, x);
+      EXPECT_LT(std::hypot(x[0], x[1]), 1e-3) << "the centre stays around the origin";
+    }
+  }
+}
+
+// There is nothing to refine.
+TEST(OMTDomain, EveryPointMayBeACorner)
+{
+  TriangleMesh mesh;
+  mesh.Vertices.resize(4, 3);
+  mesh.Vertices << 0, 0, 0, 2, 0, 0, 2, 1, 0, 0, 1, 1;
+  mesh.Faces.resize(2, 3);
+  mesh.Faces << 0, 1, 2, 0, 2, 3;
+  vtkNew<vtkConformalDiskFilter> conformal;
+  conformal->SetInputData(polyDataOf(mesh));
+  conformal->SetDomainToRectangle();
+  vtkNew<vtkOMTAreaPreservingFilter> filter;
+  ErrorLog errors(filter);
+  filter->SetInputConnection(conformal->GetOutputPort());
+  filter->Update();
+  EXPECT_TRUE(errors.messages().empty());
+  EXPECT_EQ(figure(filter->GetOutput(), "Bijective"), 1);
 }
 
 TEST(OMTDomain, BadPolygons)

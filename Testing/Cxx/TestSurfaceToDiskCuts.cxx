@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// The second output of vtkSurfaceToDiskFilter: the cuts as lines, and the numbers of the seams.
+#include "FilterTest.h"
 #include "SurfaceToDiskChecks.h"
 
 #include <vtkConformalDiskFilter.h>
 #include <vtkFeatureEdges.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkOMTAreaPreservingFilter.h>
+#include <vtkSphereSource.h>
 
 #include <algorithm>
 #include <cmath>
@@ -142,6 +144,46 @@ TEST(SurfaceToDiskCuts, AreTheBoundaryOfTheDisk)
 // Cut along the lines of an automatic cut, the surface is cut alike: within the edges of the mesh, which
 // are up to 1.5 long on the fingers, as the cut leaves out points of the lines that are closer to each
 // other. Borders are left out.
+// On this sphere all ways from pole to pole are equally short.
+TEST(SurfaceToDiskCuts, ASeamGetsTheVerticesAskedForOnASymmetricSurface)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(20);
+  sphere->SetPhiResolution(20);
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  filter->SetInputConnection(sphere->GetOutputPort());
+  filter->SetCutMode(vtkSurfaceToDiskFilter::SEAM);
+  for (const int vertices : { 128, 300, 400, 800 })
+  {
+    flattening::testing::ErrorLog errors(filter);
+    filter->SetMinimumBoundaryVertices(vertices);
+    filter->Update();
+    EXPECT_TRUE(errors.messages().empty()) << vertices;
+    EXPECT_GE(figure(filter->GetOutput(), "BoundaryVertices"), vertices);
+    EXPECT_LT(filter->GetOutput()->GetNumberOfCells(), 20000);
+  }
+}
+
+// Coordinates are normalised beyond 2^33.
+TEST(SurfaceToDiskCuts, TheHoleIsWhereItIsWhateverTheSize)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(20);
+  sphere->SetPhiResolution(20);
+  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  filter->SetInputConnection(sphere->GetOutputPort());
+  filter->SetCutMode(vtkSurfaceToDiskFilter::HOLE);
+  filter->Update();
+  const vtkIdType expected = filter->GetOutput()->GetNumberOfPoints();
+  for (const int exponent : { -33, -32, 31, 32 })
+  {
+    sphere->SetRadius(0.5 * std::ldexp(1.9, exponent));
+    filter->Update();
+    EXPECT_NEAR(filter->GetOutput()->GetNumberOfPoints(), expected, 20) << exponent;
+  }
+}
+
 TEST(SurfaceToDiskCuts, CanBeCutAlongAgain)
 {
   const auto closed = fingers();

@@ -63,7 +63,7 @@ public:
     , AsksForAreas(options.AngleWeight == 0.0)
     , FacesOf(surface.Faces, surface.vertexCount())
     , Dofs(surface.vertexCount(), map.Domain, map.Loop, map.Corners)
-    , Targets(positiveTargets(faceTargets, map.Domain->area()))
+    , Targets(scaledTargets(faceTargets, map.Domain->area()))
     , Terms(surface, map.Loop, map.Domain->perimeter(), shapeWeight(options))
     , Rounds(surface,
         this->Terms,
@@ -226,7 +226,7 @@ private:
       return false;
     }
     map.Positions = std::move(positions);
-    this->Result.RepairedFaces = report.RepairedFaces;
+    this->Result.RepairedFaces += report.RepairedFaces;
     return true;
   }
 

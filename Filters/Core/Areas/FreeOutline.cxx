@@ -59,7 +59,7 @@ public:
     , AreaWeight(std::min(GreatestAreaWeight, 1.0 / shapeWeight))
     , FacesOf(surface.Faces, surface.vertexCount())
     , Dofs(surface.vertexCount())
-    , Targets(positiveTargets(faceTargets, area))
+    , Targets(scaledTargets(faceTargets, area))
     , Terms(surface, loop, 1.0, shapeWeight)
     , Rounds(surface,
         this->Terms,

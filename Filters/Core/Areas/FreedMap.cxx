@@ -42,7 +42,7 @@ FreedMap freedMap(const TriangleMesh& surface,
     result.OnDomain = refineFaces(surface, map, faceTargets, options, subrange(progress, 0.95, 1.0));
     allowed += shareOfWrongFaces(result.OnDomain.Positions,
       surface.Faces,
-      positiveTargets(faceTargets, map.Domain->area()),
+      scaledTargets(faceTargets, map.Domain->area()),
       RefinementPatches::AreaTolerance);
   }
   if (isFreed && freed.ShareOff <= allowed)

@@ -245,7 +245,8 @@ RefinementDescent::LineSearch RefinementDescent::searchLine(const DomainMap& map
     search.Length *= halving == 0 ? 1.0 : 0.5;
     search.Map = this->Dofs.moved(map, step, search.Length);
     search.Energy = this->Energy.value(search.Map);
-    search.Succeeded = search.Energy <= energy + ArmijoShare * search.Length * slope &&
+    search.Succeeded = std::isfinite(search.Energy) &&
+                       search.Energy <= energy + ArmijoShare * search.Length * slope &&
                        !edgesCross(search.Map.Positions, this->Terms.Outline);
   }
   return search;
@@ -269,6 +270,10 @@ void RefinementDescent::learn(const Eigen::VectorXd& step, const Eigen::VectorXd
 
 double RefinementDescent::round(DomainMap& map, const ProgressCallback& progress)
 {
+  if (this->Dofs.count() == 0) // every vertex is a fixed corner
+  {
+    return 0.0;
+  }
   report(progress, 0.0, "Face refinement: whole mesh");
   Eigen::VectorXd gradient;
   const double before = this->Energy.gradient(map, gradient);

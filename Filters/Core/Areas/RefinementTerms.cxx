@@ -65,7 +65,7 @@ RefinementTerms::RefinementTerms(const TriangleMesh& surface,
   }
   for (BoundaryGap& gap : this->Gaps)
   {
-    gap.Share *= perimeter / sum;
+    gap.Share = sum > 0.0 ? gap.Share * perimeter / sum : perimeter / members;
   }
 }
 

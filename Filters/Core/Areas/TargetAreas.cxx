@@ -20,9 +20,9 @@ namespace
 constexpr double SegmentShare = 0.3;
 constexpr double LargestShare = 0.3;
 
-// The least target of a face, in mean targets. A guard for faces without area on the surface, which
-// would divide by 0.
-constexpr double LeastTarget = 1e-6;
+// The least area of a face, in mean areas, that its target is made of. A guard for faces without area on
+// the surface, which would divide by 0.
+constexpr double LeastFaceArea = 1e-6;
 
 // The area, in mean areas, that smaller faces count like, and the greatest factor of a face. Choices
 // by trial: without the first the refinement of an isosurface takes three times as many rounds and ends
@@ -100,7 +100,8 @@ Eigen::VectorXd targetAreas(const TriangleMesh& mesh, const Eigen::VectorXd& wei
 
 Eigen::VectorXd faceTargets(const TriangleMesh& mesh, const Eigen::VectorXd& weights)
 {
-  Eigen::VectorXd targets = faceAreas(mesh.Vertices, mesh.Faces);
+  const Eigen::VectorXd areas = faceAreas(mesh.Vertices, mesh.Faces);
+  Eigen::VectorXd targets = areas.cwiseMax(LeastFaceArea * areas.mean());
   if (weights.size() > 0)
   {
     for (int f = 0; f < mesh.faceCount(); ++f)
@@ -134,10 +135,9 @@ Eigen::VectorXd resolvableAreas(const FaceMatrix& faces,
   return result * (targets.sum() / result.sum());
 }
 
-Eigen::VectorXd positiveTargets(const Eigen::VectorXd& targets, double area)
+Eigen::VectorXd scaledTargets(const Eigen::VectorXd& targets, double area)
 {
-  const Eigen::VectorXd positive = targets.cwiseMax(LeastTarget * targets.mean());
-  return positive * (area / positive.sum());
+  return targets * (area / targets.sum());
 }
 
 Eigen::VectorXd areaWeights(const Eigen::VectorXd& areas)
@@ -148,9 +148,7 @@ Eigen::VectorXd areaWeights(const Eigen::VectorXd& areas)
 
 Eigen::VectorXd faceCounts(const TriangleMesh& surface, const Eigen::VectorXd& targets)
 {
-  const double sum = targets.sum();
-  return positiveTargets(faceAreas(surface.Vertices, surface.Faces), sum)
-    .cwiseQuotient(positiveTargets(targets, sum));
+  return scaledTargets(faceTargets(surface, {}), targets.sum()).cwiseQuotient(targets);
 }
 
 double shareOfWrongFaces(const Points2& positions,

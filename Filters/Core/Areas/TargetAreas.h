@@ -13,8 +13,9 @@ namespace flattening
 /// of the domain, or if a vertex has no area.
 Eigen::VectorXd targetAreas(const TriangleMesh& mesh, const Eigen::VectorXd& weights);
 
-/// The area that each face should get, up to a common factor (m): its area times the mean weight of its
-/// corners. @p weights (n) may be empty: all 1.
+/// The area that each face should get, up to a common factor (m, > 0): its area times the mean weight of
+/// its corners. Faces without area on the surface count as if they had a millionth of the mean area.
+/// @p weights (n) may be empty: all 1.
 Eigen::VectorXd faceTargets(const TriangleMesh& mesh, const Eigen::VectorXd& weights);
 
 /// Target areas that straight-sided faces can have in the unit disk. Near the circle, faces that are
@@ -30,9 +31,8 @@ Eigen::VectorXd resolvableAreas(const FaceMatrix& faces,
   const Points2& positions,
   const Eigen::VectorXd& targets);
 
-/// @p targets (m, >= 0) scaled to the sum @p area, none of them 0: faces without area on the surface get
-/// a millionth of the mean.
-Eigen::VectorXd positiveTargets(const Eigen::VectorXd& targets, double area);
+/// @p targets (m, > 0) scaled to the sum @p area.
+Eigen::VectorXd scaledTargets(const Eigen::VectorXd& targets, double area);
 
 /// How much the relative area error of each face counts in the refinement energy, against its target
 /// area (m, >= 1), from the areas of the faces on the surface (m, >= 0): that of a face smaller than

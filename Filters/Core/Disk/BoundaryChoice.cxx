@@ -19,7 +19,7 @@ int chooseBoundary(const Points3& vertices,
   {
     return -1;
   }
-  if (!choice.Point.allFinite())
+  if (choice.By == BoundaryChoice::Rule::ClosestToPoint && !choice.Point.allFinite())
   {
     throw InvalidInput("the boundary's point is not finite: set all of its coordinates");
   }

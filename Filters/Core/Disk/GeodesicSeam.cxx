@@ -77,6 +77,9 @@ private:
   void refineAlongSeam(const ProgressCallback& progress)
   {
     double refinement = 1.0;
+    // Each leg is sought near where it was, as another geodesic that is as short would not be refined
+    // yet.
+    std::vector<std::vector<Vertex>> near(this->Points.Vertices.size());
     for (int round = 0; round < MostSeamRounds; ++round)
     {
       std::vector<Face> faces;
@@ -87,7 +90,9 @@ private:
         GeodesicPath path = geodesicPath(this->Mesh,
           this->Points.Vertices[i],
           this->Points.Vertices[i + 1],
-          subrange(progress, round > 0 ? 1.0 : 0.0, 1.0));
+          subrange(progress, round > 0 ? 1.0 : 0.0, 1.0),
+          near[i]);
+        near[i] = verticesAlong(this->Mesh, path.Points);
         length += path.Length;
         this->FirstLeg = i == 0 ? path.Points : this->FirstLeg;
         snapToVertices(this->Mesh, path.Points, [this](Vertex v) { return this->Mesh.is_border(v); });

@@ -75,7 +75,11 @@ int geodesicCentre(const TriangleMesh& mesh,
   {
     weight[nearestSample[v]] += area[v];
   }
-  const Eigen::VectorXd closeness = -squared * weight;
+  Eigen::VectorXd closeness = -squared * weight;
+  if (const double greatest = closeness.cwiseAbs().maxCoeff(); greatest > 0.0)
+  {
+    closeness /= greatest; // single precision does not hold the fourth powers of all lengths
+  }
   return indexOfLargest((distanceFromAvoided.array() > clearance).select(closeness, -HUGE_VAL));
 }
 

@@ -172,7 +172,9 @@ private:
     {
       this->Report.DroppedComponentArea = this->keepFaces(faces);
     }
-    if (this->Report.Repair.SplitPoints > 0)
+    // Where edges had more than two faces, borders that lie on each other are closed. The banks of the
+    // seam of an earlier cut do so, too, and stay open.
+    if (this->Report.Repair.SplitPoints > 0 && this->Options.Banks.empty())
     {
       follow(this->Disk.Surface, stitchCoincidentBorders(this->mesh()));
     }

@@ -283,14 +283,15 @@ Eigen::Vector3d positionOf(const SurfaceMesh& mesh, const PathPoint& point)
 GeodesicPath geodesicPath(const SurfaceMesh& mesh,
   Vertex from,
   Vertex to,
-  const ProgressCallback& progress)
+  const ProgressCallback& progress,
+  const std::vector<Vertex>& near)
 {
   report(progress, 0.0, PathStage);
   if (from == to)
   {
     return { { { from, SurfaceMesh::null_halfedge(), 0.0 } }, 0.0 };
   }
-  std::vector<Vertex> middle = shortestEdgePath(mesh, from, to);
+  std::vector<Vertex> middle = near.empty() ? shortestEdgePath(mesh, from, to) : near;
   // Strips grow by half, so that they are the whole surface after a number of searches that grows with
   // the logarithm of its size.
   for (int rings = FirstRings;; rings += rings / 2)
@@ -312,12 +313,20 @@ GeodesicPath geodesicPath(const SurfaceMesh& mesh,
     // If the border of the strip holds the path back, a strip around that path lets the next path come
     // closer to the geodesic.
     middle = isWhole ? std::vector<Vertex>() : middle;
-    for (const PathPoint& point : found.Path.Points)
-    {
-      const std::vector<Vertex> corners = cornersOf(mesh, point);
-      middle.insert(middle.end(), corners.begin(), corners.end());
-    }
+    const std::vector<Vertex> along = verticesAlong(mesh, found.Path.Points);
+    middle.insert(middle.end(), along.begin(), along.end());
   }
+}
+
+std::vector<Vertex> verticesAlong(const SurfaceMesh& mesh, const std::vector<PathPoint>& path)
+{
+  std::vector<Vertex> vertices;
+  for (const PathPoint& point : path)
+  {
+    const std::vector<Vertex> corners = cornersOf(mesh, point);
+    vertices.insert(vertices.end(), corners.begin(), corners.end());
+  }
+  return vertices;
 }
 
 } // namespace flattening

@@ -36,10 +36,17 @@ struct GeodesicPath
 /// path. While the path touches the strip's border, it is sought again in a strip around itself that is
 /// half as wide again; in the end it is as straight as the surface allows. A shorter one on the far side
 /// of a hill may exist. From a vertex to itself it is that vertex.
+/// @param near vertices of a connected way to begin with in place of the shortest edge path; may be
+/// empty
 /// @throws TopologyError if no path joins the vertices, or rounding breaks the search; Cancelled.
 GeodesicPath geodesicPath(const SurfaceMesh& mesh,
   SurfaceMesh::Vertex_index from,
   SurfaceMesh::Vertex_index to,
-  const ProgressCallback& progress = {});
+  const ProgressCallback& progress = {},
+  const std::vector<SurfaceMesh::Vertex_index>& near = {});
+
+/// The vertices of a path, and the ends of the edges that it crosses.
+std::vector<SurfaceMesh::Vertex_index> verticesAlong(const SurfaceMesh& mesh,
+  const std::vector<PathPoint>& path);
 
 } // namespace flattening

@@ -21,7 +21,10 @@ public:
     axes << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
     this->Turned = points * axes;
     std::iota(this->Order.begin(), this->Order.end(), 0);
-    this->halve(0, static_cast<int>(points.rows()));
+    if (points.rows() > 0)
+    {
+      this->halve(0, static_cast<int>(points.rows()));
+    }
   }
 
   std::vector<std::vector<int>> Parts;

@@ -57,6 +57,18 @@ constexpr double MostPoints = 2e7;
 // The memory that remeshing takes for each point that it makes, as measured at one and four million.
 constexpr double BytesPerPoint = 800.0;
 
+// Splitting long thin triangles makes more points than stay: at most so many times as many are let
+// happen, but always a number that takes little memory. A guard.
+constexpr double MostIntermediate = 10.0;
+constexpr double AlwaysAllowed = 1e6;
+
+// Half the equilateral faces that fit on the surface.
+double expectedVertices(const TriangleMesh& mesh, double length)
+{
+  const double area = faceAreas(mesh.Vertices, mesh.Faces).sum();
+  return 2.0 / std::sqrt(3.0) * area / length / length;
+}
+
 void requireSensibleLength(const TriangleMesh& mesh, double length)
 {
   std::ostringstream message; // lengths of any order of magnitude
@@ -74,7 +86,7 @@ void requireSensibleLength(const TriangleMesh& mesh, double length)
             << " faces: set it below " << longest;
     throw InvalidInput(message.str());
   }
-  const double points = 2.0 / std::sqrt(3.0) * area / length / length; // half the equilateral faces
+  const double points = expectedVertices(mesh, length);
   message << "the target edge length " << length << " would make about " << points << " points";
   if (!(points <= MostPoints))
   {
@@ -149,9 +161,14 @@ double flipHeight(const LocalChange& flip)
 class IsotropicRemesher
 {
 public:
-  IsotropicRemesher(MeshOnSurface& surface, double length)
+  /// @param expectedVertices that the area of the surface lets one expect
+  IsotropicRemesher(MeshOnSurface& surface, double length, double expectedVertices)
     : Surface(surface)
     , Length(length)
+    , MostVertices(static_cast<std::size_t>(
+        std::clamp(MostIntermediate * (expectedVertices + surface.mesh().number_of_vertices()),
+          AlwaysAllowed,
+          MostPoints)))
   {
   }
 
@@ -199,6 +216,7 @@ private:
 
   MeshOnSurface& Surface;
   double Length;
+  std::size_t MostVertices;
 };
 
 // Calls `change` for every edge whose length is wanted, in the order of the queue. It returns a vertex
@@ -248,10 +266,19 @@ void IsotropicRemesher::changeEdges(IsWanted&& isWanted,
 void IsotropicRemesher::splitLongEdges(const ProgressCallback& progress)
 {
   using LongestFirst = std::priority_queue<QueuedEdge>;
-  this->changeEdges<LongestFirst>([bound = LongEdge * this->Length](double length)
-    { return length > bound; },
-    [this](Edge e) { return this->Surface.split(e, staysSound); },
-    progress);
+  const auto split = [this](Edge e)
+  {
+    if (this->Surface.mesh().number_of_vertices() > this->MostVertices)
+    {
+      std::ostringstream message;
+      message << "the target edge length " << this->Length << " makes more than " << this->MostVertices
+              << " points on the way, as the surface has long thin triangles: set a greater length";
+      throw InvalidInput(message.str());
+    }
+    return this->Surface.split(e, staysSound);
+  };
+  this->changeEdges<LongestFirst>(
+    [bound = LongEdge * this->Length](double length) { return length > bound; }, split, progress);
 }
 
 void IsotropicRemesher::collapseShortEdges(const ProgressCallback& progress)
@@ -355,7 +382,7 @@ DerivedMesh remeshIsotropically(const TriangleMesh& mesh,
   requireSensibleLength(mesh, targetEdgeLength);
   report(progress, 0.0, "remeshing");
   MeshOnSurface surface(mesh);
-  IsotropicRemesher remesher(surface, targetEdgeLength);
+  IsotropicRemesher remesher(surface, targetEdgeLength, expectedVertices(mesh, targetEdgeLength));
   for (int i = 0; i < iterations; ++i)
   {
     remesher.iterate(subrange(progress, 0.8 * i / iterations, 0.8 * (i + 1) / iterations));

@@ -24,6 +24,8 @@ using Face = MeshOnSurface::Face;
 
 // A guard: the rounds usually end because nothing changes any more.
 constexpr int SliverRounds = 10;
+// An abort is noticed after so many faces, whose vertices may have thousands of neighbours.
+constexpr std::size_t FacesBetweenReports = 64;
 // The factor by which a change must enlarge the sine of the smallest angle: a smaller gain is not worth
 // a change of the surface, and might repeat without end.
 constexpr double Gain = 1.01;
@@ -128,7 +130,6 @@ void removeSlivers(MeshOnSurface& surface,
   bool changed = true;
   for (int round = 0; changed && round < SliverRounds; ++round)
   {
-    report(progress, static_cast<double>(round) / SliverRounds, "opening small angles");
     std::vector<Face> narrow;
     for (const Face f : surface.mesh().faces())
     {
@@ -138,8 +139,13 @@ void removeSlivers(MeshOnSurface& surface,
       }
     }
     changed = false;
-    for (const Face f : narrow)
+    for (std::size_t i = 0; i < narrow.size(); ++i)
     {
+      const Face f = narrow[i];
+      if (i % FacesBetweenReports == 0)
+      {
+        report(progress, static_cast<double>(round) / SliverRounds, "opening small angles");
+      }
       if (!surface.mesh().is_removed(f) && smallestSine(surface.triangle(f)) < bound)
       {
         changed |=

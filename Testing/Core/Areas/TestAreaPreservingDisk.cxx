@@ -158,6 +158,32 @@ TEST(TargetAreas, AreThirdsOfTheFacesTimesTheWeights)
   EXPECT_LT((targetAreas(pair, weights) - weighted * (Pi / weighted.sum())).norm(), 1e-15);
 }
 
+// The sites of the boundary's vertices are theirs alone, so that none are left to be taken together.
+TEST(AreaPreservingDisk, EveryVertexMayLieOnTheBoundary)
+{
+  constexpr int n = 2200; // more than the least number of vertices that share sites
+  TriangleMesh polygon;
+  polygon.Vertices = Points3::Zero(n, 3);
+  for (int k = 0; k < n; ++k)
+  {
+    const double angle = 2.0 * Pi * k / n;
+    polygon.Vertices.row(k).head<2>() << std::cos(angle), std::sin(angle);
+  }
+  polygon.Faces.resize(n - 2, 3);
+  int low = 0;
+  int high = n - 1;
+  for (int f = 0; f < n - 2; ++f) // a zigzag across the polygon
+  {
+    polygon.Faces.row(f) << low, f % 2 == 0 ? low + 1 : high - 1, high;
+    f % 2 == 0 ? ++low : --high;
+  }
+  AreaPreservingOptions options;
+  options.VerticesPerSite = 16;
+  const AreaPreservingResult result =
+    areaPreservingDiskMap(polygon, polygon.Vertices.leftCols<2>(), {}, options);
+  EXPECT_TRUE(result.Map.Bijective);
+}
+
 // Twice the weight, twice the area relative to the rest: exactly, to the tolerance of the cells.
 TEST(AreaPreservingDisk, DoublingAWeightDoublesTheArea)
 {

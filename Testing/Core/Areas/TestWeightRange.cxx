@@ -238,6 +238,14 @@ TEST(WeightRange, BelowDoublePrecisionIsRefused)
   }
 }
 
+TEST(WeightRange, MoreThanTheRefinementReachesIsRefused)
+{
+  const WeightedRegions regions(300, { 2e-7 }, 0.2, 0.0);
+  const std::string message = messageOf<InvalidInput>([&] { regions.map(true); });
+  EXPECT_TRUE(contains(message, "the area weights run from 2e-07 to 1")) << message;
+  EXPECT_NO_THROW(regions.map(false));
+}
+
 // Weights count relative to each other: alone their common factor says nothing.
 TEST(WeightRange, ACommonFactorChangesNothing)
 {

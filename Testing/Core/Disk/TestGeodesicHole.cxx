@@ -2,6 +2,7 @@
 #include "Base/Errors.h"
 #include "Disk/GeodesicHole.h"
 #include "Disk/HolePlacement.h"
+#include "Geodesics/GeodesicDistance.h"
 #include "Mesh/MeshMeasures.h"
 #include "Mesh/MeshTopology.h"
 #include "Repair/HoleFilling.h"
@@ -15,6 +16,19 @@ namespace
 
 using namespace flattening;
 using namespace flattening::samples;
+
+// Heat vanishes on a way of so many edges.
+TEST(GeodesicDistance, ReachesTheFarEndOfALongStrip)
+{
+  TriangleMesh strip = rectangleGrid(2000, 3, 2000.0);
+  strip.Vertices.col(1) *= 1000.0;
+  const Eigen::VectorXd distance = geodesicDistances(strip, 0);
+  for (int v = 0; v < strip.vertexCount(); ++v)
+  {
+    const double expected = (strip.Vertices.row(v) - strip.Vertices.row(0)).norm();
+    ASSERT_NEAR(distance[v], expected, 0.01 * expected + 2.0) << v;
+  }
+}
 
 GeodesicHoleOptions holeAt(double x, double y, double z, double areaFraction = 1e-3)
 {

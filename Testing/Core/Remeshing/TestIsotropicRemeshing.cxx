@@ -231,6 +231,11 @@ TEST(IsotropicRemeshing, CanBeCancelledAndNamesABadLength)
     const std::string message = messageOf<InvalidInput>([&] { remeshIsotropically(input, tiny); });
     EXPECT_TRUE(contains(message, "points, more than 2e+07: set it above 0.0008")) << message;
   }
+  // Every halving of a long thin triangle makes two long edges more. The area lets one expect few
+  // points.
+  const std::string message =
+    messageOf<InvalidInput>([] { remeshIsotropically(cylinder(3000, 2, 2000.0), 0.1); });
+  EXPECT_TRUE(contains(message, "as the surface has long thin triangles")) << message;
 }
 
 } // namespace
