@@ -263,6 +263,38 @@ for option in ("case-memory", "case-time"):
 status, text = answer("--output", path_of("other"), path_of("binary.vtk"), path_of("cut.ply"))
 assert status == 1 and "1 finished, 1 failed" in text and "failed: cut: the file is cut short" in text, text
 
+# --- The voxels beside a header are changed: the case is done again -----------------------------------------------
+
+
+def split(name, text, voxels):
+    """Writes a volume with its header and its voxels in two files; returns that of the header."""
+    with open(path_of(name), "w", encoding="ascii") as stream:
+        stream.write(text)
+    with open(path_of("voxels.raw"), "wb") as stream:
+        stream.write(voxels.astype("<i2").tobytes())
+    return path_of(name)
+
+
+METAIMAGE = "NDims = 3\nDimSize = 20 20 20\nElementType = MET_SHORT\nElementDataFile = voxels.raw\n"
+NRRD = "NRRD0004\ntype: short\ndimension: 3\nsizes: 20 20 20\nendian: little\nencoding: raw\ndata file: voxels.raw\n\n"
+away = numpy.indices((20, 20, 20)) - 9.5
+distance = numpy.sqrt((away**2).sum(axis=0))
+for name, text in (("split.mhd", METAIMAGE), ("split.nhdr", NRRD)):
+    header = split(name, text, 100 - 10 * distance)
+    assert Case("split", header).size() == os.path.getsize(header) + 2 * 20**3
+    arguments = ("--output", path_of(f"output of {name}"), "--isovalue", "50", header)
+    areas = []
+    for radius in (5, 7):
+        split(name, text, 50 + 10 * (radius - distance))
+        os.utime(header, ns=(0, 0))
+        status, text_of_run = answer(*arguments)
+        assert status == 0 and "1 cases, 0 finished before" in text_of_run, text_of_run
+        with open(path_of(f"output of {name}/summary.csv"), encoding="utf-8", newline="") as stream:
+            areas += [float(row["SurfaceArea"]) for row in csv.DictReader(stream)]
+    assert 1.5 < areas[1] / areas[0] < 2.5, areas  # (7 / 5)^2
+    status, text_of_run = answer(*arguments)
+    assert status == 0 and "1 finished before" in text_of_run, text_of_run
+
 # --- Names that are not UTF-8 -------------------------------------------------------------------------------------
 ODD = os.fsdecode(b"b\xff\xe4")
 names = [path_of(name) for name in (f"{ODD}.vtk", f"{ODD}_ball.nii", f"{ODD}_damaged.vtk", f"{ODD}_cut.nii", f"{ODD}_gone.ply")]

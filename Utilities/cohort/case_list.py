@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The cases of a cohort: their names and their order."""
 
+import hashlib
 import os
 from dataclasses import dataclass
+
+from case_files import voxel_files
 
 
 class CaseNameError(Exception):
@@ -17,15 +20,29 @@ class Case:
     path: str
 
     def size(self):
-        """Bytes of the file, which the time grows with; 0 if there is no such file."""
-        return os.path.getsize(self.path) if os.path.isfile(self.path) else 0
+        """Bytes of the file and of those with its voxels, which the time grows with; 0 if there is no such file."""
+        return sum(os.path.getsize(path) for path in self._files() if os.path.isfile(path))
 
     def identity(self):
-        """Tells whether the file is still the one that a result was made of."""
+        """Tells whether the file, and those with its voxels, are still the ones that a result was made of."""
         if not os.path.isfile(self.path):
             return "missing"
-        status = os.stat(self.path)
-        return f"{os.path.abspath(self.path)} {status.st_size} {status.st_mtime_ns}"
+        own, *others = (_identity(path) for path in self._files())
+        if not others:
+            return own
+        # Of names that are not UTF-8 the bytes; a hash, for a volume may have a file for each slice.
+        return f"{own} {hashlib.sha256(os.fsencode(' '.join(others))).hexdigest()}"
+
+    def _files(self):
+        return [self.path, *voxel_files(self.path)]
+
+
+def _identity(path):
+    try:
+        status = os.stat(path)
+    except OSError:
+        return f"{os.path.abspath(path)} missing"
+    return f"{os.path.abspath(path)} {status.st_size} {status.st_mtime_ns}"
 
 
 def stem(path):
