@@ -295,6 +295,13 @@ for name, text in (("split.mhd", METAIMAGE), ("split.nhdr", NRRD)):
     status, text_of_run = answer(*arguments)
     assert status == 0 and "1 finished before" in text_of_run, text_of_run
 
+# --- A long name --------------------------------------------------------------------------------------------------
+long = path_of("n" * 250 + ".vtk")
+shutil.copy(path_of("binary.vtk"), long)
+for before in (0, 2):
+    status, text = answer("--output", path_of("long"), long, path_of("binary.vtk"))
+    assert status == 0 and f"2 cases, {before} finished before" in text, text
+
 # --- Names that are not UTF-8 -------------------------------------------------------------------------------------
 ODD = os.fsdecode(b"b\xff\xe4")
 names = [path_of(name) for name in (f"{ODD}.vtk", f"{ODD}_ball.nii", f"{ODD}_damaged.vtk", f"{ODD}_cut.nii", f"{ODD}_gone.ply")]

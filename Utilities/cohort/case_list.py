@@ -7,6 +7,10 @@ from dataclasses import dataclass
 
 from case_files import voxel_files
 
+# Bytes of the name of a case: file systems take 255, and the longest ending, .interrupted, has 12.
+LONGEST_NAME = 200
+HASH_DIGITS = 16
+
 
 class CaseNameError(Exception):
     """Why the files of a cohort have no names of their own, in a sentence for the user."""
@@ -53,6 +57,16 @@ def stem(path):
     return os.path.splitext(name)[0]
 
 
+def shortened(name):
+    """The name, or if that is too long for a file its beginning and a hash of it all: the same in each run."""
+    if len(os.fsencode(name)) <= LONGEST_NAME:
+        return name
+    beginning = name
+    while len(os.fsencode(beginning)) > LONGEST_NAME - HASH_DIGITS - 1:
+        beginning = beginning[:-1]
+    return f"{beginning}-{hashlib.sha256(os.fsencode(name)).hexdigest()[:HASH_DIGITS]}"
+
+
 def named_cases(paths):
     """A case per file, named by its stem; files of one stem get the names of their folders before it.
 
@@ -68,7 +82,7 @@ def named_cases(paths):
     if len(set(stems)) < len(stems):
         twice = sorted({name for name in stems if stems.count(name) > 1})
         raise CaseNameError(f"two files would both be the case {twice[0]}: rename one of them")
-    return [Case(name, path) for name, path in zip(stems, paths)]
+    return [Case(shortened(name), path) for name, path in zip(stems, paths)]
 
 
 def in_order(cases, interruptions=lambda case: 0):
