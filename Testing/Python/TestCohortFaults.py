@@ -260,6 +260,16 @@ for option in ("case-memory", "case-time"):
         status, text = answer("--output", path_of("other"), f"--{option}", value, "x.vtk")
         words = f"--{option}: '{value}' is not allowed: give a number more than 0 and at most 1e+09"
         assert status == 2 and words in text, (option, value, text)
+for value in ("7", "0", "-1e-3"):
+    status, text = answer("--output", path_of("other"), "--hole-area", value, "x.vtk")
+    words = f"--hole-area: '{value}' is not allowed: give a share of the area from 1e-06 to 0.5"
+    assert status == 2 and words in text, (value, text)
+# Numbers with a sign and an exponent, and a list with the mark that some editors put before the first name.
+with open(path_of("marked"), "w", encoding="utf-8-sig") as stream:
+    stream.write(path_of("binary.vtk") + "\n")
+numbers = ("--isovalue", "-4e2", "--plane-origin", "-.1e1", "-2E+0", "-3.5", "--plane-normal", "1", "-1e-3", "0")
+status, text = answer("--output", path_of("marked output"), "--list", path_of("marked"), *numbers)
+assert status == 0 and "1 finished, 0 failed" in text, text
 status, text = answer("--output", path_of("other"), path_of("binary.vtk"), path_of("cut.ply"))
 assert status == 1 and "1 finished, 1 failed" in text and "failed: cut: the file is cut short" in text, text
 
