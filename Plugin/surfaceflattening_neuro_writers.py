@@ -18,13 +18,15 @@ from surfaceflattening_neuro import VERTEX_COUNT, VERTEX_NUMBER, CortexError, ni
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 ORIGINAL = "vtkOriginalPointIds"
+COLOURS = 1 << 24  # of three bytes
+COLOUR_STEP = 0x9E3779  # odd, so that its multiples go through all colours; neighbours in the order look different
 
 
-def write_cortex(path, data, array=None):
+def write_cortex(path, data, array=None, warn=print):
     """Writes @data, vtkPolyData or a proxy of ParaView, in the format that the name of the file tells.
 
     @array: the point array to write, for the formats of values: .shape.gii, .func.gii, .label.gii, .annot, .label,
-    and FreeSurfer's curvature, .curv. Raises CortexError.
+    and FreeSurfer's curvature, .curv. @warn: is told what the file cannot hold. Raises CortexError.
     """
     data = _fetched(data)
     if data.GetNumberOfPoints() == 0:
@@ -37,7 +39,7 @@ def write_cortex(path, data, array=None):
     if name.endswith(".gii"):
         return _write_gifti_surface(path, data)
     if name.endswith((".annot", ".label", ".curv")):
-        return _write_freesurfer_values(path, data, _chosen(data, array), array)
+        return _write_freesurfer_values(path, data, _chosen(data, array), array, warn)
     return _write_freesurfer_surface(path, data)
 
 
@@ -158,14 +160,46 @@ def _faces_of_all_vertices(data):
 
 
 def _names(data, array):
-    """{label: (name, (R, G, B, A))} of an array of labels, where the reader had them."""
+    """{label: (name, (R, G, B, A))} of an array of labels, where the reader had them. Labels that have names alone get
+    colours of their own."""
     field = data.GetFieldData()
     labels, names = field.GetArray(f"{array}Labels"), field.GetAbstractArray(f"{array}Names")
     colours = field.GetArray(f"{array}Colours")
     found = {}
     for k in range(labels.GetNumberOfTuples() if labels and names else 0):
-        colour = tuple(int(c) for c in colours.GetTuple(k)) if colours else (128, 128, 128, 255)
+        colour = tuple(int(c) for c in colours.GetTuple(k)) if colours else _colour(k)
         found[int(labels.GetTuple1(k))] = (names.GetValue(k), colour)
+    return found
+
+
+def _colour(number):
+    """The colour of a region by its place in the order, never black: the first 16 million differ."""
+    code = (number + 1) * COLOUR_STEP % COLOURS
+    return code & 255, code >> 8 & 255, code >> 16, 255
+
+
+def _code(colour):
+    """The number of a colour in an annotation of FreeSurfer."""
+    return colour[0] | colour[1] << 8 | colour[2] << 16
+
+
+def _told_apart(rows, warn):
+    """The [(name, colour)] of an annotation with a new colour for each region that is black or has that of an earlier
+    one: in the file a vertex has the colour of its region and nothing else, and black is that of no region."""
+    taken, seen, found, changed = {0, *(_code(colour) for _name, colour in rows)}, {0}, [], []
+    for number, (name, colour) in enumerate(rows):
+        if _code(colour) in seen:
+            while _code(colour) in taken:
+                colour, number = _colour(number), number + 1
+            taken.add(_code(colour))
+            changed.append(name)
+        seen.add(_code(colour))
+        found.append((name, colour))
+    if changed:
+        warn(
+            f"{len(changed)} of {len(rows)} regions are black or have the colour of another one, {changed[0]} is one: as "
+            "FreeSurfer tells regions apart by their colours, they have others in the file"
+        )
     return found
 
 
@@ -211,18 +245,21 @@ def _write_gifti_values(path, data, values, name):
     nibabel().save(gifti.GiftiImage(labeltable=table, darrays=[array]), path)
 
 
-def _write_freesurfer_values(path, data, values, name):
+def _write_freesurfer_values(path, data, values, name, warn):
     freesurfer = nibabel().freesurfer.io
     if path.endswith(".curv"):
         return freesurfer.write_morph_data(path, _of_all_vertices(data, values.astype(np.float32)))
     if path.endswith(".label"):
         return _write_label(path, data, values)
-    names = _names(data, name)
-    known = {label: row for label, row in names.items() if label >= 0} or {
-        int(label): (str(int(label)), (37 * int(label) % 256, 91 * int(label) % 256, 151 * int(label) % 256, 255))
-        for label in np.unique(values)
-        if label >= 0
+    _write_annotation(path, data, values, name, lambda text: warn(f"{path}: {text}"))
+
+
+def _write_annotation(path, data, values, name, warn):
+    known = {label: row for label, row in _names(data, name).items() if label >= 0} or {
+        int(label): (str(int(label)), _colour(k)) for k, label in enumerate(np.unique(values[values >= 0]))
     }
+    if not known:
+        raise CortexError(f"no point has a region: choose an array with labels of 0 and more, {name} has none")
     labels = _of_all_vertices(data, values.astype(np.int64), -1)
     rows = sorted(known)
     unknown = set(np.unique(labels)) - set(rows) - {-1}
@@ -231,8 +268,9 @@ def _write_freesurfer_values(path, data, values, name):
     index = np.full(len(labels), -1, np.int32)
     for k, label in enumerate(rows):
         index[labels == label] = k
-    table = np.array([[*known[label][1][:3], 255 - known[label][1][3], 0] for label in rows], np.int32)
-    freesurfer.write_annot(path, index, table, [known[label][0].encode() for label in rows], fill_ctab=True)
+    names, colours = zip(*_told_apart([known[label] for label in rows], warn))
+    table = np.array([[*colour[:3], 255 - colour[3], 0] for colour in colours], np.int32)
+    nibabel().freesurfer.io.write_annot(path, index, table, [text.encode() for text in names], fill_ctab=True)
 
 
 def _write_label(path, data, values):

@@ -11,7 +11,7 @@ import nibabel
 import numpy as np
 from nibabel.freesurfer import io as freesurfer
 from paraview import servermanager, simple
-from surfaceflattening_neuro import CortexError, read_cortex
+from surfaceflattening_neuro import CortexError, add_field, add_points_array, read_cortex
 from surfaceflattening_neuro_writers import write_cortex
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -227,6 +227,44 @@ def check_bad_files(files):
     assert "c_ras" in said[0] and not bare.GetFieldData().GetArray("PatientMatrix")
 
 
+def check_annotation_colours(files):
+    """In an annotation a vertex has the colour of its region and no number: regions of one colour would become one, and
+    black ones none."""
+    path, said = files.path, []
+    data = read_cortex(path("lh.pial"))
+    numbers = np.array([256, 11101, 11357, 512, 0, 1])  # equal modulo 256, and divisible by it
+    add_points_array(data, "numbers", numbers[np.arange(len(files.points)) % 6])
+    write_cortex(path("lh.numbers.annot"), data, "numbers", said.append)
+    labels, _table, names = freesurfer.read_annot(path("lh.numbers.annot"))
+    assert [int(names[label]) for label in labels[:6]] == list(numbers) and not said, (labels[:6], names, said)
+
+    # A table of labels without colours, which is black to nibabel.
+    table = "".join(f'<Label Key="{k}"><![CDATA[{name}]]></Label>' for k, name in enumerate(NAMES))
+    kept = np.where(files.labels < 0, 0, files.labels).astype(np.int32)
+    write_gifti(path("lh.black.label.gii"), f"<LabelTable>{table}</LabelTable>", gifti_array(
+        path("lh.black.label.gii"), kept, "LABEL", "ASCII"))
+    data = read_cortex(path("lh.pial"), [path("lh.black.label.gii"), path("lh.aparc.annot")])
+    write_cortex(path("lh.black.annot"), data, "black", said.append)
+    labels, table, names = freesurfer.read_annot(path("lh.black.annot"))
+    assert np.array_equal(labels, kept) and [name.decode() for name in names] == NAMES
+    assert len(set(table[:, 4])) == 3 and (table[:, 3] == 0).all(), table  # nor are they transparent
+    assert len(said) == 1 and "3 of 3 regions are black" in said[0] and "lh.black.annot" in said[0], said
+
+    # Names without colours.
+    data.GetFieldData().RemoveArray("aparcColours")
+    write_cortex(path("lh.plain.annot"), data, "aparc", said.append)
+    assert np.array_equal(freesurfer.read_annot(path("lh.plain.annot"))[0], files.labels) and len(said) == 1
+    # Two regions of one colour: the first keeps it, and all others theirs.
+    colours = np.array([TABLE[1, :3], TABLE[1, :3], TABLE[2, :3]], np.uint8)
+    add_field(data, "aparcColours", np.column_stack([colours, [255] * 3]).astype(np.uint8))
+    write_cortex(path("lh.twice.annot"), data, "aparc", said.append)
+    labels, table, _names = freesurfer.read_annot(path("lh.twice.annot"))
+    assert np.array_equal(labels, files.labels) and np.array_equal(table[[0, 2], :3], colours[[0, 2]]), table
+    assert "1 of 3 regions" in said[1] and "precentral is one" in said[1], said
+    add_points_array(data, "none", np.full(len(files.points), -1))
+    assert "no point has a region" in message(write_cortex, path("lh.none.annot"), data, "none")
+
+
 def check_quads(files):
     """Old surfaces have quadrangles, which are two triangles each: here a cube with coordinates in hundredths."""
     corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
@@ -289,6 +327,7 @@ with tempfile.TemporaryDirectory() as scratch:
     check_gifti_encodings(made)
     check_gifti(made)
     check_bad_files(made)
+    check_annotation_colours(made)
     check_quads(made)
     check_patch(made)
     print("FreeSurfer and GIFTI: passed")
