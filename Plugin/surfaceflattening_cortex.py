@@ -15,7 +15,7 @@ import os
 from dataclasses import dataclass
 
 from paraview import servermanager, simple
-from surfaceflattening_neuro import VERTEX_NUMBER, overlay_name
+from surfaceflattening_neuro import VERTEX_NUMBER, hemisphere_stem, overlay_name
 from surfaceflattening_neuro_writers import write_cortex
 from surfaceflattening_region_table import region_table, write_csv
 from surfaceflattening_volume import _filter
@@ -173,13 +173,12 @@ def _write(result, folder, regions, bend):
 
 
 def _stem(proxy):
-    """The hemisphere at the beginning of the file's name, as lh, or the name."""
+    """The beginning of the names of the files for a surface: that of its file's name, with the hemisphere."""
     while not hasattr(proxy, "FileName"):
         if not hasattr(proxy, "Input") or proxy.Input is None:
             return "cortex"
         proxy = proxy.Input
-    name = os.path.basename(str(proxy.FileName))
-    return name[:2] if name[:3] in ("lh.", "rh.") else name.split(".")[0]
+    return hemisphere_stem(str(proxy.FileName))
 
 
 def flatten_cortex_and_show(source=None):

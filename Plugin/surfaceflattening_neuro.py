@@ -30,6 +30,16 @@ GEOMETRY = (b"\xff\xff\xfe", b"\xff\xff\xfd")
 # Surfaces to look for beside an overlay that is opened alone, the most usual first.
 NEIGHBOURS = ("pial", "white", "inflated", "smoothwm", "orig", "sphere")
 
+# What tells the hemisphere in the name of a file, the surest first: names of studies and subjects may have an r or l in
+# them. FreeSurfer, BIDS, any lh or rh, HCP, any l or r.
+HEMISPHERES = (
+    r"^(lh|rh)\.",
+    r"(?:^|[._-])hemi-(lh|rh|l|r)[._]",
+    r"(?:^|[._-])(lh|rh)[._]",
+    r"\.(l|r)\.",
+    r"(?:^|[._-])(l|r)[._]",
+)
+
 
 class CortexError(ValueError):
     """Why a file cannot be read or written, in words for the user."""
@@ -111,8 +121,22 @@ def neighbour(path):
 def hemisphere_of(path):
     """left or right by the name of the file, as FreeSurfer (lh.pial), HCP (100307.L.pial) and BIDS (hemi-L) have it; or
     nothing."""
-    found = re.search(r"(?:^|[._-])(?:hemi-)?(lh|rh|l|r)[._]", os.path.basename(path).lower())
-    return {"l": "left", "r": "right"}[found.group(1)[0]] if found else None
+    found = _hemisphere_in(os.path.basename(path))
+    return {"l": "left", "r": "right"}[found.group(1)[0].lower()] if found else None
+
+
+def hemisphere_stem(path):
+    """The name of a file up to its first dot, or as far as it tells the hemisphere: lh of lh.pial, 100307.L of
+    100307.L.pial.surf.gii."""
+    name = os.path.basename(path)
+    found = _hemisphere_in(name)
+    end = name.find(".", found.end(1) if found else 0)
+    return name[:end] if end >= 0 else name
+
+
+def _hemisphere_in(name):
+    matches = (re.search(pattern, name, re.IGNORECASE) for pattern in HEMISPHERES)
+    return next(filter(None, matches), None)
 
 
 def read_geometry(path, warn=print):

@@ -197,8 +197,8 @@ def _told_apart(rows, warn):
         found.append((name, colour))
     if changed:
         warn(
-            f"{len(changed)} of {len(rows)} regions are black or have the colour of another one, {changed[0]} is one: as "
-            "FreeSurfer tells regions apart by their colours, they have others in the file"
+            f"{len(changed)} of {len(rows)} regions are black or have the colour of another one, {changed[0]} is one: "
+            "as FreeSurfer tells regions apart by their colours, they have others in the file"
         )
     return found
 

@@ -11,7 +11,14 @@ import nibabel
 import numpy as np
 from nibabel.freesurfer import io as freesurfer
 from paraview import servermanager, simple
-from surfaceflattening_neuro import CortexError, add_field, add_points_array, read_cortex
+from surfaceflattening_neuro import (
+    CortexError,
+    add_field,
+    add_points_array,
+    hemisphere_of,
+    hemisphere_stem,
+    read_cortex,
+)
 from surfaceflattening_neuro_writers import write_cortex
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -227,6 +234,28 @@ def check_bad_files(files):
     assert "c_ras" in said[0] and not bare.GetFieldData().GetArray("PatientMatrix")
 
 
+def check_hemispheres():
+    """Names of files, the side that they tell, and the beginning that tells it."""
+    for name, side, stem in (
+        ("lh.pial", "left", "lh"),
+        ("rh.white.surf.gii", "right", "rh"),
+        ("100307.L.pial.surf.gii", "left", "100307.L"),
+        ("100307.R.midthickness.32k_fs_LR.surf.gii", "right", "100307.R"),
+        ("sub-01_hemi-L_pial.surf.gii", "left", "sub-01_hemi-L_pial"),
+        ("sub-r_hemi-L_pial.surf.gii", "left", "sub-r_hemi-L_pial"),
+        ("patient_r_lh.pial", "left", "patient_r_lh"),
+        ("l_study.100307.R.pial.surf.gii", "right", "l_study.100307.R"),
+        ("study.lh.pial", "left", "study.lh"),
+        ("lh.r.pial", "left", "lh"),
+        ("brain_r.ply", "right", "brain_r"),
+        ("brain.surf.gii", None, "brain"),
+        ("brain", None, "brain"),
+    ):
+        path = os.path.join("rh.folder", name)
+        found = hemisphere_of(path), hemisphere_stem(path)
+        assert found == (side, stem), (name, found)
+
+
 def check_annotation_colours(files):
     """In an annotation a vertex has the colour of its region and no number: regions of one colour would become one, and
     black ones none."""
@@ -327,6 +356,7 @@ with tempfile.TemporaryDirectory() as scratch:
     check_gifti_encodings(made)
     check_gifti(made)
     check_bad_files(made)
+    check_hemispheres()
     check_annotation_colours(made)
     check_quads(made)
     check_patch(made)
