@@ -83,11 +83,10 @@ def kind_of(path):
 def read_cortex(path, overlays=(), warn=print):
     """A surface with @overlays as point arrays. An overlay that is given as @path brings the surface beside it."""
     paths = [path, *overlays]
-    holds_surface = [kind_of(p) == "surface" or (kind_of(p) == "gifti" and _gifti_surface(p)) for p in paths]
-    if any(holds_surface):
-        geometry = paths.pop(holds_surface.index(True))
+    geometry = geometry_among(paths)
+    if geometry in paths:
+        paths.remove(geometry)
     else:
-        geometry = neighbour(path)
         warn(f"{path}: shown on {geometry}")
     surface = _attempt(geometry, read_geometry, warn)
     side = hemisphere_of(geometry)
@@ -100,6 +99,15 @@ def read_cortex(path, overlays=(), warn=print):
         for item in _attempt(overlay, read_overlay):
             add_overlay(surface, item, overlay)
     return surface
+
+
+def geometry_among(paths):
+    """The first of some files that has a surface, or else the surface beside the first file."""
+    for path in paths:
+        kind = kind_of(path)
+        if kind == "surface" or (kind == "gifti" and _gifti_surface(path)):
+            return path
+    return neighbour(paths[0])
 
 
 def neighbour(path):
@@ -199,6 +207,11 @@ def read_overlay(path):
         return [Overlay(name, labels.astype(np.int32), texts, colours)]
     vertices = freesurfer.read_label(path)
     return [Overlay(name, np.ones(len(vertices), np.int32), {1: name}, vertices=vertices)]
+
+
+def overlay_names(path):
+    """The names of the point arrays that an overlay becomes, as its reader gives them."""
+    return [overlay.name for overlay in _attempt(path, read_overlay)]
 
 
 def overlay_name(path):
