@@ -25,6 +25,9 @@ VERTEX_NUMBER = "VertexNumber"
 VERTEX_COUNT = "VertexCount"
 
 QUAD_OR_CURVATURE = b"\xff\xff\xff"
+USE_REAL_RAS, SURFACE_GEOMETRY = 2, 20  # FreeSurfer's tags in the footer of a surface
+# FreeSurfer's surface RAS of the axes of a volume, as columns.
+SURFACE_AXES = np.array([[-1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
 GEOMETRY = (b"\xff\xff\xfe", b"\xff\xff\xfd")
 
 # Surfaces to look for beside an overlay that is opened alone, the most usual first.
@@ -303,7 +306,8 @@ def _in_scanner_space(path):
     with open(path, "rb") as stream:
         content = stream.read()
     start = content.rfind(b"valid = ")
-    return start >= 12 and struct.unpack(">3i", content[start - 12 : start]) == (2, 1, 20)
+    tags = (USE_REAL_RAS, 1, SURFACE_GEOMETRY)
+    return start >= 12 and struct.unpack(">3i", content[start - 12 : start]) == tags
 
 
 def _scanner_of_surface(information):
@@ -312,7 +316,7 @@ def _scanner_of_surface(information):
     sizes = np.array(information["voxelsize"])
     half = np.array(information["volume"]) * sizes / 2
     surface = np.eye(4)
-    surface[:3, :3] = np.array([[-1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
+    surface[:3, :3] = SURFACE_AXES
     surface[:3, 3] = -surface[:3, :3] @ half
     scanner = np.eye(4)
     scanner[:3, :3] = np.column_stack([information["xras"], information["yras"], information["zras"]])

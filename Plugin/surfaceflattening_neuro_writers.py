@@ -12,12 +12,25 @@ Map Transfer keeps it for every vertex of the original surface.
 
 import os
 import struct
+import warnings
 
 import numpy as np
-from surfaceflattening_neuro import VERTEX_COUNT, VERTEX_NUMBER, CortexError, nibabel
+from surfaceflattening_neuro import (
+    SURFACE_AXES,
+    SURFACE_GEOMETRY,
+    USE_REAL_RAS,
+    VERTEX_COUNT,
+    VERTEX_NUMBER,
+    CortexError,
+    nibabel,
+)
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 ORIGINAL = "vtkOriginalPointIds"
+SCANNER = 1  # space of GIFTI
+# Of the products of unit vectors, which headers have in single precision or with six digits: a stretch of so little is
+# a hundredth of a millimetre in a head.
+TURN_TOLERANCE = 1e-4
 COLOURS = 1 << 24  # of three bytes
 COLOUR_STEP = 0x9E3779  # odd, so that its multiples go through all colours; neighbours in the order look different
 
@@ -40,7 +53,7 @@ def write_cortex(path, data, array=None, warn=print):
         return _write_gifti_surface(path, data)
     if name.endswith((".annot", ".label", ".curv")):
         return _write_freesurfer_values(path, data, _chosen(data, array), array, warn)
-    return _write_freesurfer_surface(path, data)
+    return _write_freesurfer_surface(path, data, warn)
 
 
 def write_patch(path, data):
@@ -203,12 +216,26 @@ def _told_apart(rows, warn):
     return found
 
 
+def _place(data):
+    """Whether the coordinates are those of the patient, and if not, the matrix that leads there, or None. A flat map
+    has neither: its coordinates are on the map."""
+    field = data.GetFieldData()
+    placed, matrix = field.GetArray("InPatientSpace"), field.GetArray("PatientMatrix")
+    if data.GetPointData().GetArray("SurfacePoints"):
+        return False, None
+    if placed and placed.GetTuple1(0):
+        return True, None
+    return False, np.reshape(matrix.GetTuple(0), (4, 4)) if matrix else None
+
+
 def _write_gifti_surface(path, data):
     gifti = nibabel().gifti
     points = _of_all_vertices(data, _points(data).astype(np.float32))
-    patient = data.GetFieldData().GetArray("InPatientSpace")
-    space = 1 if patient and patient.GetTuple1(0) and not data.GetPointData().GetArray("SurfacePoints") else 0
-    system = gifti.GiftiCoordSystem(dataspace=space, xformspace=space)
+    in_patient_space, matrix = _place(data)
+    known = in_patient_space or matrix is not None
+    system = gifti.GiftiCoordSystem(
+        dataspace=SCANNER if in_patient_space else 0, xformspace=SCANNER if known else 0, xform=matrix
+    )
     image = gifti.GiftiImage(
         darrays=[
             gifti.GiftiDataArray(
@@ -286,7 +313,40 @@ def _write_label(path, data, values):
             stream.write(f"{numbers[k]} {x:.6f} {y:.6f} {z:.6f} {float(values[k]):.6f}\n")
 
 
-def _write_freesurfer_surface(path, data):
-    nibabel().freesurfer.io.write_geometry(
-        path, _of_all_vertices(data, _points(data).astype(np.float32)), _faces_of_all_vertices(data)
-    )
+def _write_freesurfer_surface(path, data, warn):
+    in_patient_space, matrix = _place(data)
+    if matrix is not None and not np.allclose(matrix[:3, :3] @ matrix[:3, :3].T, np.eye(3), atol=TURN_TOLERANCE):
+        warn(
+            f"{path}: the place of the surface in the patient is lost: a file of FreeSurfer tells it by a turn and a "
+            "shift, but the PatientMatrix stretches or shears: apply Patient Space before"
+        )
+        matrix = None
+    information = None
+    if in_patient_space or matrix is not None:
+        information = _volume_of_surface(np.eye(4) if matrix is None else matrix)
+        information["head"] = [USE_REAL_RAS, int(in_patient_space), SURFACE_GEOMETRY]
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of nibabel, which does not know the coordinates of the scanner
+        nibabel().freesurfer.io.write_geometry(
+            path,
+            _of_all_vertices(data, _points(data).astype(np.float32)),
+            _faces_of_all_vertices(data),
+            volume_info=information,
+        )
+
+
+def _volume_of_surface(matrix):
+    """FreeSurfer's description of a volume whose surface RAS the matrix leads to scanner RAS: surface RAS are 0 at the
+    middle of the volume, where scanner RAS are c_ras, and the sizes cancel out. Of coordinates that are scanner RAS
+    both are the same, so that programs that do not look at useRealRAS find the place, too."""
+    x, y, z = (matrix[:3, :3] @ SURFACE_AXES).T
+    return {
+        "valid": "1  # volume info valid",
+        "filename": "unknown",
+        "volume": [256, 256, 256],
+        "voxelsize": [1.0, 1.0, 1.0],
+        "xras": x,
+        "yras": y,
+        "zras": z,
+        "cras": matrix[:3, 3],
+    }

@@ -20,6 +20,7 @@ from surfaceflattening_neuro import (
     read_cortex,
 )
 from surfaceflattening_neuro_writers import write_cortex
+from surfaceflattening_scans import place
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 NAMES = ["unknown", "precentral", "insula"]
@@ -256,6 +257,75 @@ def check_hemispheres():
         assert found == (side, stem), (name, found)
 
 
+def turned():
+    """A turn about an oblique axis, and a shift."""
+    axis, angle = np.array([1.0, 2, 3]) / np.sqrt(14), 0.7
+    cross = np.cross(np.eye(3), -axis)
+    matrix = np.eye(4)
+    matrix[:3, :3] += np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
+    matrix[:3, 3] = 12.5, -30.25, 7.125
+    return matrix
+
+
+def in_scanner_space(path):
+    """The points of a file where its footer or header has them in the scanner, without this plugin's readers."""
+    if path.endswith(".gii"):
+        array = nibabel.load(path).get_arrays_from_intent("NIFTI_INTENT_POINTSET")[0]
+        assert array.coordsys.xformspace == 1, array.coordsys.xformspace
+        return array.data @ array.coordsys.xform[:3, :3].T + array.coordsys.xform[:3, 3]
+    points, _faces, footer = freesurfer.read_geometry(path, read_metadata=True)
+    assert list(footer["head"]) == [2, 0, 20] and footer["valid"].startswith("1"), footer
+    half = np.array(footer["volume"]) * footer["voxelsize"] / 2
+    voxels = np.column_stack([half[0] - points[:, 0], half[1] - points[:, 2], half[2] + points[:, 1]])  # in mm
+    return (voxels - half) @ np.array([footer["xras"], footer["yras"], footer["zras"]]) + footer["cras"]
+
+
+def check_places(files):
+    """A surface that is written lies where it did in the patient, to this plugin and to others."""
+    path, said = files.path, []
+    data = read_cortex(path("lh.pial"))
+    mirror = np.diag([-1.0, 1, 1, 1])
+    for matrix in (matrix_of(data), turned(), turned() @ mirror):
+        place(data, matrix, "test")
+        expected = files.points @ matrix[:3, :3].T + matrix[:3, 3]
+        for name in ("lh.placed.pial", "lh.placed.surf.gii"):
+            write_cortex(path(name), data, warn=said.append)
+            again = read_cortex(path(name), warn=said.append)
+            assert np.array_equal(points_of(again), files.points), name
+            assert np.allclose(matrix_of(again), matrix, atol=1e-6), (name, matrix_of(again))
+            assert np.abs(in_scanner_space(path(name)) - expected).max() < 1e-3, name
+
+    # In the scanner's space already. nibabel does not know FreeSurfer's tag, but the points.
+    add_field(data, "InPatientSpace", 1)
+    for name in ("lh.real.pial", "lh.real.surf.gii"):
+        write_cortex(path(name), data, warn=said.append)
+        again = read_cortex(path(name), warn=said.append)
+        assert np.array_equal(points_of(again), files.points), name
+        assert again.GetFieldData().GetArray("InPatientSpace").GetTuple1(0) == 1, name
+    assert np.array_equal(freesurfer.read_geometry(path("lh.real.pial"))[0], files.points)
+    assert np.array_equal(in_scanner_space(path("lh.real.surf.gii")), files.points)
+    with open(path("lh.real.pial"), "rb") as stream:
+        footer = stream.read().partition(struct.pack(">3i", 2, 1, 20))[2].decode().splitlines()
+    # To programs that do not look at the tag surface RAS are scanner RAS.
+    assert footer[0].startswith("valid = 1") and footer[4:] == [
+        "xras   = -1 0 0", "yras   = 0 0 -1", "zras   = 0 1 0", "cras   = 0 0 0"], footer
+    assert not said, said
+
+    # A shear cannot be told in a footer, and a flat map lies nowhere in the patient.
+    data = read_cortex(path("lh.pial"))
+    place(data, np.diag([1.0, 1, 1.2, 1]), "test")
+    write_cortex(path("lh.sheared.pial"), data, warn=said.append)
+    assert len(said) == 1 and "lh.sheared.pial: the place" in said[0] and "Patient Space" in said[0], said
+    write_cortex(path("lh.sheared.surf.gii"), data, warn=said.append)
+    assert np.allclose(matrix_of(read_cortex(path("lh.sheared.surf.gii"))), np.diag([1.0, 1, 1.2, 1]))
+    add_points_array(data, "SurfacePoints", files.points)
+    for name in ("lh.map.pial", "lh.map.surf.gii"):
+        write_cortex(path(name), data, warn=said.append)
+        again = read_cortex(path(name), warn=lambda text: None).GetFieldData()
+        assert not again.GetArray("PatientMatrix") and not again.GetArray("InPatientSpace"), name
+    assert len(said) == 1, said
+
+
 def check_annotation_colours(files):
     """In an annotation a vertex has the colour of its region and no number: regions of one colour would become one, and
     black ones none."""
@@ -270,8 +340,8 @@ def check_annotation_colours(files):
     # A table of labels without colours, which is black to nibabel.
     table = "".join(f'<Label Key="{k}"><![CDATA[{name}]]></Label>' for k, name in enumerate(NAMES))
     kept = np.where(files.labels < 0, 0, files.labels).astype(np.int32)
-    write_gifti(path("lh.black.label.gii"), f"<LabelTable>{table}</LabelTable>", gifti_array(
-        path("lh.black.label.gii"), kept, "LABEL", "ASCII"))
+    values = gifti_array(path("lh.black.label.gii"), kept, "LABEL", "ASCII")
+    write_gifti(path("lh.black.label.gii"), f"<LabelTable>{table}</LabelTable>{values}")
     data = read_cortex(path("lh.pial"), [path("lh.black.label.gii"), path("lh.aparc.annot")])
     write_cortex(path("lh.black.annot"), data, "black", said.append)
     labels, table, names = freesurfer.read_annot(path("lh.black.annot"))
@@ -357,6 +427,7 @@ with tempfile.TemporaryDirectory() as scratch:
     check_gifti(made)
     check_bad_files(made)
     check_hemispheres()
+    check_places(made)
     check_annotation_colours(made)
     check_quads(made)
     check_patch(made)
