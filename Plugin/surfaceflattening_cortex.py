@@ -27,6 +27,7 @@ from surfaceflattening_neuro import (
 from surfaceflattening_neuro_writers import write_cortex
 from surfaceflattening_region_table import region_table, write_csv
 from surfaceflattening_volume import _filter
+from surfaceflattening_whole_file import reason_of
 
 # Names that atlases give to the part of the surface that is no cortex: Desikan-Killiany, Destrieux, HCP, and Yeo.
 NO_CORTEX = ("unknown", "corpuscallosum", "medial_wall", "medialwall", "???", "freesurfer_defined_medial_wall")
@@ -188,7 +189,7 @@ def _write(result, folder):
             write_csv(result.csv, region_table(data, result.regions, result.curvature))
     except OSError as error:
         raise OSError(
-            f"the map is finished, but the folder {folder} cannot be written ({error.strerror or error}): save the map "
+            f"the map is finished, but the folder {folder} cannot be written ({reason_of(error)}): save the map "
             "and the table of regions in another folder, by File > Save Data"
         ) from None
 

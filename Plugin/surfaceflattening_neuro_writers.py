@@ -24,6 +24,7 @@ from surfaceflattening_neuro import (
     CortexError,
     nibabel,
 )
+from surfaceflattening_whole_file import whole_file
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 ORIGINAL = "vtkOriginalPointIds"
@@ -39,24 +40,36 @@ def write_cortex(path, data, array=None, warn=print):
     """Writes @data, vtkPolyData or a proxy of ParaView, in the format that the name of the file tells.
 
     @array: the point array to write, for the formats of values: .shape.gii, .func.gii, .label.gii, .annot, .label,
-    and FreeSurfer's curvature, .curv. @warn: is told what the file cannot hold. Raises CortexError.
+    and FreeSurfer's curvature, .curv. @warn: is told what the file cannot hold. Raises CortexError, and OSError if the
+    file cannot be written: an earlier one stays as it was.
     """
     data = _fetched(data)
     if data.GetNumberOfPoints() == 0:
         raise CortexError("there are no points to write")
+    with whole_file(path) as part:
+        _write(part, data, array, lambda text: warn(f"{path}: {text}"))
+
+
+def _write(path, data, array, warn):
     name = os.path.basename(path)
     if name.endswith(".patch.3d"):
-        return write_patch(path, data)
-    if name.endswith((".shape.gii", ".func.gii", ".label.gii")):
-        return _write_gifti_values(path, data, _chosen(data, array), array)
-    if name.endswith(".gii"):
-        return _write_gifti_surface(path, data)
-    if name.endswith((".annot", ".label", ".curv")):
-        return _write_freesurfer_values(path, data, _chosen(data, array), array, warn)
-    return _write_freesurfer_surface(path, data, warn)
+        _write_patch(path, data)
+    elif name.endswith((".shape.gii", ".func.gii", ".label.gii")):
+        _write_gifti_values(path, data, _chosen(data, array), array)
+    elif name.endswith(".gii"):
+        _write_gifti_surface(path, data)
+    elif name.endswith(".curv"):
+        values = _of_all_vertices(data, _chosen(data, array).astype(np.float32))
+        nibabel().freesurfer.io.write_morph_data(path, values)
+    elif name.endswith(".label"):
+        _write_label(path, data, _chosen(data, array))
+    elif name.endswith(".annot"):
+        _write_annotation(path, data, _chosen(data, array), array, warn)
+    else:
+        _write_freesurfer_surface(path, data, warn)
 
 
-def write_patch(path, data):
+def _write_patch(path, data):
     """FreeSurfer's binary patch: -1, the number of vertices, then for each its number + 1, negative on the border, and
     x, y, z; integers and single precision, all big-endian (mrisWritePatch in FreeSurfer's mrisurf_io.cpp).
 
@@ -272,15 +285,6 @@ def _write_gifti_values(path, data, values, name):
     nibabel().save(gifti.GiftiImage(labeltable=table, darrays=[array]), path)
 
 
-def _write_freesurfer_values(path, data, values, name, warn):
-    freesurfer = nibabel().freesurfer.io
-    if path.endswith(".curv"):
-        return freesurfer.write_morph_data(path, _of_all_vertices(data, values.astype(np.float32)))
-    if path.endswith(".label"):
-        return _write_label(path, data, values)
-    _write_annotation(path, data, values, name, lambda text: warn(f"{path}: {text}"))
-
-
 def _write_annotation(path, data, values, name, warn):
     known = {label: row for label, row in _names(data, name).items() if label >= 0} or {
         int(label): (str(int(label)), _colour(k)) for k, label in enumerate(np.unique(values[values >= 0]))
@@ -317,8 +321,8 @@ def _write_freesurfer_surface(path, data, warn):
     in_patient_space, matrix = _place(data)
     if matrix is not None and not np.allclose(matrix[:3, :3] @ matrix[:3, :3].T, np.eye(3), atol=TURN_TOLERANCE):
         warn(
-            f"{path}: the place of the surface in the patient is lost: a file of FreeSurfer tells it by a turn and a "
-            "shift, but the PatientMatrix stretches or shears: apply Patient Space before"
+            "the place of the surface in the patient is lost: a file of FreeSurfer tells it by a turn and a shift, but "
+            "the PatientMatrix stretches or shears: apply Patient Space before"
         )
         matrix = None
     information = None

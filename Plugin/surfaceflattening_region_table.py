@@ -12,6 +12,7 @@ import re
 from collections import Counter
 
 import numpy as np
+from surfaceflattening_whole_file import whole_file
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints, vtkStringArray
@@ -93,7 +94,7 @@ def write_csv(path, rows):
     """A file that spreadsheets open: commas, a header, and UTF-8 with the mark by which Excel knows it."""
     if not rows:
         raise RegionTableError("there are no regions")
-    with open(path, "w", encoding="utf-8-sig", newline="") as stream:
+    with whole_file(path) as part, open(part, "w", encoding="utf-8-sig", newline="") as stream:
         writer = csv.DictWriter(stream, list(rows[0]))
         writer.writeheader()
         writer.writerows(rows)

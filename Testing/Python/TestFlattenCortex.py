@@ -180,7 +180,8 @@ with tempfile.TemporaryDirectory() as scratch:
         stream.write("1 Precentral_L 2001\n2 Precentral_R 2002\n")
     assert read_names(names) == {1: "Precentral_L", 2: "Precentral_R"}
     with open(names, "w", encoding="utf-8-sig") as stream:  # with the mark that some editors put before the first line
-        stream.write("17 Superior frontal gyrus\n18 Left-Thalamus  0 118 14 0\n44 Area 44\n45\tArea 45\n-1 7\n# 3 none\n")
+        stream.write("17 Superior frontal gyrus\n18 Left-Thalamus  0 118 14 0\n")
+        stream.write("44 Area 44\n45\tArea 45\n-1 7\n# 3 none\n")
     expected = {17: "Superior frontal gyrus", 18: "Left-Thalamus", 44: "Area 44", 45: "Area 45", -1: "7"}
     assert read_names(names) == expected, read_names(names)
     print("Flatten Cortex: passed")

@@ -3,6 +3,7 @@
 
 import base64
 import os
+import resource
 import struct
 import tempfile
 import zlib
@@ -20,6 +21,7 @@ from surfaceflattening_neuro import (
     read_cortex,
 )
 from surfaceflattening_neuro_writers import write_cortex
+from surfaceflattening_region_table import write_csv
 from surfaceflattening_scans import place
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -364,6 +366,34 @@ def check_annotation_colours(files):
     assert "no point has a region" in message(write_cortex, path("lh.none.annot"), data, "none")
 
 
+def check_full_disk(files):
+    """A file that does not fit on the disk leaves the earlier one as it was, and says so."""
+    path = files.path
+    data = read_cortex(path("lh.pial"), [path("lh.curv"), path("lh.aparc.annot")])
+    arrays = {"pial": None, "annot": "aparc", "curv": "curv", "surf.gii": None, "shape.gii": "curv"}
+    writes = {
+        f"lh.z.{end}": lambda end=end, array=array: write_cortex(path(f"lh.z.{end}"), data, array)
+        for end, array in arrays.items()
+    }
+    writes["lh.z.csv"] = lambda: write_csv(path("lh.z.csv"), 20 * [{"Label": 1, "Name": "precentral"}])
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    for name, write in writes.items():
+        write()
+        with open(path(name), "rb") as stream:
+            before = stream.read()
+        resource.setrlimit(resource.RLIMIT_FSIZE, (100, hard))
+        try:
+            write()
+            raise AssertionError(f"{name}: no error")
+        except OSError as error:
+            assert f"{path(name)} cannot be written" in str(error), error
+        finally:
+            resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+        with open(path(name), "rb") as stream:
+            assert stream.read() == before, name
+    assert not [name for name in os.listdir(files.folder) if name.startswith(".part")]
+
+
 def check_quads(files):
     """Old surfaces have quadrangles, which are two triangles each: here a cube with coordinates in hundredths."""
     corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
@@ -429,6 +459,7 @@ with tempfile.TemporaryDirectory() as scratch:
     check_hemispheres()
     check_places(made)
     check_annotation_colours(made)
+    check_full_disk(made)
     check_quads(made)
     check_patch(made)
     print("FreeSurfer and GIFTI: passed")
