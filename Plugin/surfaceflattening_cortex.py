@@ -11,14 +11,23 @@ The steps are sources and filters in the pipeline browser, and can be changed th
 same with the surface that is selected.
 """
 
+import contextlib
 import os
 from dataclasses import dataclass
 
 from paraview import servermanager, simple
-from surfaceflattening_neuro import VERTEX_NUMBER, overlay_name
+from surfaceflattening_neuro import (
+    VERTEX_NUMBER,
+    CortexError,
+    geometry_among,
+    hemisphere_stem,
+    overlay_name,
+    overlay_names,
+)
 from surfaceflattening_neuro_writers import write_cortex
 from surfaceflattening_region_table import region_table, write_csv
 from surfaceflattening_volume import _filter
+from surfaceflattening_whole_file import reason_of
 
 # Names that atlases give to the part of the surface that is no cortex: Desikan-Killiany, Destrieux, HCP, and Yeo.
 NO_CORTEX = ("unknown", "corpuscallosum", "medial_wall", "medialwall", "???", "freesurfer_defined_medial_wall")
@@ -35,6 +44,8 @@ class FlatCortex:
     flat: object
     measured: object
     table: object
+    regions: str = None  # the point arrays of labels and curvature
+    curvature: str = None
     patch: str = None
     csv: str = None
 
@@ -49,7 +60,7 @@ def flatten_cortex(
     regions that are no cortex; by default the usual names, and vertices without a region. @cut, @free_outline: of
     Surface To Disk and OMT Area Preserving. @folder: where the patch and the table are written; by default nowhere.
 
-    Raises ValueError.
+    Raises ValueError, and OSError if the folder cannot be written.
     """
     source = _source(surface, annotation, curvature)
     regions = _array_name(source, annotation)
@@ -77,9 +88,9 @@ def flatten_cortex(
             registrationName="Regions", Input=measured, RegionArray=["POINTS", regions], CurvatureArray=["POINTS", bend]
         )
         table.UpdatePipeline()
-    result = FlatCortex(source, cortex, disk, flat, measured, table)
+    result = FlatCortex(source, cortex, disk, flat, measured, table, regions, bend)
     if folder:
-        _write(result, folder, regions, bend)
+        _write(result, folder)
     return result
 
 
@@ -105,10 +116,15 @@ def _array_name(source, given):
     if given is None:
         return None
     source.UpdatePipeline()
-    for name in (str(given), overlay_name(str(given))):
-        if source.GetDataInformation().GetPointDataInformation().GetArrayInformation(name):
+    arrays = source.GetDataInformation().GetPointDataInformation()
+    if arrays.GetArrayInformation(str(given)):
+        return str(given)
+    # A file of GIFTI may have a name for its array within.
+    names = overlay_names(str(given)) if os.path.isfile(given) else [overlay_name(str(given))]
+    for name in names:
+        if arrays.GetArrayInformation(name):
             return name
-    raise ValueError(f"the surface has no point array {overlay_name(str(given))}")
+    raise ValueError(f"the surface has no point array {names[0]}: give its file as an overlay to the reader")
 
 
 def label_arrays(source):
@@ -160,26 +176,31 @@ def wall_labels(source, regions, medial_wall=None):
     return found
 
 
-def _write(result, folder, regions, bend):
-    os.makedirs(folder, exist_ok=True)
+def _write(result, folder):
     stem = _stem(result.surface)
     data = servermanager.Fetch(result.measured)
-    if data.GetPointData().GetArray(VERTEX_NUMBER):
-        result.patch = os.path.join(folder, f"{stem}.flat.patch.3d")
-        write_cortex(result.patch, data)
-    if regions:
-        result.csv = os.path.join(folder, f"{stem}.regions.csv")
-        write_csv(result.csv, region_table(data, regions, bend))
+    try:
+        os.makedirs(folder, exist_ok=True)
+        if data.GetPointData().GetArray(VERTEX_NUMBER):
+            result.patch = os.path.join(folder, f"{stem}.flat.patch.3d")
+            write_cortex(result.patch, data)
+        if result.regions:
+            result.csv = os.path.join(folder, f"{stem}.regions.csv")
+            write_csv(result.csv, region_table(data, result.regions, result.curvature))
+    except OSError as error:
+        raise OSError(
+            f"the map is finished, but the folder {folder} cannot be written ({reason_of(error)}): save the map "
+            "and the table of regions in another folder, by File > Save Data"
+        ) from None
 
 
 def _stem(proxy):
-    """The hemisphere at the beginning of the file's name, as lh, or the name."""
+    """The beginning of the names of the files for a surface: that of its file's name, with the hemisphere."""
     while not hasattr(proxy, "FileName"):
         if not hasattr(proxy, "Input") or proxy.Input is None:
             return "cortex"
         proxy = proxy.Input
-    name = os.path.basename(str(proxy.FileName))
-    return name[:2] if name[:3] in ("lh.", "rh.") else name.split(".")[0]
+    return hemisphere_stem(str(proxy.FileName))
 
 
 def flatten_cortex_and_show(source=None):
@@ -195,16 +216,36 @@ def flatten_cortex_and_show(source=None):
         )
     names = source.PointData.keys()
     bend = next((name for name in ("curv", "sulc") if name in names), None)
+    result = flatten_cortex(source, annotation=arrays[0], curvature=bend)
+    _show(result)
+    folder = _folder_beside(source)
+    if folder:
+        _write(result, folder)
+    for written in (result.patch, result.csv):
+        if written:
+            print(f"Written: {written}")
+    return result
+
+
+def _folder_beside(source):
+    """The folder for the files of a surface from a file; nothing for another one."""
     path = getattr(source, "FileName", None)
-    folder = os.path.join(os.path.dirname(str(path)), "flat") if path else None
-    result = flatten_cortex(source, annotation=arrays[0], curvature=bend, folder=folder)
+    if not path:
+        return None
+    path = str(path)
+    with contextlib.suppress(CortexError):  # of a file of another kind, which is the surface itself
+        path = geometry_among([path, *getattr(source, "Overlays", [])])
+    return os.path.join(os.path.dirname(path), "flat")
+
+
+def _show(result):
     layout = simple.CreateLayout("Flat cortex")
     views = []
     for proxy in (result.cortex, result.measured):
         view = simple.CreateView("RenderView")
         simple.AssignViewToLayout(view=view, layout=layout, hint=0)
         display = simple.Show(proxy, view)
-        simple.ColorBy(display, ("POINTS", arrays[0]))
+        simple.ColorBy(display, ("POINTS", result.regions))
         view.ResetCamera()
         views.append(view)
     sheet = simple.CreateView("SpreadSheetView")
@@ -213,7 +254,3 @@ def flatten_cortex_and_show(source=None):
     simple.SetActiveView(views[1])
     simple.SetActiveSource(result.measured)
     simple.RenderAllViews()
-    for written in (result.patch, result.csv):
-        if written:
-            print(f"Written: {written}")
-    return result

@@ -12,14 +12,15 @@ pipeline browser.
 import os
 
 from paraview import servermanager, simple
+from surfaceflattening_whole_file import whole_file
 
 
 def save_flat_map(source, path):
     """Writes the first output of @source to @path, as VTK XML with binary data if it ends in .vtp, and each of its
     tables beside it as CSV, with the name of the output. Returns the paths.
 
-    @raise ValueError if there is no source or its first output is empty.
-    @raise OSError if the folder cannot be written.
+    @raise ValueError if there is no source, its first output is empty, or the name tells no format.
+    @raise OSError if a file cannot be written: an earlier one of its name stays as it was.
     """
     if source is None:
         raise ValueError("no source is selected: click a flat map in the pipeline browser first")
@@ -27,14 +28,24 @@ def save_flat_map(source, path):
     if source.GetDataInformation().GetNumberOfCells() == 0:
         raise ValueError("the selected source is empty: select a flat map in the pipeline browser, and press Apply")
     stem, ending = os.path.splitext(path)
-    folder = os.path.dirname(os.path.abspath(path))
-    if not os.access(folder, os.W_OK):
-        raise OSError(f"{folder} cannot be written: choose another folder")
-    simple.SaveData(path, proxy=source, **({"DataMode": "Binary"} if ending == ".vtp" else {}))
+    _save(path, source, **({"DataMode": "Binary"} if ending == ".vtp" else {}))
     paths = [path]
     for port in range(1, source.SMProxy.GetNumberOfOutputPorts()):
         table = servermanager.Fetch(source, idx=port)
         if table is not None and table.IsA("vtkTable") and table.GetNumberOfRows() > 0:
             paths.append(f"{stem}_{source.SMProxy.GetOutputPortName(port)}.csv")
-            simple.SaveData(paths[-1], proxy=simple.OutputPort(source, port), Precision=9)
+            _save(paths[-1], simple.OutputPort(source, port), Precision=9)
     return paths
+
+
+def _save(path, output, **settings):
+    """SaveData(), which says nothing if it writes nothing."""
+    with whole_file(path) as part:
+        try:
+            writer = simple.CreateWriter(part, output, **settings)
+        except (AttributeError, RuntimeError):  # as ParaView has it where there is no writer
+            writer = None
+        if not writer:
+            raise ValueError(f"{path}: the name does not end as a format for this data does: end it with .vtp, say")
+        writer.UpdateVTKObjects()
+        writer.UpdatePipeline()

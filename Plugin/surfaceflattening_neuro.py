@@ -25,10 +25,23 @@ VERTEX_NUMBER = "VertexNumber"
 VERTEX_COUNT = "VertexCount"
 
 QUAD_OR_CURVATURE = b"\xff\xff\xff"
+USE_REAL_RAS, SURFACE_GEOMETRY = 2, 20  # FreeSurfer's tags in the footer of a surface
+# FreeSurfer's surface RAS of the axes of a volume, as columns.
+SURFACE_AXES = np.array([[-1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
 GEOMETRY = (b"\xff\xff\xfe", b"\xff\xff\xfd")
 
 # Surfaces to look for beside an overlay that is opened alone, the most usual first.
 NEIGHBOURS = ("pial", "white", "inflated", "smoothwm", "orig", "sphere")
+
+# What tells the hemisphere in the name of a file, the surest first: names of studies and subjects may have an r or l in
+# them. FreeSurfer, BIDS, any lh or rh, HCP, any l or r.
+HEMISPHERES = (
+    r"^(lh|rh)\.",
+    r"(?:^|[._-])hemi-(lh|rh|l|r)[._]",
+    r"(?:^|[._-])(lh|rh)[._]",
+    r"\.(l|r)\.",
+    r"(?:^|[._-])(l|r)[._]",
+)
 
 
 class CortexError(ValueError):
@@ -73,11 +86,10 @@ def kind_of(path):
 def read_cortex(path, overlays=(), warn=print):
     """A surface with @overlays as point arrays. An overlay that is given as @path brings the surface beside it."""
     paths = [path, *overlays]
-    holds_surface = [kind_of(p) == "surface" or (kind_of(p) == "gifti" and _gifti_surface(p)) for p in paths]
-    if any(holds_surface):
-        geometry = paths.pop(holds_surface.index(True))
+    geometry = geometry_among(paths)
+    if geometry in paths:
+        paths.remove(geometry)
     else:
-        geometry = neighbour(path)
         warn(f"{path}: shown on {geometry}")
     surface = _attempt(geometry, read_geometry, warn)
     side = hemisphere_of(geometry)
@@ -90,6 +102,15 @@ def read_cortex(path, overlays=(), warn=print):
         for item in _attempt(overlay, read_overlay):
             add_overlay(surface, item, overlay)
     return surface
+
+
+def geometry_among(paths):
+    """The first of some files that has a surface, or else the surface beside the first file."""
+    for path in paths:
+        kind = kind_of(path)
+        if kind == "surface" or (kind == "gifti" and _gifti_surface(path)):
+            return path
+    return neighbour(paths[0])
 
 
 def neighbour(path):
@@ -111,8 +132,22 @@ def neighbour(path):
 def hemisphere_of(path):
     """left or right by the name of the file, as FreeSurfer (lh.pial), HCP (100307.L.pial) and BIDS (hemi-L) have it; or
     nothing."""
-    found = re.search(r"(?:^|[._-])(?:hemi-)?(lh|rh|l|r)[._]", os.path.basename(path).lower())
-    return {"l": "left", "r": "right"}[found.group(1)[0]] if found else None
+    found = _hemisphere_in(os.path.basename(path))
+    return {"l": "left", "r": "right"}[found.group(1)[0].lower()] if found else None
+
+
+def hemisphere_stem(path):
+    """The name of a file up to its first dot, or as far as it tells the hemisphere: lh of lh.pial, 100307.L of
+    100307.L.pial.surf.gii."""
+    name = os.path.basename(path)
+    found = _hemisphere_in(name)
+    end = name.find(".", found.end(1) if found else 0)
+    return name[:end] if end >= 0 else name
+
+
+def _hemisphere_in(name):
+    matches = (re.search(pattern, name, re.IGNORECASE) for pattern in HEMISPHERES)
+    return next(filter(None, matches), None)
 
 
 def read_geometry(path, warn=print):
@@ -175,6 +210,11 @@ def read_overlay(path):
         return [Overlay(name, labels.astype(np.int32), texts, colours)]
     vertices = freesurfer.read_label(path)
     return [Overlay(name, np.ones(len(vertices), np.int32), {1: name}, vertices=vertices)]
+
+
+def overlay_names(path):
+    """The names of the point arrays that an overlay becomes, as its reader gives them."""
+    return [overlay.name for overlay in _attempt(path, read_overlay)]
 
 
 def overlay_name(path):
@@ -266,7 +306,8 @@ def _in_scanner_space(path):
     with open(path, "rb") as stream:
         content = stream.read()
     start = content.rfind(b"valid = ")
-    return start >= 12 and struct.unpack(">3i", content[start - 12 : start]) == (2, 1, 20)
+    tags = (USE_REAL_RAS, 1, SURFACE_GEOMETRY)
+    return start >= 12 and struct.unpack(">3i", content[start - 12 : start]) == tags
 
 
 def _scanner_of_surface(information):
@@ -275,7 +316,7 @@ def _scanner_of_surface(information):
     sizes = np.array(information["voxelsize"])
     half = np.array(information["volume"]) * sizes / 2
     surface = np.eye(4)
-    surface[:3, :3] = np.array([[-1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
+    surface[:3, :3] = SURFACE_AXES
     surface[:3, 3] = -surface[:3, :3] @ half
     scanner = np.eye(4)
     scanner[:3, :3] = np.column_stack([information["xras"], information["yras"], information["zras"]])

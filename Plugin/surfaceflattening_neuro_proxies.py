@@ -59,7 +59,7 @@ class CortexWriter(VTKPythonAlgorithmBase):
 
     def RequestData(self, _request, inputs, _outputs):
         data = vtkPolyData.GetData(inputs[0], 0)
-        return _reported(lambda: write_cortex(self._path, data, self._array))
+        return _reported(lambda: write_cortex(self._path, data, self._array, _warn))
 
     def Write(self):
         self.Modified()

@@ -12,36 +12,64 @@ Map Transfer keeps it for every vertex of the original surface.
 
 import os
 import struct
+import warnings
 
 import numpy as np
-from surfaceflattening_neuro import VERTEX_COUNT, VERTEX_NUMBER, CortexError, nibabel
+from surfaceflattening_neuro import (
+    SURFACE_AXES,
+    SURFACE_GEOMETRY,
+    USE_REAL_RAS,
+    VERTEX_COUNT,
+    VERTEX_NUMBER,
+    CortexError,
+    nibabel,
+)
+from surfaceflattening_whole_file import whole_file
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 ORIGINAL = "vtkOriginalPointIds"
+SCANNER = 1  # space of GIFTI
+# Of the products of unit vectors, which headers have in single precision or with six digits: a stretch of so little is
+# a hundredth of a millimetre in a head.
+TURN_TOLERANCE = 1e-4
+COLOURS = 1 << 24  # of three bytes
+COLOUR_STEP = 0x9E3779  # odd, so that its multiples go through all colours; neighbours in the order look different
 
 
-def write_cortex(path, data, array=None):
+def write_cortex(path, data, array=None, warn=print):
     """Writes @data, vtkPolyData or a proxy of ParaView, in the format that the name of the file tells.
 
     @array: the point array to write, for the formats of values: .shape.gii, .func.gii, .label.gii, .annot, .label,
-    and FreeSurfer's curvature, .curv. Raises CortexError.
+    and FreeSurfer's curvature, .curv. @warn: is told what the file cannot hold. Raises CortexError, and OSError if the
+    file cannot be written: an earlier one stays as it was.
     """
     data = _fetched(data)
     if data.GetNumberOfPoints() == 0:
         raise CortexError("there are no points to write")
+    with whole_file(path) as part:
+        _write(part, data, array, lambda text: warn(f"{path}: {text}"))
+
+
+def _write(path, data, array, warn):
     name = os.path.basename(path)
     if name.endswith(".patch.3d"):
-        return write_patch(path, data)
-    if name.endswith((".shape.gii", ".func.gii", ".label.gii")):
-        return _write_gifti_values(path, data, _chosen(data, array), array)
-    if name.endswith(".gii"):
-        return _write_gifti_surface(path, data)
-    if name.endswith((".annot", ".label", ".curv")):
-        return _write_freesurfer_values(path, data, _chosen(data, array), array)
-    return _write_freesurfer_surface(path, data)
+        _write_patch(path, data)
+    elif name.endswith((".shape.gii", ".func.gii", ".label.gii")):
+        _write_gifti_values(path, data, _chosen(data, array), array)
+    elif name.endswith(".gii"):
+        _write_gifti_surface(path, data)
+    elif name.endswith(".curv"):
+        values = _of_all_vertices(data, _chosen(data, array).astype(np.float32))
+        nibabel().freesurfer.io.write_morph_data(path, values)
+    elif name.endswith(".label"):
+        _write_label(path, data, _chosen(data, array))
+    elif name.endswith(".annot"):
+        _write_annotation(path, data, _chosen(data, array), array, warn)
+    else:
+        _write_freesurfer_surface(path, data, warn)
 
 
-def write_patch(path, data):
+def _write_patch(path, data):
     """FreeSurfer's binary patch: -1, the number of vertices, then for each its number + 1, negative on the border, and
     x, y, z; integers and single precision, all big-endian (mrisWritePatch in FreeSurfer's mrisurf_io.cpp).
 
@@ -158,23 +186,69 @@ def _faces_of_all_vertices(data):
 
 
 def _names(data, array):
-    """{label: (name, (R, G, B, A))} of an array of labels, where the reader had them."""
+    """{label: (name, (R, G, B, A))} of an array of labels, where the reader had them. Labels that have names alone get
+    colours of their own."""
     field = data.GetFieldData()
     labels, names = field.GetArray(f"{array}Labels"), field.GetAbstractArray(f"{array}Names")
     colours = field.GetArray(f"{array}Colours")
     found = {}
     for k in range(labels.GetNumberOfTuples() if labels and names else 0):
-        colour = tuple(int(c) for c in colours.GetTuple(k)) if colours else (128, 128, 128, 255)
+        colour = tuple(int(c) for c in colours.GetTuple(k)) if colours else _colour(k)
         found[int(labels.GetTuple1(k))] = (names.GetValue(k), colour)
     return found
+
+
+def _colour(number):
+    """The colour of a region by its place in the order, never black: the first 16 million differ."""
+    code = (number + 1) * COLOUR_STEP % COLOURS
+    return code & 255, code >> 8 & 255, code >> 16, 255
+
+
+def _code(colour):
+    """The number of a colour in an annotation of FreeSurfer."""
+    return colour[0] | colour[1] << 8 | colour[2] << 16
+
+
+def _told_apart(rows, warn):
+    """The [(name, colour)] of an annotation with a new colour for each region that is black or has that of an earlier
+    one: in the file a vertex has the colour of its region and nothing else, and black is that of no region."""
+    taken, seen, found, changed = {0, *(_code(colour) for _name, colour in rows)}, {0}, [], []
+    for number, (name, colour) in enumerate(rows):
+        if _code(colour) in seen:
+            while _code(colour) in taken:
+                colour, number = _colour(number), number + 1
+            taken.add(_code(colour))
+            changed.append(name)
+        seen.add(_code(colour))
+        found.append((name, colour))
+    if changed:
+        warn(
+            f"{len(changed)} of {len(rows)} regions are black or have the colour of another one, {changed[0]} is one: "
+            "as FreeSurfer tells regions apart by their colours, they have others in the file"
+        )
+    return found
+
+
+def _place(data):
+    """Whether the coordinates are those of the patient, and if not, the matrix that leads there, or None. A flat map
+    has neither: its coordinates are on the map."""
+    field = data.GetFieldData()
+    placed, matrix = field.GetArray("InPatientSpace"), field.GetArray("PatientMatrix")
+    if data.GetPointData().GetArray("SurfacePoints"):
+        return False, None
+    if placed and placed.GetTuple1(0):
+        return True, None
+    return False, np.reshape(matrix.GetTuple(0), (4, 4)) if matrix else None
 
 
 def _write_gifti_surface(path, data):
     gifti = nibabel().gifti
     points = _of_all_vertices(data, _points(data).astype(np.float32))
-    patient = data.GetFieldData().GetArray("InPatientSpace")
-    space = 1 if patient and patient.GetTuple1(0) and not data.GetPointData().GetArray("SurfacePoints") else 0
-    system = gifti.GiftiCoordSystem(dataspace=space, xformspace=space)
+    in_patient_space, matrix = _place(data)
+    known = in_patient_space or matrix is not None
+    system = gifti.GiftiCoordSystem(
+        dataspace=SCANNER if in_patient_space else 0, xformspace=SCANNER if known else 0, xform=matrix
+    )
     image = gifti.GiftiImage(
         darrays=[
             gifti.GiftiDataArray(
@@ -211,18 +285,12 @@ def _write_gifti_values(path, data, values, name):
     nibabel().save(gifti.GiftiImage(labeltable=table, darrays=[array]), path)
 
 
-def _write_freesurfer_values(path, data, values, name):
-    freesurfer = nibabel().freesurfer.io
-    if path.endswith(".curv"):
-        return freesurfer.write_morph_data(path, _of_all_vertices(data, values.astype(np.float32)))
-    if path.endswith(".label"):
-        return _write_label(path, data, values)
-    names = _names(data, name)
-    known = {label: row for label, row in names.items() if label >= 0} or {
-        int(label): (str(int(label)), (37 * int(label) % 256, 91 * int(label) % 256, 151 * int(label) % 256, 255))
-        for label in np.unique(values)
-        if label >= 0
+def _write_annotation(path, data, values, name, warn):
+    known = {label: row for label, row in _names(data, name).items() if label >= 0} or {
+        int(label): (str(int(label)), _colour(k)) for k, label in enumerate(np.unique(values[values >= 0]))
     }
+    if not known:
+        raise CortexError(f"no point has a region: choose an array with labels of 0 and more, {name} has none")
     labels = _of_all_vertices(data, values.astype(np.int64), -1)
     rows = sorted(known)
     unknown = set(np.unique(labels)) - set(rows) - {-1}
@@ -231,8 +299,9 @@ def _write_freesurfer_values(path, data, values, name):
     index = np.full(len(labels), -1, np.int32)
     for k, label in enumerate(rows):
         index[labels == label] = k
-    table = np.array([[*known[label][1][:3], 255 - known[label][1][3], 0] for label in rows], np.int32)
-    freesurfer.write_annot(path, index, table, [known[label][0].encode() for label in rows], fill_ctab=True)
+    names, colours = zip(*_told_apart([known[label] for label in rows], warn))
+    table = np.array([[*colour[:3], 255 - colour[3], 0] for colour in colours], np.int32)
+    nibabel().freesurfer.io.write_annot(path, index, table, [text.encode() for text in names], fill_ctab=True)
 
 
 def _write_label(path, data, values):
@@ -248,7 +317,40 @@ def _write_label(path, data, values):
             stream.write(f"{numbers[k]} {x:.6f} {y:.6f} {z:.6f} {float(values[k]):.6f}\n")
 
 
-def _write_freesurfer_surface(path, data):
-    nibabel().freesurfer.io.write_geometry(
-        path, _of_all_vertices(data, _points(data).astype(np.float32)), _faces_of_all_vertices(data)
-    )
+def _write_freesurfer_surface(path, data, warn):
+    in_patient_space, matrix = _place(data)
+    if matrix is not None and not np.allclose(matrix[:3, :3] @ matrix[:3, :3].T, np.eye(3), atol=TURN_TOLERANCE):
+        warn(
+            "the place of the surface in the patient is lost: a file of FreeSurfer tells it by a turn and a shift, but "
+            "the PatientMatrix stretches or shears: apply Patient Space before"
+        )
+        matrix = None
+    information = None
+    if in_patient_space or matrix is not None:
+        information = _volume_of_surface(np.eye(4) if matrix is None else matrix)
+        information["head"] = [USE_REAL_RAS, int(in_patient_space), SURFACE_GEOMETRY]
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of nibabel, which does not know the coordinates of the scanner
+        nibabel().freesurfer.io.write_geometry(
+            path,
+            _of_all_vertices(data, _points(data).astype(np.float32)),
+            _faces_of_all_vertices(data),
+            volume_info=information,
+        )
+
+
+def _volume_of_surface(matrix):
+    """FreeSurfer's description of a volume whose surface RAS the matrix leads to scanner RAS: surface RAS are 0 at the
+    middle of the volume, where scanner RAS are c_ras, and the sizes cancel out. Of coordinates that are scanner RAS
+    both are the same, so that programs that do not look at useRealRAS find the place, too."""
+    x, y, z = (matrix[:3, :3] @ SURFACE_AXES).T
+    return {
+        "valid": "1  # volume info valid",
+        "filename": "unknown",
+        "volume": [256, 256, 256],
+        "voxelsize": [1.0, 1.0, 1.0],
+        "xras": x,
+        "yras": y,
+        "zras": z,
+        "cras": matrix[:3, 3],
+    }

@@ -9,8 +9,10 @@ It needs numpy and VTK alone. The filter Region Table shows the same table in Pa
 
 import csv
 import re
+from collections import Counter
 
 import numpy as np
+from surfaceflattening_whole_file import whole_file
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints, vtkStringArray
@@ -66,23 +68,33 @@ def names_of(data, array):
 
 def read_names(path):
     """{label: name} of a text file with a label and a name in each line, such as mricron's aal.nii.txt or FreeSurfer's
-    table of colours."""
-    names = {}
-    with open(path, encoding="utf-8", errors="replace") as lines:
+    table of colours. Numbers behind a name are codes or colours, unless regions differ by them alone."""
+    names, whole = {}, {}
+    with open(path, encoding="utf-8-sig", errors="replace") as lines:
         for line in lines:
             words = line.split()
             if len(words) >= 2 and re.fullmatch(r"-?\d+", words[0]):
-                names[int(words[0])] = words[1]
+                label = int(words[0])
+                names[label], whole[label] = _name_of(words[1:]), " ".join(words[1:])
     if not names:
         raise RegionTableError(f"{path}: no line has a label and a name")
-    return names
+    times = Counter(names.values())
+    return {label: name if times[name] == 1 else whole[label] for label, name in names.items()}
+
+
+def _name_of(words):
+    """The words without the numbers at their end; the first one always."""
+    end = len(words)
+    while end > 1 and re.fullmatch(r"-?\d+(\.\d+)?", words[end - 1]):
+        end -= 1
+    return " ".join(words[:end])
 
 
 def write_csv(path, rows):
     """A file that spreadsheets open: commas, a header, and UTF-8 with the mark by which Excel knows it."""
     if not rows:
         raise RegionTableError("there are no regions")
-    with open(path, "w", encoding="utf-8-sig", newline="") as stream:
+    with whole_file(path) as part, open(part, "w", encoding="utf-8-sig", newline="") as stream:
         writer = csv.DictWriter(stream, list(rows[0]))
         writer.writeheader()
         writer.writerows(rows)

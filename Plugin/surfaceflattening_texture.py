@@ -16,6 +16,7 @@ docs/textures.md has the same as clicks.
 import os
 
 from paraview import servermanager, simple
+from surfaceflattening_whole_file import whole_file
 
 
 def surface_of(flat):
@@ -30,7 +31,7 @@ def save_texture(image, array, path):
     """Writes the @array of a Flat Map Image as a PNG file, in the colours that ParaView shows it in.
 
     Arrays of three or four bytes are colours as they are. Pixels without a number get the colour that
-    the colour map has for NaN.
+    the colour map has for NaN. Raises ValueError, and OSError if the file cannot be written.
     """
     from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
     from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -49,8 +50,9 @@ def save_texture(image, array, path):
     picture.GetPointData().SetScalars(values)
     writer = vtkPNGWriter()
     writer.SetInputData(picture)
-    writer.SetFileName(path)
-    writer.Write()
+    with whole_file(path) as part:
+        writer.SetFileName(part)
+        writer.Write()
 
 
 def sampled(picture, flat):
@@ -100,7 +102,8 @@ def sampled(picture, flat):
 
 def save_textured_obj(surface, texture, path):
     """Writes @surface with its texture coordinates to @path (.obj) and beside it a material (.mtl) that
-    names the picture @texture. ParaView's own OBJ writer leaves the material out."""
+    names the picture @texture. ParaView's own OBJ writer leaves the material out. Raises ValueError, and OSError
+    if the files cannot be written."""
     from vtkmodules.vtkIOGeometry import vtkOBJWriter
 
     surface.UpdatePipeline()
@@ -112,5 +115,6 @@ def save_textured_obj(surface, texture, path):
     writer = vtkOBJWriter()
     writer.SetInputData(data)
     writer.SetTextureFileName(os.path.relpath(texture, os.path.dirname(os.path.abspath(path))))
-    writer.SetFileName(path)
-    writer.Write()
+    with whole_file(path) as part:
+        writer.SetFileName(part)
+        writer.Write()

@@ -85,6 +85,11 @@ try:
     raise AssertionError("two cases of one name")
 except CaseNameError as error:
     assert "rename one" in str(error)
+# Names that are too long for a file are shortened, not in the middle of a letter, and stay apart.
+long, other = (named_cases([f"/a/{'ä' * 120}{end}.vtk"])[0].name for end in "xy")
+assert long.startswith("ä" * 91 + "-") and len(os.fsencode(long)) <= 200 and long != other, long
+assert long == named_cases([f"/a/{'ä' * 120}x.vtk"])[0].name
+assert named_cases([f"/a/{'x' * 200}.vtk"])[0].name == "x" * 200
 
 
 class Sized(Case):

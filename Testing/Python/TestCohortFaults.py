@@ -260,8 +260,57 @@ for option in ("case-memory", "case-time"):
         status, text = answer("--output", path_of("other"), f"--{option}", value, "x.vtk")
         words = f"--{option}: '{value}' is not allowed: give a number more than 0 and at most 1e+09"
         assert status == 2 and words in text, (option, value, text)
+for value in ("7", "0", "-1e-3"):
+    status, text = answer("--output", path_of("other"), "--hole-area", value, "x.vtk")
+    words = f"--hole-area: '{value}' is not allowed: give a share of the area from 1e-06 to 0.5"
+    assert status == 2 and words in text, (value, text)
+# Numbers with a sign and an exponent, and a list with the mark that some editors put before the first name.
+with open(path_of("marked"), "w", encoding="utf-8-sig") as stream:
+    stream.write(path_of("binary.vtk") + "\n")
+numbers = ("--isovalue", "-4e2", "--plane-origin", "-.1e1", "-2E+0", "-3.5", "--plane-normal", "1", "-1e-3", "0")
+status, text = answer("--output", path_of("marked output"), "--list", path_of("marked"), *numbers)
+assert status == 0 and "1 finished, 0 failed" in text, text
 status, text = answer("--output", path_of("other"), path_of("binary.vtk"), path_of("cut.ply"))
 assert status == 1 and "1 finished, 1 failed" in text and "failed: cut: the file is cut short" in text, text
+
+# --- The voxels beside a header are changed: the case is done again -----------------------------------------------
+
+
+def split(name, text, voxels):
+    """Writes a volume with its header and its voxels in two files; returns that of the header."""
+    with open(path_of(name), "w", encoding="ascii") as stream:
+        stream.write(text)
+    with open(path_of("voxels.raw"), "wb") as stream:
+        stream.write(voxels.astype("<i2").tobytes())
+    return path_of(name)
+
+
+METAIMAGE = "NDims = 3\nDimSize = 20 20 20\nElementType = MET_SHORT\nElementDataFile = voxels.raw\n"
+NRRD = "NRRD0004\ntype: short\ndimension: 3\nsizes: 20 20 20\nendian: little\nencoding: raw\ndata file: voxels.raw\n\n"
+away = numpy.indices((20, 20, 20)) - 9.5
+distance = numpy.sqrt((away**2).sum(axis=0))
+for name, text in (("split.mhd", METAIMAGE), ("split.nhdr", NRRD)):
+    header = split(name, text, 100 - 10 * distance)
+    assert Case("split", header).size() == os.path.getsize(header) + 2 * 20**3
+    arguments = ("--output", path_of(f"output of {name}"), "--isovalue", "50", header)
+    areas = []
+    for radius in (5, 7):
+        split(name, text, 50 + 10 * (radius - distance))
+        os.utime(header, ns=(0, 0))
+        status, text_of_run = answer(*arguments)
+        assert status == 0 and "1 cases, 0 finished before" in text_of_run, text_of_run
+        with open(path_of(f"output of {name}/summary.csv"), encoding="utf-8", newline="") as stream:
+            areas += [float(row["SurfaceArea"]) for row in csv.DictReader(stream)]
+    assert 1.5 < areas[1] / areas[0] < 2.5, areas  # (7 / 5)^2
+    status, text_of_run = answer(*arguments)
+    assert status == 0 and "1 finished before" in text_of_run, text_of_run
+
+# --- A long name --------------------------------------------------------------------------------------------------
+long = path_of("n" * 250 + ".vtk")
+shutil.copy(path_of("binary.vtk"), long)
+for before in (0, 2):
+    status, text = answer("--output", path_of("long"), long, path_of("binary.vtk"))
+    assert status == 0 and f"2 cases, {before} finished before" in text, text
 
 # --- Names that are not UTF-8 -------------------------------------------------------------------------------------
 ODD = os.fsdecode(b"b\xff\xe4")

@@ -11,6 +11,8 @@ import numpy as np
 from nibabel.freesurfer import io as freesurfer
 from paraview import servermanager, simple
 from surfaceflattening_cortex import flatten_cortex, flatten_cortex_and_show, wall_labels
+from surfaceflattening_neuro import read_cortex
+from surfaceflattening_neuro_writers import write_cortex
 from surfaceflattening_region_table import read_names, region_table
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -18,9 +20,9 @@ NAMES = ["unknown", "back", "front", "top"]
 TABLE = np.array([[25, 5, 25, 0, 0], [60, 20, 220, 0, 0], [255, 192, 32, 0, 0], [0, 99, 7, 0, 0]])
 
 
-def hemisphere(folder):
+def hemisphere(folder, resolution=70):
     """A folded ellipsoid in front of whose middle there is the medial wall. Returns points, faces and labels."""
-    data = servermanager.Fetch(simple.Sphere(Radius=1, ThetaResolution=70, PhiResolution=70))
+    data = servermanager.Fetch(simple.Sphere(Radius=1, ThetaResolution=resolution, PhiResolution=resolution))
     points = vtk_to_numpy(data.GetPoints().GetData()).astype(np.float32)
     faces = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     points *= (1 + 0.08 * np.sin(9 * points[:, :1]) * np.cos(8 * points[:, 1:2] + 1)).astype(np.float32)
@@ -50,6 +52,11 @@ def read_patch(path):
     return {abs(row[0]) - 1: (row[0] < 0, np.array(row[1:], np.float32)) for row in rows}
 
 
+def read_rows(path):
+    with open(path, encoding="utf-8-sig", newline="") as stream:
+        return list(csv.DictReader(stream))
+
+
 def message(function, *arguments, **settings):
     try:
         function(*arguments, **settings)
@@ -73,8 +80,7 @@ with tempfile.TemporaryDirectory() as scratch:
     a, b, c = labels[cortex].T
     majority = np.where(b == c, b, a)
     areas = areas_of(points, cortex)
-    with open(result.csv, encoding="utf-8-sig", newline="") as stream:
-        rows = {row["Name"]: row for row in csv.DictReader(stream)}
+    rows = {row["Name"]: row for row in read_rows(result.csv)}
     assert set(rows) == {"back", "front", "top", "Total"}, rows.keys()
     for label, name in ((1, "back"), (2, "front"), (3, "top")):
         row = rows[name]
@@ -122,6 +128,40 @@ with tempfile.TemporaryDirectory() as scratch:
     assert "there is no region nowhere" in message(flatten_cortex, surface, annotation, medial_wall="nowhere")
     assert "no regions" in message(flatten_cortex_and_show, simple.Sphere())
 
+    # GIFTI by names of the HCP: the arrays have names of their own, and the files of each hemisphere others.
+    small, gifti = os.path.join(scratch, "small"), os.path.join(scratch, "gifti")
+    os.makedirs(gifti)
+    hemisphere(small, 40)
+    overlays = [os.path.join(small, name) for name in ("lh.test.parts.annot", "lh.curv")]
+    data = read_cortex(os.path.join(small, "lh.pial"), overlays)
+    files = [os.path.join(gifti, f"100307.R.{end}") for end in ("pial.surf.gii", "aparc.label.gii", "bend.shape.gii")]
+    for path, array in zip(files, (None, "test.parts", "curv")):
+        write_cortex(path, data, array)
+    right = flatten_cortex(*files, folder=os.path.join(gifti, "flat"))
+    assert sorted(os.listdir(os.path.join(gifti, "flat"))) == ["100307.R.flat.patch.3d", "100307.R.regions.csv"]
+    assert [row["Name"] for row in read_rows(right.csv)] == ["back", "front", "top", "Total"]
+    assert {row["Hemisphere"] for row in read_rows(right.csv)} == {"right"}
+    assert (right.regions, right.curvature) == ("test.parts", "curv")
+    assert "no point array none" in message(flatten_cortex, right.surface, "none")
+
+    # The command, with an annotation that is opened, and a folder that cannot be written: the map is shown.
+    os.makedirs(os.path.join(small, "surf"))
+    os.makedirs(os.path.join(small, "label"))
+    os.rename(os.path.join(small, "lh.pial"), os.path.join(small, "surf", "lh.pial"))
+    opened = os.path.join(small, "label", "lh.test.parts.annot")
+    os.rename(overlays[0], opened)
+    reader = simple.CortexReader(FileName=opened)
+    with open(os.path.join(small, "surf", "flat"), "w"):  # even root makes no folder in place of a file
+        pass
+    views = len(simple.GetViews())
+    try:
+        flatten_cortex_and_show(reader)
+        raise AssertionError("a folder was made in place of a file")
+    except OSError as error:
+        assert f"the folder {os.path.join(small, 'surf', 'flat')} cannot be written (File exists)" in str(error), error
+        assert "File > Save Data" in str(error), error
+    assert len(simple.GetViews()) == views + 3 and os.listdir(os.path.join(small, "label")) == ["lh.test.parts.annot"]
+
     # A surface with both hemispheres has a row for each of them.
     ball = simple.Sphere(Radius=20, ThetaResolution=40, PhiResolution=40)
     data = servermanager.Fetch(simple.Calculator(Input=ball, ResultArrayName="Part", Function="if(coordsZ>0,1,2)"))
@@ -139,4 +179,9 @@ with tempfile.TemporaryDirectory() as scratch:
     with open(names, "w") as stream:
         stream.write("1 Precentral_L 2001\n2 Precentral_R 2002\n")
     assert read_names(names) == {1: "Precentral_L", 2: "Precentral_R"}
+    with open(names, "w", encoding="utf-8-sig") as stream:  # with the mark that some editors put before the first line
+        stream.write("17 Superior frontal gyrus\n18 Left-Thalamus  0 118 14 0\n")
+        stream.write("44 Area 44\n45\tArea 45\n-1 7\n# 3 none\n")
+    expected = {17: "Superior frontal gyrus", 18: "Left-Thalamus", 44: "Area 44", 45: "Area 45", -1: "7"}
+    assert read_names(names) == expected, read_names(names)
     print("Flatten Cortex: passed")

@@ -3,6 +3,7 @@
 
 import base64
 import os
+import resource
 import struct
 import tempfile
 import zlib
@@ -11,8 +12,17 @@ import nibabel
 import numpy as np
 from nibabel.freesurfer import io as freesurfer
 from paraview import servermanager, simple
-from surfaceflattening_neuro import CortexError, read_cortex
+from surfaceflattening_neuro import (
+    CortexError,
+    add_field,
+    add_points_array,
+    hemisphere_of,
+    hemisphere_stem,
+    read_cortex,
+)
 from surfaceflattening_neuro_writers import write_cortex
+from surfaceflattening_region_table import write_csv
+from surfaceflattening_scans import place
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 NAMES = ["unknown", "precentral", "insula"]
@@ -227,6 +237,163 @@ def check_bad_files(files):
     assert "c_ras" in said[0] and not bare.GetFieldData().GetArray("PatientMatrix")
 
 
+def check_hemispheres():
+    """Names of files, the side that they tell, and the beginning that tells it."""
+    for name, side, stem in (
+        ("lh.pial", "left", "lh"),
+        ("rh.white.surf.gii", "right", "rh"),
+        ("100307.L.pial.surf.gii", "left", "100307.L"),
+        ("100307.R.midthickness.32k_fs_LR.surf.gii", "right", "100307.R"),
+        ("sub-01_hemi-L_pial.surf.gii", "left", "sub-01_hemi-L_pial"),
+        ("sub-r_hemi-L_pial.surf.gii", "left", "sub-r_hemi-L_pial"),
+        ("patient_r_lh.pial", "left", "patient_r_lh"),
+        ("l_study.100307.R.pial.surf.gii", "right", "l_study.100307.R"),
+        ("study.lh.pial", "left", "study.lh"),
+        ("lh.r.pial", "left", "lh"),
+        ("brain_r.ply", "right", "brain_r"),
+        ("brain.surf.gii", None, "brain"),
+        ("brain", None, "brain"),
+    ):
+        path = os.path.join("rh.folder", name)
+        found = hemisphere_of(path), hemisphere_stem(path)
+        assert found == (side, stem), (name, found)
+
+
+def turned():
+    """A turn about an oblique axis, and a shift."""
+    axis, angle = np.array([1.0, 2, 3]) / np.sqrt(14), 0.7
+    cross = np.cross(np.eye(3), -axis)
+    matrix = np.eye(4)
+    matrix[:3, :3] += np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
+    matrix[:3, 3] = 12.5, -30.25, 7.125
+    return matrix
+
+
+def in_scanner_space(path):
+    """The points of a file where its footer or header has them in the scanner, without this plugin's readers."""
+    if path.endswith(".gii"):
+        array = nibabel.load(path).get_arrays_from_intent("NIFTI_INTENT_POINTSET")[0]
+        assert array.coordsys.xformspace == 1, array.coordsys.xformspace
+        return array.data @ array.coordsys.xform[:3, :3].T + array.coordsys.xform[:3, 3]
+    points, _faces, footer = freesurfer.read_geometry(path, read_metadata=True)
+    assert list(footer["head"]) == [2, 0, 20] and footer["valid"].startswith("1"), footer
+    half = np.array(footer["volume"]) * footer["voxelsize"] / 2
+    voxels = np.column_stack([half[0] - points[:, 0], half[1] - points[:, 2], half[2] + points[:, 1]])  # in mm
+    return (voxels - half) @ np.array([footer["xras"], footer["yras"], footer["zras"]]) + footer["cras"]
+
+
+def check_places(files):
+    """A surface that is written lies where it did in the patient, to this plugin and to others."""
+    path, said = files.path, []
+    data = read_cortex(path("lh.pial"))
+    mirror = np.diag([-1.0, 1, 1, 1])
+    for matrix in (matrix_of(data), turned(), turned() @ mirror):
+        place(data, matrix, "test")
+        expected = files.points @ matrix[:3, :3].T + matrix[:3, 3]
+        for name in ("lh.placed.pial", "lh.placed.surf.gii"):
+            write_cortex(path(name), data, warn=said.append)
+            again = read_cortex(path(name), warn=said.append)
+            assert np.array_equal(points_of(again), files.points), name
+            assert np.allclose(matrix_of(again), matrix, atol=1e-6), (name, matrix_of(again))
+            assert np.abs(in_scanner_space(path(name)) - expected).max() < 1e-3, name
+
+    # In the scanner's space already. nibabel does not know FreeSurfer's tag, but the points.
+    add_field(data, "InPatientSpace", 1)
+    for name in ("lh.real.pial", "lh.real.surf.gii"):
+        write_cortex(path(name), data, warn=said.append)
+        again = read_cortex(path(name), warn=said.append)
+        assert np.array_equal(points_of(again), files.points), name
+        assert again.GetFieldData().GetArray("InPatientSpace").GetTuple1(0) == 1, name
+    assert np.array_equal(freesurfer.read_geometry(path("lh.real.pial"))[0], files.points)
+    assert np.array_equal(in_scanner_space(path("lh.real.surf.gii")), files.points)
+    with open(path("lh.real.pial"), "rb") as stream:
+        footer = stream.read().partition(struct.pack(">3i", 2, 1, 20))[2].decode().splitlines()
+    # To programs that do not look at the tag surface RAS are scanner RAS.
+    assert footer[0].startswith("valid = 1") and footer[4:] == [
+        "xras   = -1 0 0", "yras   = 0 0 -1", "zras   = 0 1 0", "cras   = 0 0 0"], footer
+    assert not said, said
+
+    # A shear cannot be told in a footer, and a flat map lies nowhere in the patient.
+    data = read_cortex(path("lh.pial"))
+    place(data, np.diag([1.0, 1, 1.2, 1]), "test")
+    write_cortex(path("lh.sheared.pial"), data, warn=said.append)
+    assert len(said) == 1 and "lh.sheared.pial: the place" in said[0] and "Patient Space" in said[0], said
+    write_cortex(path("lh.sheared.surf.gii"), data, warn=said.append)
+    assert np.allclose(matrix_of(read_cortex(path("lh.sheared.surf.gii"))), np.diag([1.0, 1, 1.2, 1]))
+    add_points_array(data, "SurfacePoints", files.points)
+    for name in ("lh.map.pial", "lh.map.surf.gii"):
+        write_cortex(path(name), data, warn=said.append)
+        again = read_cortex(path(name), warn=lambda text: None).GetFieldData()
+        assert not again.GetArray("PatientMatrix") and not again.GetArray("InPatientSpace"), name
+    assert len(said) == 1, said
+
+
+def check_annotation_colours(files):
+    """In an annotation a vertex has the colour of its region and no number: regions of one colour would become one, and
+    black ones none."""
+    path, said = files.path, []
+    data = read_cortex(path("lh.pial"))
+    numbers = np.array([256, 11101, 11357, 512, 0, 1])  # equal modulo 256, and divisible by it
+    add_points_array(data, "numbers", numbers[np.arange(len(files.points)) % 6])
+    write_cortex(path("lh.numbers.annot"), data, "numbers", said.append)
+    labels, _table, names = freesurfer.read_annot(path("lh.numbers.annot"))
+    assert [int(names[label]) for label in labels[:6]] == list(numbers) and not said, (labels[:6], names, said)
+
+    # A table of labels without colours, which is black to nibabel.
+    table = "".join(f'<Label Key="{k}"><![CDATA[{name}]]></Label>' for k, name in enumerate(NAMES))
+    kept = np.where(files.labels < 0, 0, files.labels).astype(np.int32)
+    values = gifti_array(path("lh.black.label.gii"), kept, "LABEL", "ASCII")
+    write_gifti(path("lh.black.label.gii"), f"<LabelTable>{table}</LabelTable>{values}")
+    data = read_cortex(path("lh.pial"), [path("lh.black.label.gii"), path("lh.aparc.annot")])
+    write_cortex(path("lh.black.annot"), data, "black", said.append)
+    labels, table, names = freesurfer.read_annot(path("lh.black.annot"))
+    assert np.array_equal(labels, kept) and [name.decode() for name in names] == NAMES
+    assert len(set(table[:, 4])) == 3 and (table[:, 3] == 0).all(), table  # nor are they transparent
+    assert len(said) == 1 and "3 of 3 regions are black" in said[0] and "lh.black.annot" in said[0], said
+
+    # Names without colours.
+    data.GetFieldData().RemoveArray("aparcColours")
+    write_cortex(path("lh.plain.annot"), data, "aparc", said.append)
+    assert np.array_equal(freesurfer.read_annot(path("lh.plain.annot"))[0], files.labels) and len(said) == 1
+    # Two regions of one colour: the first keeps it, and all others theirs.
+    colours = np.array([TABLE[1, :3], TABLE[1, :3], TABLE[2, :3]], np.uint8)
+    add_field(data, "aparcColours", np.column_stack([colours, [255] * 3]).astype(np.uint8))
+    write_cortex(path("lh.twice.annot"), data, "aparc", said.append)
+    labels, table, _names = freesurfer.read_annot(path("lh.twice.annot"))
+    assert np.array_equal(labels, files.labels) and np.array_equal(table[[0, 2], :3], colours[[0, 2]]), table
+    assert "1 of 3 regions" in said[1] and "precentral is one" in said[1], said
+    add_points_array(data, "none", np.full(len(files.points), -1))
+    assert "no point has a region" in message(write_cortex, path("lh.none.annot"), data, "none")
+
+
+def check_full_disk(files):
+    """A file that does not fit on the disk leaves the earlier one as it was, and says so."""
+    path = files.path
+    data = read_cortex(path("lh.pial"), [path("lh.curv"), path("lh.aparc.annot")])
+    arrays = {"pial": None, "annot": "aparc", "curv": "curv", "surf.gii": None, "shape.gii": "curv"}
+    writes = {
+        f"lh.z.{end}": lambda end=end, array=array: write_cortex(path(f"lh.z.{end}"), data, array)
+        for end, array in arrays.items()
+    }
+    writes["lh.z.csv"] = lambda: write_csv(path("lh.z.csv"), 20 * [{"Label": 1, "Name": "precentral"}])
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    for name, write in writes.items():
+        write()
+        with open(path(name), "rb") as stream:
+            before = stream.read()
+        resource.setrlimit(resource.RLIMIT_FSIZE, (100, hard))
+        try:
+            write()
+            raise AssertionError(f"{name}: no error")
+        except OSError as error:
+            assert f"{path(name)} cannot be written" in str(error), error
+        finally:
+            resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+        with open(path(name), "rb") as stream:
+            assert stream.read() == before, name
+    assert not [name for name in os.listdir(files.folder) if name.startswith(".part")]
+
+
 def check_quads(files):
     """Old surfaces have quadrangles, which are two triangles each: here a cube with coordinates in hundredths."""
     corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
@@ -289,6 +456,10 @@ with tempfile.TemporaryDirectory() as scratch:
     check_gifti_encodings(made)
     check_gifti(made)
     check_bad_files(made)
+    check_hemispheres()
+    check_places(made)
+    check_annotation_colours(made)
+    check_full_disk(made)
     check_quads(made)
     check_patch(made)
     print("FreeSurfer and GIFTI: passed")

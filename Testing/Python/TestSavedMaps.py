@@ -40,13 +40,28 @@ with open(paths[1], encoding="utf-8") as stream:
 total = measured.FieldData["SurfaceArea"].GetRange()[0]
 assert math.isclose(float(row["SurfaceArea"]), total, rel_tol=1e-8), row
 
-for source, place, error in (
-    (None, path, ValueError),
-    (simple.ProgrammableSource(), path, ValueError),
-    (measured, os.path.join(folder, "missing", "flat.vtp"), OSError),
+os.makedirs(os.path.join(folder, "folder.vtp"))
+for source, place, error, words in (
+    (None, path, ValueError, "no source is selected"),
+    (simple.ProgrammableSource(), path, ValueError, "is empty"),
+    (measured, os.path.join(folder, "missing", "flat.vtp"), OSError, "cannot be written (No such file or directory)"),
+    (measured, os.path.join(folder, "folder.vtp"), OSError, "cannot be written (Is a directory)"),
+    (measured, os.path.join(folder, "n" * 300 + ".vtp"), OSError, "cannot be written (File name too long)"),
+    (measured, os.path.join(folder, "flat"), ValueError, "flat: the name does not end as a format"),
+    (measured, os.path.join(folder, "flat.xyz"), ValueError, "flat.xyz: the name does not end as a format"),
 ):
     try:
         save_flat_map(source, place)
         raise AssertionError(f"no {error}")
-    except error:
-        pass
+    except error as raised:
+        assert words in str(raised), raised
+
+# A file that is replaced, and a format of several files; nothing else is left behind.
+assert save_flat_map(measured, path) == paths
+same(path)
+save_flat_map(measured, os.path.join(folder, "series.pvd"))
+expected = ["by_default.vtp", "flat.vtp", "flat_Summary.csv", "folder.vtp"]
+expected += ["series", "series.pvd", "series_Summary.csv"]
+assert sorted(os.listdir(folder)) == expected, os.listdir(folder)
+assert os.listdir(os.path.join(folder, "series")) == ["series_0.vtp"]
+assert os.listdir(os.path.join(folder, "folder.vtp")) == []

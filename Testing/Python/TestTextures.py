@@ -120,6 +120,15 @@ for name in ("textured.obj", "plain.obj", "plain.ply"):
     for i in range(again.GetNumberOfPoints()):
         for k in range(2):
             assert abs(coordinates.GetComponent(i, k) - expected.GetComponent(i, k)) < 1e-5, name
+for write in (
+    lambda: save_texture(image, "Ramp", file("missing/ramp.png")),
+    lambda: save_textured_obj(surface, file("ramp.png"), file("missing/textured.obj")),
+):
+    try:
+        write()
+        raise AssertionError("a file in a folder that is missing")
+    except OSError as error:
+        assert "missing/" in str(error) and "cannot be written (No such file or directory)" in str(error), error
 with open(file("textured.obj"), encoding="ascii") as lines:
     assert "mtllib textured.mtl" in lines.read()
 with open(file("textured.mtl"), encoding="ascii") as lines:

@@ -13,7 +13,7 @@ from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Plugin"))
-from surfaceflattening_scans import ScanError, read_scan  # noqa: E402
+from surfaceflattening_scans import ScanError, read_scan, scan_of  # noqa: E402
 
 SURFACE_READERS = {
     ".vtk": vtkPolyDataReader,
@@ -24,6 +24,7 @@ SURFACE_READERS = {
 }
 SCANS = (".nii", ".nii.gz", ".mha", ".mhd", ".nrrd", ".nhdr")  # which say where they lie in the patient
 VOLUMES = (*SCANS, ".vti")
+TEXT_HEADERS = (".mha", ".mhd", ".nrrd", ".nhdr")  # which may name other files that have the voxels
 NO_TEXT = "VTK's message quotes the file or its name, and that is not UTF-8"
 
 
@@ -79,6 +80,17 @@ def is_volume(path):
         return False
     known = ", ".join([*SURFACE_READERS, *VOLUMES])
     raise CaseError(f"unknown kind of file {extension(path) or path}: known are {known}")
+
+
+def voxel_files(path):
+    """The files beside this one that its header names; none for other kinds of files, and if the header is damaged,
+    which is the reason of the case when it is read."""
+    if extension(path) not in TEXT_HEADERS:
+        return []
+    try:
+        return [file for file in scan_of(path).files if file != path]
+    except Exception:  # whatever is wrong with one header, the other cases go on
+        return []
 
 
 def _scan(path, warnings):

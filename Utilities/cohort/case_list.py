@@ -1,8 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The cases of a cohort: their names and their order."""
 
+import hashlib
 import os
 from dataclasses import dataclass
+
+from case_files import voxel_files
+
+# Bytes of the name of a case: file systems take 255, and the longest ending, .interrupted, has 12.
+LONGEST_NAME = 200
+HASH_DIGITS = 16
 
 
 class CaseNameError(Exception):
@@ -17,15 +24,29 @@ class Case:
     path: str
 
     def size(self):
-        """Bytes of the file, which the time grows with; 0 if there is no such file."""
-        return os.path.getsize(self.path) if os.path.isfile(self.path) else 0
+        """Bytes of the file and of those with its voxels, which the time grows with; 0 if there is no such file."""
+        return sum(os.path.getsize(path) for path in self._files() if os.path.isfile(path))
 
     def identity(self):
-        """Tells whether the file is still the one that a result was made of."""
+        """Tells whether the file, and those with its voxels, are still the ones that a result was made of."""
         if not os.path.isfile(self.path):
             return "missing"
-        status = os.stat(self.path)
-        return f"{os.path.abspath(self.path)} {status.st_size} {status.st_mtime_ns}"
+        own, *others = (_identity(path) for path in self._files())
+        if not others:
+            return own
+        # Of names that are not UTF-8 the bytes; a hash, for a volume may have a file for each slice.
+        return f"{own} {hashlib.sha256(os.fsencode(' '.join(others))).hexdigest()}"
+
+    def _files(self):
+        return [self.path, *voxel_files(self.path)]
+
+
+def _identity(path):
+    try:
+        status = os.stat(path)
+    except OSError:
+        return f"{os.path.abspath(path)} missing"
+    return f"{os.path.abspath(path)} {status.st_size} {status.st_mtime_ns}"
 
 
 def stem(path):
@@ -34,6 +55,16 @@ def stem(path):
     if name.endswith(".gz"):
         name = name[: -len(".gz")]
     return os.path.splitext(name)[0]
+
+
+def shortened(name):
+    """The name, or if that is too long for a file its beginning and a hash of it all: the same in each run."""
+    if len(os.fsencode(name)) <= LONGEST_NAME:
+        return name
+    beginning = name
+    while len(os.fsencode(beginning)) > LONGEST_NAME - HASH_DIGITS - 1:
+        beginning = beginning[:-1]
+    return f"{beginning}-{hashlib.sha256(os.fsencode(name)).hexdigest()[:HASH_DIGITS]}"
 
 
 def named_cases(paths):
@@ -51,7 +82,7 @@ def named_cases(paths):
     if len(set(stems)) < len(stems):
         twice = sorted({name for name in stems if stems.count(name) > 1})
         raise CaseNameError(f"two files would both be the case {twice[0]}: rename one of them")
-    return [Case(name, path) for name, path in zip(stems, paths)]
+    return [Case(shortened(name), path) for name, path in zip(stems, paths)]
 
 
 def in_order(cases, interruptions=lambda case: 0):

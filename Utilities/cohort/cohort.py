@@ -14,6 +14,7 @@ The exit status is 0 if all cases are finished, 1 if some failed, 2 if the run c
 import argparse
 import math
 import os
+import re
 import resource
 import sys
 import time
@@ -25,6 +26,7 @@ from case_records import CaseRecords, RunError
 from ranks import Ranks
 from run_lock import RunLock
 
+HOLE_AREAS = (1e-6, 0.5)  # the range of Surface To Disk, which takes the nearest value for one outside
 MOST = 1e9  # of seconds or megabytes of a limit: 30 years, and more than any machine has
 
 
@@ -49,9 +51,19 @@ def limit(text):
     return value
 
 
+def hole_area(text):
+    """The share of the area that an argument is, for argparse."""
+    value = finite(text)
+    least, most = HOLE_AREAS
+    if not least <= value <= most:
+        raise argparse.ArgumentTypeError(f"{text!r} is not allowed: give a share of the area from {least:g} to {most:g}")
+    return value
+
+
 def listed_files(path):
     """The names in a list of files. Raises OSError, and ValueError if it is no text file."""
-    with open(path, encoding="utf-8", errors="surrogateescape") as lines:  # as names on the command line
+    # Names that are not UTF-8 as on the command line; some editors put a mark before the first name (utf-8-sig).
+    with open(path, encoding="utf-8-sig", errors="surrogateescape") as lines:
         names = [line.strip() for line in lines if line.strip()]
     if any("\0" in name for name in names):
         raise ValueError("it is not a text file, or one in UTF-16: save it in UTF-8")
@@ -62,6 +74,8 @@ def parsed_arguments():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
+    # As newer Pythons have it. Older ones take -4e2 for an option, since they know no exponents.
+    parser._negative_number_matcher = re.compile(r"-\.?\d")
     parser.add_argument("files", nargs="*", help="surfaces (.vtk .vtp .ply .stl .obj) or volumes "
                         "(.nii .nii.gz .mha .mhd .nrrd .nhdr .vti)")
     parser.add_argument("--list", help="a text file with one file name per line, beside those given")
@@ -75,7 +89,8 @@ def parsed_arguments():
     parser.add_argument("--plane-origin", type=finite, nargs=3, metavar=("X", "Y", "Z"),
                         help="with --cut plane, in mm to the patient's right, front and top for a "
                         "scan with an orientation (default: the centre of each surface's bounding box)")
-    parser.add_argument("--hole-area", type=finite, default=1e-3, help="with --cut hole: share of the area (default 0.001)")
+    parser.add_argument("--hole-area", type=hole_area, default=1e-3,
+                        help="with --cut hole: share of the area (default 0.001)")
     parser.add_argument("--handles", choices=HANDLES, default="remove")
     parser.add_argument("--remesh", action="store_true", help="even triangles: fewer, better shaped, faster")
     parser.add_argument("--edge-length", type=finite, default=0.0, help="with --remesh; 0: automatic")
