@@ -22,18 +22,22 @@ namespace
 {
 
 // The arrays of reports, some eighty: each has one value for the whole surface, so that "Colour by" does
-// not offer them.
+// not offer them. Whole names, as the setting hides arrays of other data, too.
 constexpr const char* ReportNames =
-  "^(Dropped.*|MergedPoints|UnusedPoints|ClosedCracks|SplitPoints|Components|ReorientedFaces|Removed.*|"
-  "LeftFolded|Fold.*|Filled(Holes|Area)|Genus|Handle.*|Remesh.*|Hole.*|SeamLength|ChosenCut|ReasonOf.*|"
-  "Relief.*|SeamRegionPoints|Boundary.*|SurfaceArea|FlatArea|SmallestAngle|SelfIntersections.*|Flipped"
-  "Faces|DegenerateFaces|FacesWithin.*|RootMeanSquareStretch|Mean.*(Error|Distortion|Magnitude|"
-  "StretchL2|"
-  "Dirichlet)|AreaWeightedMean.*|P9[59].*|Max.*|SD.*|StandardError.*|RingDistanceError|LengthScale|"
-  "AirValue|Isovalue|IsosurfaceComponents|LeftOutArea|MeanAbove|MeanBelow|NotFiniteVoxels|"
-  "ClassSeparation|"
-  "ShareBelow|SmoothingLength|"
-  "Bijective|Method.*|.*Seconds|.*Iterations|Untangle.*|Newton.*|Refine.*)$";
+  "^(AirValue|Bijective|Boundary(Anisotropy|Iterations|Length|Vertices)|ChosenCut|ClassSeparation|"
+  "ClosedCracks|Components|DegenerateFaces|"
+  "Dropped(Area|Cells|ComponentArea|Components|DegenerateFaces|DuplicateFaces|Faces)|"
+  "FacesWithin2Percent|Filled(Area|Holes)|FlatArea|FlippedFaces|FoldAreaChange|Genus|"
+  "Handle(AreaAdded|AreaRemoved|Displacement|LoopLengths)|Hole(Centre|Radius)|"
+  "IsosurfaceComponents|Isovalue|Left(Folded|OutArea)|LengthScale|Max(CellArea|Curvature)Error|"
+  "Mean(Above|Below)|MergedPoints|NewtonIterations|NotFiniteVoxels|ReasonOfCut|"
+  "Refinement(Repairs|Rounds)|Relief(Branches|Length|Strain)|RemeshEdgeLength|"
+  "Removed(Area|Fins|Handles|RegionPoints|Spikes)|ReorientedFaces|RingDistanceError|"
+  "RootMeanSquareStretch|SD(Log)?AreaRatio|SeamLength|SeamRegionPoints|SelfIntersections(Before)?|"
+  "ShareBelow|SmallestAngle|SmoothingLength|SplitPoints|SurfaceArea|UnusedPoints|"
+  "(Mean|StandardError|P95)(Local|WithinMap|Global)LengthError|"
+  "(Mean|AreaWeightedMean|P95|P99|Max)(AreaError|AreaDistortion|AngleDistortion|BeltramiMagnitude|"
+  "StretchL2|SymmetricDirichlet|AngleError))$";
 
 void hideReports()
 {

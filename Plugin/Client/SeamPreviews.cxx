@@ -108,8 +108,13 @@ void SeamPreviews::watch(pqPipelineSource* source)
 void SeamPreviews::changed(vtkObject* property, unsigned long, void*)
 {
   vtkSMProxy* disk = vtkSMProperty::SafeDownCast(property)->GetParent();
-  this->Edited =
+  auto* edited =
     pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(disk);
+  if (edited != this->Edited)
+  {
+    this->remove(); // the preview on the input of another filter
+  }
+  this->Edited = edited;
   this->Later.start();
 }
 
