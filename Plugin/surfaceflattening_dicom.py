@@ -195,7 +195,26 @@ def _places(slices, warnings):
             f"{missing} {'slice is' if missing == 1 else 'slices are'} missing (the first after slice {after + 1} of "
             f"{len(slices)}): their place is filled by interpolation"
         )
-    return places, (positions[-1] - positions[0]) / places[-1]
+    step = (positions[-1] - positions[0]) / places[-1]
+    _require_row(slices, positions, places, step, SPACING_AGREES * spacing)
+    return places, step
+
+
+def _require_row(slices, positions, places, step, tolerance):
+    """Raises ScanError if a slice lies farther than the tolerance, in mm, from its place in a row of even steps. Its
+    height along the normal does not show that: the slice may lie aside."""
+    if np.linalg.norm(positions - positions[0] - np.outer(places, step), axis=1).max() <= tolerance:
+        return
+    # A slice that lies aside tilts the whole row, so that the greatest distance may be that of another one.
+    counts = np.diff(places)[:, None]
+    ways = np.diff(positions, axis=0)
+    aside = np.linalg.norm(ways - counts * np.median(ways / counts, axis=0), axis=1)
+    odd = int(np.argmax(aside))
+    raise ScanError(
+        f"{slices[odd].filename}: the next slice, {slices[odd + 1].filename}, lies {aside[odd]:.4g} mm from where the "
+        "steps between the others lead, as if the patient had been moved or the series had several parts: such slices "
+        "are no volume. Put the files of one part into a folder of their own"
+    )
 
 
 def _report_tilt(x, y, step, warnings):

@@ -346,6 +346,33 @@ def check_odd_dicom(folder, values, affine):
     assert "no DICOM image" in refusal(os.path.join(folder, "no.dcm"))
 
 
+def series(folder, changes):
+    """Writes six slices that are 2 mm apart, each with its number as its values. @changes: slice to attributes of its
+    header."""
+    path = tempfile.mkdtemp(dir=folder)
+    values = np.repeat(np.arange(6, dtype=np.int16), 20).reshape(6, 4, 5)
+    VolumeFiles.write_dicom_series(path, values, (1.0, 1.0, 2.0))
+    for k, change in changes.items():
+        file = VolumeFiles.dicom_slice_path(path, k, 6)
+        item = pydicom.dcmread(file)
+        for name, value in change.items():
+            setattr(item, name, value)
+        item.save_as(file)
+    return path
+
+
+def check_slices_aside(folder):
+    """Slices that are evenly spaced along their normal, of which some lie aside, are no volume."""
+    for moved, distance in (((3, 4, 5), 40), ((5,), 5), ((2,), 5), ((1, 2, 3), 0.3)):
+        path = series(folder, {k: {"ImagePositionPatient": [distance, 0, 2 * k]} for k in moved})
+        text = refusal(path)
+        before, odd = (VolumeFiles.dicom_slice_path(path, moved[0] + k, 6) for k in (-1, 0))
+        assert text.startswith(before) and f"{odd}, lies {distance} mm" in text and "folder of their own" in text, text
+        print(text)
+    scan, text = messages_of(series(folder, {2: {"ImagePositionPatient": [0.1, 0, 4]}}))
+    assert np.allclose(scan.sizes, (1, 1, 2)) and not text, text
+
+
 def check_compressed(folder):
     """Slices compressed without loss, as archives send them, made by GDCM."""
     values, affine = marker(), affine_of(np.eye(3), SIZES["1 x 1 x 3 mm"])
@@ -398,4 +425,5 @@ with tempfile.TemporaryDirectory() as scratch:
     check_other_formats(scratch)
     check_mgh(scratch)
     check_dicom(scratch)
+    check_slices_aside(scratch)
     check_compressed(scratch)
