@@ -33,7 +33,7 @@ class DICOMScan(Scan):
     def __init__(self, path):
         try:
             self._read_headers(path)
-        except ScanError:
+        except (ScanError, OSError):
             raise
         except Exception as error:  # a number that is none, a list of three that has two
             raise ScanError(f"{path}: the headers of the series cannot be understood: {error}. {CONVERTER}") from None
@@ -106,27 +106,21 @@ def _pydicom():
 
 def _series(path, warnings):
     """The headers of one series: that of the file @path, or the one with most slices in the folder."""
-    pydicom = _pydicom()
     folder = path if os.path.isdir(path) else os.path.dirname(os.path.abspath(path))
+    images, faults = _headers(folder)
+    if faults:
+        name, reason = next(iter(faults.items()))
+        warnings.append(
+            f"{_count(faults, 'file')} could not be read (the first: {name}: {reason}): slices may be missing"
+        )
     series = {}
-    for name in sorted(os.listdir(folder)):
-        file = os.path.join(folder, name)
-        if not os.path.isfile(file):
-            continue
-        try:
-            item = pydicom.dcmread(file, stop_before_pixels=True)
-        except (pydicom.errors.InvalidDicomError, OSError, ValueError, KeyError):
-            continue
-        item.filename = file  # pydicom has none for deflated files
-        if "Rows" in item and "SeriesInstanceUID" in item:
-            series.setdefault(item.SeriesInstanceUID, []).append(item)
-    if not series:
-        raise ScanError(f"{path}: there are no DICOM images: if they have no preamble, {CONVERTER}")
+    for item in images:
+        series.setdefault(item.SeriesInstanceUID, []).append(item)
     if not os.path.isdir(path):
-        for found in series.values():
-            if any(os.path.samefile(item.filename, path) for item in found):
-                return found
-        raise ScanError(f"{path}: this is no DICOM image, nor of another format that is known by its extension")
+        return series[_chosen(images, faults, path).SeriesInstanceUID]
+    if not series:
+        reason = "; ".join(warnings) or f"if they have no preamble, {CONVERTER}"
+        raise ScanError(f"{path}: there are no DICOM images: {reason}")
     found = max(series.values(), key=len)
     if len(series) > 1:
         warnings.append(
@@ -134,6 +128,61 @@ def _series(path, warnings):
             f"({found[0].get('SeriesDescription', found[0].SeriesInstanceUID)}); choose a file of another"
         )
     return found
+
+
+def _headers(folder):
+    """The headers of the images in a folder, and the reasons why others cannot be read, by their names."""
+    pydicom = _pydicom()
+    images, faults = [], {}
+    for name in sorted(os.listdir(folder)):
+        file = os.path.join(folder, name)
+        if os.path.exists(file) and not os.path.isfile(file):
+            continue
+        try:
+            item = _header(file)
+        except pydicom.errors.InvalidDicomError:
+            continue  # not a DICOM file
+        except PermissionError:
+            raise ScanError(
+                f"{file}: there is no permission to read the file: give it, or take the file out of the folder"
+            ) from None
+        except OSError as error:  # a link that leads nowhere
+            faults[name] = error.strerror or str(error)
+        except Exception:  # pydicom has many for damaged files
+            faults[name] = "its header is damaged or cut short"
+        else:
+            images += [] if item is None else [item]
+    return images, faults
+
+
+def _header(file):
+    """The header of an image; None for other DICOM files, such as reports. Raises what pydicom raises."""
+    item = _pydicom().dcmread(file, stop_before_pixels=True)
+    item.filename = file  # pydicom has none for deflated files
+    if "Rows" in item and "SeriesInstanceUID" in item:
+        return item
+    kind = item.file_meta.get("MediaStorageSOPClassUID") or item.get("SOPClassUID")
+    if kind is None or "Image Storage" in kind.name:
+        raise ValueError("pydicom reads what there is of a header that is cut short")
+    return None
+
+
+def _chosen(images, faults, path):
+    """The header of the file @path."""
+    for item in images:
+        if os.path.samefile(item.filename, path):
+            return item
+    fault = faults.get(os.path.basename(path))
+    if fault:
+        raise ScanError(f"{path}: the file cannot be read: {fault}")
+    raise ScanError(
+        f"{path}: this is no DICOM image (if it has no preamble, {CONVERTER}), nor of another format that is known by "
+        "its extension"
+    )
+
+
+def _count(items, noun):
+    return f"{len(items)} {noun}{'' if len(items) == 1 else 's'}"
 
 
 def _stack(images, path, warnings):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A marker comes out where nibabel says that it lies in the patient, from every format and orientation."""
 
+import contextlib
 import os
 import tempfile
 
@@ -373,6 +374,54 @@ def check_slices_aside(folder):
     assert np.allclose(scan.sizes, (1, 1, 2)) and not text, text
 
 
+@contextlib.contextmanager
+def without_permission(path):
+    """Takes the permission to read a file, for a while; the superuser becomes another user for that."""
+    os.chmod(os.path.dirname(path), 0o755)
+    os.chmod(path, 0)
+    user = os.geteuid()
+    os.seteuid(user or 65534)
+    try:
+        yield
+    finally:
+        os.seteuid(user)
+        os.chmod(path, 0o644)
+
+
+def check_unreadable_slices(folder):
+    """Slices that cannot be read are named; files that are not DICOM, and reports, are passed over in silence."""
+    for k, words in ((5, "slices may be missing"), (2, "1 slice is missing")):
+        path = series(folder, {})
+        file = VolumeFiles.dicom_slice_path(path, k, 6)
+        os.truncate(file, 300)
+        scan, text = messages_of(path)
+        assert f"1 file could not be read (the first: {os.path.basename(file)}: its header" in text and words in text, text
+        assert "cut short" in refusal(file)
+        print(text)
+    path = series(folder, {0: {"SeriesInstanceUID": "2.25.7"}})
+    os.symlink("nowhere", os.path.join(path, "z.dcm"))
+    scan, text = messages_of(path)
+    assert "1 file could not be read (the first: z.dcm: No such file" in text and "2 series" in text, text
+    path = series(folder, {})
+    report = pydicom.dcmread(VolumeFiles.dicom_slice_path(path, 0, 6))
+    report.file_meta.MediaStorageSOPClassUID = "1.2.840.10008.5.1.4.1.1.88.11"  # Basic Text SR Storage
+    del report.Rows, report.PixelData
+    report.save_as(os.path.join(path, "report.dcm"))
+    with open(os.path.join(path, "notes.txt"), "wb") as stream:
+        stream.write(b"no preamble")
+    scan, text = messages_of(path)
+    assert scan.shape == (5, 4, 6) and not text, text
+    os.chmod(folder, 0o755)
+    file = VolumeFiles.dicom_slice_path(path, 3, 6)
+    with without_permission(file):
+        text = refusal(path)
+    assert text.startswith(f"{file}: there is no permission"), text
+    for name in os.listdir(path):
+        os.truncate(os.path.join(path, name), 300)
+    text = refusal(path)
+    assert "no DICOM images: 6 files could not be read" in text, text
+
+
 def check_compressed(folder):
     """Slices compressed without loss, as archives send them, made by GDCM."""
     values, affine = marker(), affine_of(np.eye(3), SIZES["1 x 1 x 3 mm"])
@@ -426,4 +475,5 @@ with tempfile.TemporaryDirectory() as scratch:
     check_mgh(scratch)
     check_dicom(scratch)
     check_slices_aside(scratch)
+    check_unreadable_slices(scratch)
     check_compressed(scratch)
