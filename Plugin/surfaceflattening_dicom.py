@@ -23,6 +23,17 @@ LEAST_TILT = 0.1
 # Difference of direction cosines between slices of one stack: they are written with six digits.
 SAME_DIRECTION = 1e-4
 
+# Relative difference of the sizes of pixels of one stack, which are written with four digits or more: a greater one
+# moves the last pixel of a row of 512 by more than a tenth.
+SAME_SIZE = 2e-4
+
+# Distance of slices along their normal, in mm, below which they are at one position: no scanner has thinner slices, and
+# the positions of repeated ones differ by rounding.
+SAME_POSITION = 1e-3
+
+# What says where an image lies in the patient.
+PLACE = ("ImageOrientationPatient", "ImagePositionPatient", "PixelSpacing")
+
 # Cosine of the angle between rows and columns, which are at right angles in every image: six digits leave 1e-6.
 PERPENDICULAR = 1e-2
 
@@ -40,7 +51,8 @@ class DICOMScan(Scan):
 
     def _read_headers(self, path):
         warnings = []
-        slices = _stack(_series(path, warnings), path, warnings)
+        images, chosen = _series(path, warnings)
+        slices = _stack(images, chosen, path, warnings)
         self._files = [item.filename for item in slices]
         self._places, step = _places(slices, warnings)
         first, columns, rows = slices[0], int(slices[0].Columns), int(slices[0].Rows)
@@ -105,7 +117,8 @@ def _pydicom():
 
 
 def _series(path, warnings):
-    """The headers of one series: that of the file @path, or the one with most slices in the folder."""
+    """The headers of a series, and the chosen one among them: the series of the file @path and this file, or the
+    longest series in the folder @path and None."""
     folder = path if os.path.isdir(path) else os.path.dirname(os.path.abspath(path))
     images, faults = _headers(folder)
     if faults:
@@ -117,7 +130,8 @@ def _series(path, warnings):
     for item in images:
         series.setdefault(item.SeriesInstanceUID, []).append(item)
     if not os.path.isdir(path):
-        return series[_chosen(images, faults, path).SeriesInstanceUID]
+        chosen = _chosen(images, faults, path)
+        return series[chosen.SeriesInstanceUID], chosen
     if not series:
         reason = "; ".join(warnings) or f"if they have no preamble, {CONVERTER}"
         raise ScanError(f"{path}: there are no DICOM images: {reason}")
@@ -127,7 +141,7 @@ def _series(path, warnings):
             f"the folder has {len(series)} series: the longest, of {len(found)} images, is taken "
             f"({found[0].get('SeriesDescription', found[0].SeriesInstanceUID)}); choose a file of another"
         )
-    return found
+    return found, None
 
 
 def _headers(folder):
@@ -185,41 +199,73 @@ def _count(items, noun):
     return f"{len(items)} {noun}{'' if len(items) == 1 else 's'}"
 
 
-def _stack(images, path, warnings):
+def _stack(images, chosen, path, warnings):
     """The images that lie in parallel planes, sorted along their normal, one for each position."""
     if any(int(item.get("NumberOfFrames", 1) or 1) > 1 for item in images):
         raise ScanError(f"{path}: these files have several frames each: {CONVERTER}")
     if any("MOSAIC" in (item.get("ImageType") or []) for item in images):
         raise ScanError(f"{path}: each of these images is a mosaic of several slices: {CONVERTER}")
-    placed = [item for item in images if "ImageOrientationPatient" in item and "ImagePositionPatient" in item]
-    if not placed or any("PixelSpacing" not in item for item in placed):
-        raise ScanError(f"{path}: the images do not say where they lie in the patient: {CONVERTER}")
-    first = placed[0]
-    parallel = [
-        item
-        for item in placed
-        if (item.Rows, item.Columns, list(item.PixelSpacing)) == (first.Rows, first.Columns, list(first.PixelSpacing))
-        and np.abs(np.subtract(item.ImageOrientationPatient, first.ImageOrientationPatient)).max() < SAME_DIRECTION
-    ]
-    if len(parallel) < len(images):
-        warnings.append(f"{len(images) - len(parallel)} images of another size or direction are left out")
-    x, y = _axes(first)
+    parallel = _parallel(images, chosen, path)
+    known = {id(item) for item in parallel}
+    others = [item for item in images if id(item) not in known]
+    if others:
+        warnings.append(
+            f"{_count(others, 'image')} of another size or direction, or without a place, "
+            f"{'is' if len(others) == 1 else 'are'} left out (the first: {os.path.basename(others[0].filename)}); "
+            "choose one of these for a volume of theirs"
+        )
+    x, y = _axes(parallel[0])
     if not abs(x @ y) < PERPENDICULAR:
         raise ScanError(f"{path}: the orientation cannot be used, because rows and columns are not at right angles")
-    normal = np.cross(x, y)
-    parallel.sort(key=lambda item: (_position(item) @ normal, int(item.get("InstanceNumber", 0) or 0)))
-    stack = parallel[:1]
-    for item in parallel[1:]:
-        if (_position(item) - _position(stack[-1])) @ normal > 1e-3:  # mm; no scanner has thinner slices
-            stack.append(item)
+    stack = _one_each(parallel, np.cross(x, y))
     if len(stack) < len(parallel):
         warnings.append(
             f"{len(parallel) - len(stack)} images lie where another one does, as in a series over time: the first "
             "at each position is taken"
         )
     if len(stack) < 2:
-        raise ScanError(f"{path}: the series has one slice: choose the folder of a volume")
+        remedy = "choose the folder of a volume"
+        if others:
+            remedy = f"choose one of the other images of the series, such as {others[0].filename}"
+        raise ScanError(f"{path}: the series has one slice of this size and direction: {remedy}")
     return stack
+
+
+def _parallel(images, chosen, path):
+    """The images of the size and direction of the chosen one, or, without one, of the most frequent."""
+    placed = [item for item in images if all(item.get(name) for name in PLACE)]
+    if not placed or (chosen is not None and not all(chosen.get(name) for name in PLACE)):
+        raise ScanError(f"{path}: the images do not say where they lie in the patient: {CONVERTER}")
+    if chosen is not None:
+        return [item for item in placed if _same_grid(item, chosen)]
+    groups = []
+    for item in placed:
+        for group in groups:
+            if _same_grid(item, group[0]):
+                group.append(item)
+                break
+        else:
+            groups.append([item])
+    return max(groups, key=len)
+
+
+def _same_grid(one, other):
+    return (
+        (one.Rows, one.Columns) == (other.Rows, other.Columns)
+        and np.allclose(one.PixelSpacing, other.PixelSpacing, rtol=SAME_SIZE, atol=0)
+        and np.abs(np.subtract(one.ImageOrientationPatient, other.ImageOrientationPatient)).max() < SAME_DIRECTION
+    )
+
+
+def _one_each(images, normal):
+    """The images sorted along the normal; of several at one position the first by their numbers in the series."""
+    positions = []
+    for item in sorted(images, key=lambda item: _position(item) @ normal):
+        if positions and (_position(item) - _position(positions[-1][0])) @ normal <= SAME_POSITION:
+            positions[-1].append(item)
+        else:
+            positions.append([item])
+    return [min(found, key=lambda item: (int(item.get("InstanceNumber") or 0), item.filename)) for found in positions]
 
 
 def _places(slices, warnings):

@@ -422,6 +422,42 @@ def check_unreadable_slices(folder):
     assert "no DICOM images: 6 files could not be read" in text, text
 
 
+def check_scouts(folder):
+    """Of a series with images of several directions the chosen stack is read, or the largest."""
+    def with_scouts(*directions):
+        path = series(folder, {k: {"PixelSpacing": [1.00001, 1]} for k in (2, 3)})
+        for k, direction in enumerate(directions):
+            scout = pydicom.dcmread(VolumeFiles.dicom_slice_path(path, 0, 6))
+            scout.ImageOrientationPatient, scout.ImagePositionPatient = direction, [5 * k, 0, 0]
+            scout.save_as(os.path.join(path, f"a scout {k}.dcm"))
+        return path
+
+    sagittal, coronal = [0, 1, 0, 0, 0, -1], [1, 0, 0, 0, 0, -1]
+    for directions, left_out in (((sagittal,), "1 image of"), ((sagittal, sagittal, coronal), "3 images of")):
+        path = with_scouts(*directions)
+        for chosen in (path, VolumeFiles.dicom_slice_path(path, 3, 6)):
+            scan, text = messages_of(chosen)
+            assert scan.shape == (5, 4, 6) and left_out in text and "(the first: a scout 0.dcm)" in text, text
+    scan, text = messages_of(os.path.join(path, "a scout 1.dcm"))
+    assert scan.shape == (5, 4, 2) and "7 images of" in text, text
+    text = refusal(os.path.join(path, "a scout 2.dcm"))
+    assert "one slice of this size and direction: choose one of the other images of the series, such as" in text, text
+    print(text)
+
+
+def check_times(folder):
+    """Of a series over time the first time is read, even if rounding moves its slices behind those of another time."""
+    path = series(folder, {k: {"ImagePositionPatient": [0, 0, 2 * k + 4e-4 * (k % 2)]} for k in range(6)})
+    for k in range(6):
+        item = pydicom.dcmread(VolumeFiles.dicom_slice_path(path, k, 6))
+        item.InstanceNumber += 6
+        item.ImagePositionPatient = [0, 0, 2 * k + 4e-4 * ((k + 1) % 2)]
+        item.PixelData = (item.pixel_array + 100).tobytes()
+        item.save_as(os.path.join(path, f"a{k}.dcm"))
+    scan, text = messages_of(path)
+    assert np.array_equal(scan.load()[0, 0], range(6)) and "6 images lie where another one does" in text, (scan.load(), text)
+
+
 def check_compressed(folder):
     """Slices compressed without loss, as archives send them, made by GDCM."""
     values, affine = marker(), affine_of(np.eye(3), SIZES["1 x 1 x 3 mm"])
@@ -476,4 +512,6 @@ with tempfile.TemporaryDirectory() as scratch:
     check_dicom(scratch)
     check_slices_aside(scratch)
     check_unreadable_slices(scratch)
+    check_scouts(scratch)
+    check_times(scratch)
     check_compressed(scratch)
