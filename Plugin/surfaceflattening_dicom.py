@@ -88,6 +88,7 @@ class DICOMScan(Scan):
         try:
             item = pydicom.dcmread(file)
             pixels = item.pixel_array
+            slope, intercept = _number(item, "RescaleSlope", 1.0), _number(item, "RescaleIntercept", 0.0)
         except (ImportError, RuntimeError, NotImplementedError) as error:
             absent = "handlers" in str(error)  # what pydicom says of them helps nobody
             raise ScanError(
@@ -98,11 +99,25 @@ class DICOMScan(Scan):
             raise ScanError(f"{file}: the pixels cannot be read, the file may be damaged: {error}") from None
         if pixels.ndim != 2:
             raise ScanError(f"{file}: an image has {pixels.ndim} dimensions, not 2: {CONVERTER}")
-        slope, intercept = float(item.get("RescaleSlope", 1)), float(item.get("RescaleIntercept", 0))
-        if slope.is_integer() and intercept.is_integer():
-            # A CT: Hounsfield units are integers.
-            return (pixels.astype(np.int32) * int(slope) + int(intercept)).astype(np.int32)
-        return (pixels * slope + intercept).astype(np.float32)
+        return _true_values(pixels, slope, intercept)
+
+
+def _true_values(pixels, slope, intercept):
+    """Slope and intercept applied: integers that remain integers, as the Hounsfield units of a CT, in 32 bits if these
+    hold them; other numbers in single precision if that holds the stored ones."""
+    integers = all(number.is_integer() and abs(number) < 1 << 30 for number in (slope, intercept))  # within 64 bits
+    if pixels.dtype.kind == "f" or not integers:
+        return (pixels * slope + intercept).astype(np.float32 if pixels.dtype.itemsize <= 2 else np.float64)
+    values = pixels.astype(np.int64) * int(slope) + int(intercept)
+    limits = np.iinfo(np.int32)
+    fits = limits.min <= values.min() and values.max() <= limits.max
+    return values.astype(np.int32) if fits else values
+
+
+def _number(item, name, usual):
+    """A number of a header, which may be absent or empty."""
+    value = item.get(name)
+    return usual if value in (None, "") else float(value)
 
 
 def _pydicom():

@@ -458,6 +458,31 @@ def check_times(folder):
     assert np.array_equal(scan.load()[0, 0], range(6)) and "6 images lie where another one does" in text, (scan.load(), text)
 
 
+def check_dicom_values(folder):
+    """Slopes that are empty, and numbers that 32 bits with a sign do not hold."""
+    path = series(folder, {k: {"RescaleSlope": None, "RescaleIntercept": None} for k in range(6)})
+    values = scan_of(path).load()
+    assert values.dtype == np.int32 and np.array_equal(values[0, 0], range(6)), values
+    unsigned = {"BitsAllocated": 32, "BitsStored": 32, "HighBit": 31, "PixelRepresentation": 0}
+    stored = np.full((4, 5), 3_000_000_000, np.uint32)
+    for change, expected in (
+        ({"PixelData": stored.tobytes()}, 3e9),
+        ({"PixelData": (stored // 1000).tobytes(), "RescaleSlope": 2, "RescaleIntercept": -1}, 6e6 - 1),
+        ({"PixelData": stored.tobytes(), "RescaleSlope": 0.5}, 1.5e9),
+        ({"PixelData": stored.tobytes(), "RescaleSlope": "1e99"}, 3e108),
+    ):
+        scan = scan_of(series(folder, {k: {**unsigned, **change} for k in range(6)}))
+        assert np.allclose(scan.load(), expected, rtol=1e-12), (change, scan.load())
+    path = series(folder, {})
+    file = VolumeFiles.dicom_slice_path(path, 2, 6)
+    with open(file, "r+b") as stream:
+        content = stream.read().replace(b"\x28\0\x53\x10DS\2\0001 ", b"\x28\0\x53\x10DS\2\0x ")
+        stream.seek(0)
+        stream.write(content)
+    text = refusal(path)
+    assert text.startswith(file) and "may be damaged" in text, text
+
+
 def check_compressed(folder):
     """Slices compressed without loss, as archives send them, made by GDCM."""
     values, affine = marker(), affine_of(np.eye(3), SIZES["1 x 1 x 3 mm"])
@@ -514,4 +539,5 @@ with tempfile.TemporaryDirectory() as scratch:
     check_unreadable_slices(scratch)
     check_scouts(scratch)
     check_times(scratch)
+    check_dicom_values(scratch)
     check_compressed(scratch)
