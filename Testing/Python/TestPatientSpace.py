@@ -197,6 +197,22 @@ def nifti(folder, sform=None, qform=None, sizes=(1, 1, 1), shape=SHAPE):
     return path
 
 
+def check_units(folder):
+    """Voxels are in mm whatever the unit of the header, with an orientation and without, in patient space or not."""
+    for unit, size in (("micron", 500), ("meter", 5e-4), ("mm", 0.5), ("unknown", 0.5)):
+        for placed in (False, True):
+            image = nibabel.Nifti1Image(marker(), None)
+            image.header["pixdim"][1:4] = size
+            if placed:
+                image.set_sform(affine_of(np.eye(3), np.eye(3) * size), 1)
+            image.header.set_xyzt_units(unit)
+            path = os.path.join(folder, "units.nii")
+            nibabel.save(image, path)
+            for patient_space in (False, True):
+                found = read_scan(path, patient_space, warn=lambda text: None).GetSpacing()
+                assert np.allclose(found, 0.5, rtol=1e-6), (unit, placed, patient_space, found)
+
+
 def messages_of(path):
     scan = scan_of(path)
     return scan, "; ".join(scan.placement.warnings)
@@ -395,7 +411,8 @@ def check_unreadable_slices(folder):
         file = VolumeFiles.dicom_slice_path(path, k, 6)
         os.truncate(file, 300)
         scan, text = messages_of(path)
-        assert f"1 file could not be read (the first: {os.path.basename(file)}: its header" in text and words in text, text
+        said = f"1 file could not be read (the first: {os.path.basename(file)}: its header"
+        assert said in text and words in text, text
         assert "cut short" in refusal(file)
         print(text)
     path = series(folder, {0: {"SeriesInstanceUID": "2.25.7"}})
@@ -455,7 +472,8 @@ def check_times(folder):
         item.PixelData = (item.pixel_array + 100).tobytes()
         item.save_as(os.path.join(path, f"a{k}.dcm"))
     scan, text = messages_of(path)
-    assert np.array_equal(scan.load()[0, 0], range(6)) and "6 images lie where another one does" in text, (scan.load(), text)
+    assert np.array_equal(scan.load()[0, 0], range(6)), scan.load()
+    assert "6 images lie where another one does" in text, text
 
 
 def check_dicom_values(folder):
@@ -532,6 +550,7 @@ with tempfile.TemporaryDirectory() as scratch:
     check_same_place(scratch)
     check_values(scratch)
     check_odd_headers(scratch)
+    check_units(scratch)
     check_other_formats(scratch)
     check_mgh(scratch)
     check_dicom(scratch)
