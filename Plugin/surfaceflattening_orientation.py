@@ -6,6 +6,7 @@ y to the front, z to the top. Each format has its own way to say so; DICOM, Meta
 and to the back (LPS+). This module needs numpy alone.
 """
 
+import re
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -26,6 +27,16 @@ SIZES_AGREE = 1e-3
 # The square of the fourth number of a quaternion that single precision cannot tell from 0; nibabel has the same
 # bound. Without it, rotations by half a turn would be off by 6e-4, the root of it.
 QUATERNION_ZERO = 3 * np.finfo(np.float32).eps
+
+
+# The names of units in headers, in mm. The letter for micro has two codes in Unicode, and one of its own in Latin-1.
+MILLIMETRES = {
+    **dict.fromkeys(("nm", "nanometer", "nanometre"), 1e-6),
+    **dict.fromkeys(("um", "\u00b5m", "\u03bcm", "\udcb5m", "micron", "micrometer", "micrometre"), 1e-3),
+    **dict.fromkeys(("mm", "millimeter", "millimetre"), 1.0),
+    **dict.fromkeys(("cm", "centimeter", "centimetre"), 10.0),
+    **dict.fromkeys(("m", "meter", "metre"), 1000.0),
+}
 
 
 @dataclass
@@ -73,6 +84,13 @@ def letters(matrix):
     return text
 
 
+def nifti_unit(header):
+    """The unit of lengths of a NIfTI file in mm."""
+    if not header.GetMagic().startswith("n"):
+        return 1.0  # Analyze 7.5 has another number at that place of the header
+    return {1: 1000.0, 3: 0.001}.get(header.GetXYZTUnits() & 7, 1.0)
+
+
 def nifti_placement(header, shape):
     """By the sform, or the qform if there is none that can be used (https://nifti.nimh.nih.gov/nifti-1).
 
@@ -85,7 +103,7 @@ def nifti_placement(header, shape):
         forms["sform"] = np.array([header.GetSRowX(), header.GetSRowY(), header.GetSRowZ(), (0, 0, 0, 1)])
     if header.GetQFormCode() > 0:
         forms["qform"] = _qform(header)
-    scale = {1: 1000.0, 3: 0.001}.get(header.GetXYZTUnits() & 7, 1.0)
+    scale = nifti_unit(header)
     for name, matrix in list(forms.items()):
         matrix[:3] *= scale
         fault = fault_of(matrix)
@@ -112,8 +130,8 @@ def nifti_placement(header, shape):
     return Placement(matrix, source, warnings)
 
 
-def metaimage_placement(fields):
-    """By TransformMatrix and Offset, which are LPS+ as in ITK. @fields: of header_fields()."""
+def metaimage_placement(fields, unit):
+    """By TransformMatrix and Offset, which are LPS+ as in ITK. @fields: of header_fields(). @unit: of lengths, in mm."""
     numbers = _numbers(fields, "transformmatrix", "rotation", "orientation")
     if len(numbers) != 9:
         return Placement(None, "none", [_without("the header has no TransformMatrix of nine numbers")])
@@ -123,6 +141,7 @@ def metaimage_placement(fields):
     # A row of the header is an axis of the volume.
     matrix[:3, :3] = np.array(numbers).reshape(3, 3).T * (sizes if len(sizes) == 3 else 1.0)
     matrix[:3, 3] = origin if len(origin) == 3 else 0.0
+    matrix[:3] *= unit
     return _checked(RAS_OF_LPS @ matrix, "TransformMatrix")
 
 
@@ -142,19 +161,39 @@ def nrrd_placement(fields):
         return Placement(
             None, "none", [_without("the header has no space, as left-posterior-superior, with three directions")]
         )
-    origin = _vector(fields.get("space origin", "").rstrip(")")) if "space origin" in fields else []
+    origin = _in_space(fields, _vector(fields.get("space origin", "").rstrip(")")))
     matrix = np.eye(4)
     matrix[:3, :3] = np.array(axes).T
     matrix[:3, 3] = origin if len(origin) == 3 else 0.0
     return _checked(to_ras @ matrix, "space directions")
 
 
+def _in_space(fields, vector):
+    """A vector of a NRRD in mm."""
+    units, _warnings = units_of(fields.get("space units", ""), len(vector))
+    return [number * unit for number, unit in zip(vector, units)]
+
+
+def units_of(text, count):
+    """The units in a list such as "um" "um" "um", in mm, and what is odd about it. Units that are not there or not
+    known are mm."""
+    names = [name.strip() for name in re.findall(r'"([^"]*)"', text) or text.split()]
+    known = [MILLIMETRES.get(name.lower().removesuffix("s")) for name in names]
+    odd = sorted({name for name, unit in zip(names, known) if unit is None and name not in ("", "?")})
+    warnings = [f"the header has lengths in {name}, a unit that is not known: they are taken for mm" for name in odd]
+    if len(names) not in (0, count):
+        return [1.0] * count, [f"the header has {len(names)} units for {count} axes: lengths are taken for mm"]
+    return [unit or 1.0 for unit in known] or [1.0] * count, warnings
+
+
 def nrrd_directions(fields):
-    """The vectors of the axes of a NRRD, None for an axis that is not in space; nothing without space directions."""
+    """The vectors of the axes of a NRRD in mm, None for an axis that is not in space; nothing without space
+    directions."""
     words = fields.get("space directions", "").replace(")", ") ").split()
     # A vector may have spaces within.
     text = " ".join(words).replace(", ", ",").replace("( ", "(").replace(" )", ")")
-    return [None if word.lower() == "none" else _vector(word.rstrip(")")) for word in text.split()]
+    vectors = [None if word.lower() == "none" else _vector(word.rstrip(")")) for word in text.split()]
+    return [vector and _in_space(fields, vector) for vector in vectors]
 
 
 def header_fields(path, separator):

@@ -88,6 +88,7 @@ class NIfTIScan(_VTKScan):
         super().__init__(vtkNIFTIImageReader(), path)
         reader = self._reader
         header = reader.GetNIFTIHeader()
+        self.sizes *= orientation.nifti_unit(header)
         self.placement = orientation.nifti_placement(header, self.shape)
         # What VTK says of the forms is said in more detail there.
         self.placement.warnings += [text for text in self._vtk_warnings if "FormMatrix" not in text]

@@ -168,7 +168,10 @@ class MetaImageScan(VoxelFileScan):
         sizes = fields.get("elementspacing", fields.get("elementsize", "1 1 1")).split()
         self._slope = float(fields.get("elementtointensityfunctionslope", 1))
         self._offset = float(fields.get("elementtointensityfunctionoffset", 0))
-        return orientation.metaimage_placement(fields), shape, [float(word) for word in sizes]
+        (unit,), warnings = orientation.units_of(fields.get("distanceunits", ""), 1)
+        placement = orientation.metaimage_placement(fields, unit)
+        placement.warnings += warnings
+        return placement, shape, [float(word) * unit for word in sizes]
 
     def load(self):
         return true_values(super().load(), self._slope, self._offset)
@@ -197,13 +200,24 @@ class NRRDScan(VoxelFileScan):
         shape = [int(word) for word in fields["sizes"].split()]
         directions = orientation.nrrd_directions(fields)
         along = [k for k, axis in enumerate(directions) if axis is not None] if directions else list(range(len(shape)))
-        sizes = [float(word) for word in fields.get("spacings", "").split()] or [1.0] * len(shape)
-        if directions:
-            sizes = [1.0 if axis is None else float(np.linalg.norm(axis)) for axis in directions]
+        sizes, warnings = self._sizes(fields, directions, len(shape))
         if len(shape) == 4 and along == [1, 2, 3]:  # values of one voxel, such as colours
             self.components = shape[0]
             shape, sizes = shape[1:], sizes[1:]
-        return orientation.nrrd_placement(fields), shape, sizes
+        placement = orientation.nrrd_placement(fields)
+        placement.warnings += warnings
+        return placement, shape, sizes
+
+    def _sizes(self, fields, directions, count):
+        """The sizes of a voxel in mm along @count axes, and what is odd about their units."""
+        if directions:
+            in_space = max(len(axis or []) for axis in directions)
+            _units, warnings = orientation.units_of(fields.get("space units", ""), in_space)
+            return [1.0 if axis is None else float(np.linalg.norm(axis)) for axis in directions], warnings
+        units, warnings = orientation.units_of(fields.get("units", ""), count)
+        sizes = [float(word) for word in fields.get("spacings", "").split()] or [1.0] * count
+        # A number of sizes other than that of the axes is refused later.
+        return [size * unit for size, unit in zip(sizes, units)] if len(sizes) == count else sizes, warnings
 
 
 def _true(word):

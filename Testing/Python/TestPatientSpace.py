@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A marker comes out where nibabel says that it lies in the patient, from every format and orientation."""
 
+import contextlib
 import os
 import tempfile
 
@@ -196,6 +197,22 @@ def nifti(folder, sform=None, qform=None, sizes=(1, 1, 1), shape=SHAPE):
     return path
 
 
+def check_units(folder):
+    """Voxels are in mm whatever the unit of the header, with an orientation and without, in patient space or not."""
+    for unit, size in (("micron", 500), ("meter", 5e-4), ("mm", 0.5), ("unknown", 0.5)):
+        for placed in (False, True):
+            image = nibabel.Nifti1Image(marker(), None)
+            image.header["pixdim"][1:4] = size
+            if placed:
+                image.set_sform(affine_of(np.eye(3), np.eye(3) * size), 1)
+            image.header.set_xyzt_units(unit)
+            path = os.path.join(folder, "units.nii")
+            nibabel.save(image, path)
+            for patient_space in (False, True):
+                found = read_scan(path, patient_space, warn=lambda text: None).GetSpacing()
+                assert np.allclose(found, 0.5, rtol=1e-6), (unit, placed, patient_space, found)
+
+
 def messages_of(path):
     scan = scan_of(path)
     return scan, "; ".join(scan.placement.warnings)
@@ -346,6 +363,144 @@ def check_odd_dicom(folder, values, affine):
     assert "no DICOM image" in refusal(os.path.join(folder, "no.dcm"))
 
 
+def series(folder, changes):
+    """Writes six slices that are 2 mm apart, each with its number as its values. @changes: slice to attributes of its
+    header."""
+    path = tempfile.mkdtemp(dir=folder)
+    values = np.repeat(np.arange(6, dtype=np.int16), 20).reshape(6, 4, 5)
+    VolumeFiles.write_dicom_series(path, values, (1.0, 1.0, 2.0))
+    for k, change in changes.items():
+        file = VolumeFiles.dicom_slice_path(path, k, 6)
+        item = pydicom.dcmread(file)
+        for name, value in change.items():
+            setattr(item, name, value)
+        item.save_as(file)
+    return path
+
+
+def check_slices_aside(folder):
+    """Slices that are evenly spaced along their normal, of which some lie aside, are no volume."""
+    for moved, distance in (((3, 4, 5), 40), ((5,), 5), ((2,), 5), ((1, 2, 3), 0.3)):
+        path = series(folder, {k: {"ImagePositionPatient": [distance, 0, 2 * k]} for k in moved})
+        text = refusal(path)
+        before, odd = (VolumeFiles.dicom_slice_path(path, moved[0] + k, 6) for k in (-1, 0))
+        assert text.startswith(before) and f"{odd}, lies {distance} mm" in text and "folder of their own" in text, text
+        print(text)
+    scan, text = messages_of(series(folder, {2: {"ImagePositionPatient": [0.1, 0, 4]}}))
+    assert np.allclose(scan.sizes, (1, 1, 2)) and not text, text
+
+
+@contextlib.contextmanager
+def without_permission(path):
+    """Takes the permission to read a file, for a while; the superuser becomes another user for that."""
+    os.chmod(os.path.dirname(path), 0o755)
+    os.chmod(path, 0)
+    user = os.geteuid()
+    os.seteuid(user or 65534)
+    try:
+        yield
+    finally:
+        os.seteuid(user)
+        os.chmod(path, 0o644)
+
+
+def check_unreadable_slices(folder):
+    """Slices that cannot be read are named; files that are not DICOM, and reports, are passed over in silence."""
+    for k, words in ((5, "slices may be missing"), (2, "1 slice is missing")):
+        path = series(folder, {})
+        file = VolumeFiles.dicom_slice_path(path, k, 6)
+        os.truncate(file, 300)
+        scan, text = messages_of(path)
+        said = f"1 file could not be read (the first: {os.path.basename(file)}: its header"
+        assert said in text and words in text, text
+        assert "cut short" in refusal(file)
+        print(text)
+    path = series(folder, {0: {"SeriesInstanceUID": "2.25.7"}})
+    os.symlink("nowhere", os.path.join(path, "z.dcm"))
+    scan, text = messages_of(path)
+    assert "1 file could not be read (the first: z.dcm: No such file" in text and "2 series" in text, text
+    path = series(folder, {})
+    report = pydicom.dcmread(VolumeFiles.dicom_slice_path(path, 0, 6))
+    report.file_meta.MediaStorageSOPClassUID = "1.2.840.10008.5.1.4.1.1.88.11"  # Basic Text SR Storage
+    del report.Rows, report.PixelData
+    report.save_as(os.path.join(path, "report.dcm"))
+    with open(os.path.join(path, "notes.txt"), "wb") as stream:
+        stream.write(b"no preamble")
+    scan, text = messages_of(path)
+    assert scan.shape == (5, 4, 6) and not text, text
+    os.chmod(folder, 0o755)
+    file = VolumeFiles.dicom_slice_path(path, 3, 6)
+    with without_permission(file):
+        text = refusal(path)
+    assert text.startswith(f"{file}: there is no permission"), text
+    for name in os.listdir(path):
+        os.truncate(os.path.join(path, name), 300)
+    text = refusal(path)
+    assert "no DICOM images: 6 files could not be read" in text, text
+
+
+def check_scouts(folder):
+    """Of a series with images of several directions the chosen stack is read, or the largest."""
+    def with_scouts(*directions):
+        path = series(folder, {k: {"PixelSpacing": [1.00001, 1]} for k in (2, 3)})
+        for k, direction in enumerate(directions):
+            scout = pydicom.dcmread(VolumeFiles.dicom_slice_path(path, 0, 6))
+            scout.ImageOrientationPatient, scout.ImagePositionPatient = direction, [5 * k, 0, 0]
+            scout.save_as(os.path.join(path, f"a scout {k}.dcm"))
+        return path
+
+    sagittal, coronal = [0, 1, 0, 0, 0, -1], [1, 0, 0, 0, 0, -1]
+    for directions, left_out in (((sagittal,), "1 image of"), ((sagittal, sagittal, coronal), "3 images of")):
+        path = with_scouts(*directions)
+        for chosen in (path, VolumeFiles.dicom_slice_path(path, 3, 6)):
+            scan, text = messages_of(chosen)
+            assert scan.shape == (5, 4, 6) and left_out in text and "(the first: a scout 0.dcm)" in text, text
+    scan, text = messages_of(os.path.join(path, "a scout 1.dcm"))
+    assert scan.shape == (5, 4, 2) and "7 images of" in text, text
+    text = refusal(os.path.join(path, "a scout 2.dcm"))
+    assert "one slice of this size and direction: choose one of the other images of the series, such as" in text, text
+    print(text)
+
+
+def check_times(folder):
+    """Of a series over time the first time is read, even if rounding moves its slices behind those of another time."""
+    path = series(folder, {k: {"ImagePositionPatient": [0, 0, 2 * k + 4e-4 * (k % 2)]} for k in range(6)})
+    for k in range(6):
+        item = pydicom.dcmread(VolumeFiles.dicom_slice_path(path, k, 6))
+        item.InstanceNumber += 6
+        item.ImagePositionPatient = [0, 0, 2 * k + 4e-4 * ((k + 1) % 2)]
+        item.PixelData = (item.pixel_array + 100).tobytes()
+        item.save_as(os.path.join(path, f"a{k}.dcm"))
+    scan, text = messages_of(path)
+    assert np.array_equal(scan.load()[0, 0], range(6)), scan.load()
+    assert "6 images lie where another one does" in text, text
+
+
+def check_dicom_values(folder):
+    """Slopes that are empty, and numbers that 32 bits with a sign do not hold."""
+    path = series(folder, {k: {"RescaleSlope": None, "RescaleIntercept": None} for k in range(6)})
+    values = scan_of(path).load()
+    assert values.dtype == np.int32 and np.array_equal(values[0, 0], range(6)), values
+    unsigned = {"BitsAllocated": 32, "BitsStored": 32, "HighBit": 31, "PixelRepresentation": 0}
+    stored = np.full((4, 5), 3_000_000_000, np.uint32)
+    for change, expected in (
+        ({"PixelData": stored.tobytes()}, 3e9),
+        ({"PixelData": (stored // 1000).tobytes(), "RescaleSlope": 2, "RescaleIntercept": -1}, 6e6 - 1),
+        ({"PixelData": stored.tobytes(), "RescaleSlope": 0.5}, 1.5e9),
+        ({"PixelData": stored.tobytes(), "RescaleSlope": "1e99"}, 3e108),
+    ):
+        scan = scan_of(series(folder, {k: {**unsigned, **change} for k in range(6)}))
+        assert np.allclose(scan.load(), expected, rtol=1e-12), (change, scan.load())
+    path = series(folder, {})
+    file = VolumeFiles.dicom_slice_path(path, 2, 6)
+    with open(file, "r+b") as stream:
+        content = stream.read().replace(b"\x28\0\x53\x10DS\2\0001 ", b"\x28\0\x53\x10DS\2\0x ")
+        stream.seek(0)
+        stream.write(content)
+    text = refusal(path)
+    assert text.startswith(file) and "may be damaged" in text, text
+
+
 def check_compressed(folder):
     """Slices compressed without loss, as archives send them, made by GDCM."""
     values, affine = marker(), affine_of(np.eye(3), SIZES["1 x 1 x 3 mm"])
@@ -395,7 +550,13 @@ with tempfile.TemporaryDirectory() as scratch:
     check_same_place(scratch)
     check_values(scratch)
     check_odd_headers(scratch)
+    check_units(scratch)
     check_other_formats(scratch)
     check_mgh(scratch)
     check_dicom(scratch)
+    check_slices_aside(scratch)
+    check_unreadable_slices(scratch)
+    check_scouts(scratch)
+    check_times(scratch)
+    check_dicom_values(scratch)
     check_compressed(scratch)

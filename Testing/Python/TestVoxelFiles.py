@@ -105,6 +105,26 @@ WITHOUT_PLACE = {
     "not finite": {"nan.mha": metaimage(matrix="nan 0 0 0 1 0 0 0 1") + LITTLE},
 }
 
+# Lengths in other units than mm: the sizes of the voxels, and what is said of them.
+RAW = "endian: little\nencoding: raw"
+UNITS = {
+    "um.nrrd": (nrrd(RAW + '\nspace units: "um" "um" "um"'), 1e-3, ""),
+    "micron.nrrd": (nrrd(RAW + '\nspace units: "microns" "microns" "microns"'), 1e-3, ""),
+    "cm.nrrd": (nrrd(RAW + '\nspace units: "cm" "cm" "cm"'), 10, ""),
+    "m.nrrd": (nrrd(RAW + '\nspace units: "m" "m" "m"'), 1000, ""),
+    "none.nrrd": (nrrd(RAW + '\nspace units: "" "" ""'), 1, ""),
+    "inch.nrrd": (nrrd(RAW + '\nspace units: "inch" "inch" "inch"'), 1, "lengths in inch, a unit that is not known"),
+    "two.nrrd": (nrrd(RAW + '\nspace units: "um" "um"'), 1, "2 units for 3 axes"),
+    "spacings.nrrd": (
+        nrrd(RAW + '\nunits: "um" "um" "um"', directions="").replace(b"space directions: ", b"spacings: 1 1 2"),
+        1e-3,
+        "the header has no space",
+    ),
+    "um.mha": (metaimage("DistanceUnits = um"), 1e-3, ""),
+    "inch.mha": (metaimage("DistanceUnits = inch"), 1, "lengths in inch, a unit that is not known"),
+    "unknown.mha": (metaimage("DistanceUnits = ?"), 1, ""),
+}
+
 
 def write(name, content):
     with open(name, "wb") as stream:
@@ -139,6 +159,22 @@ def check_invesalius(name, mode):
                 reasons.add(str(error).split("damaged: ")[-1])
     assert reasons and not any("\n" in reason for reason in reasons), reasons
     print(mode, reasons)
+
+
+def check_units():
+    """Sizes and the matrix are in mm, in patient space and without it."""
+    for name, (header, unit, words) in UNITS.items():
+        write(name, header + LITTLE)
+        said = []
+        for patient_space in (False, True):
+            volume = read_scan(name, patient_space, warn=said.append)
+            assert np.allclose(volume.GetSpacing(), np.array([1, 1, 2]) * unit, rtol=1e-12), (name, volume.GetSpacing())
+        matrix = volume.GetFieldData().GetArray("PatientMatrix")
+        # Of the first voxel, as below.
+        expected = None if name == "spacings.nrrd" else [-5.0 * unit, -7.0 * unit, 3.0 * unit]
+        found = matrix and [matrix.GetValue(k) for k in (3, 7, 11)]
+        assert (found is None and expected is None) or np.allclose(found, expected, rtol=1e-12), (name, found)
+        assert all(words and words in text for text in said) and len(said) == (2 if words else 0), (name, said)
 
 
 def values_of(name, warnings):
@@ -176,6 +212,7 @@ with tempfile.TemporaryDirectory() as folder:
             said = []
             values_of(name, said)
             assert words in said[0], (name, said)
+    check_units()
     for packing in ("", ":gz", ":bz2", ":xz"):
         check_invesalius("phantom.inv3", "w" + packing)
     check_invesalius("Schädel 脳.inv3", "w")
