@@ -129,7 +129,8 @@ void vtkVolumeToSurface::RequireSettings() const
   }
 }
 
-// The chosen array, or the first one if none is chosen.
+// The chosen array, or the first one if none is chosen. A volume with one array needs no choice: scripts
+// of ParaView may choose an array of the source that was active before.
 vtkDataArray* vtkVolumeToSurface::VoxelsOf(vtkImageData* volume)
 {
   int association = 0;
@@ -139,7 +140,8 @@ vtkDataArray* vtkVolumeToSurface::VoxelsOf(vtkImageData* volume)
     return values;
   }
   const char* name = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-  if (name && *name && std::string(name) != "None")
+  const bool isChosen = name && *name && std::string(name) != "None";
+  if (isChosen && volume->GetPointData()->GetNumberOfArrays() > 1)
   {
     throw InvalidInput(
       "the volume has no point array " + std::string(name) +

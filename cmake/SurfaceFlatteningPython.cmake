@@ -30,6 +30,7 @@ set(plugin_modules
   surfaceflattening_region_table.py
   surfaceflattening_scans.py
   surfaceflattening_voxel_files.py
+  surfaceflattening_whole_file.py
 )
 foreach (file IN LISTS plugin_modules)
   configure_file("Plugin/${file}" "${package_directory}/${file}" COPYONLY)

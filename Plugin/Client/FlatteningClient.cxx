@@ -16,42 +16,49 @@
 #include <vtkPVRepresentedArrayListSettings.h>
 #include <vtkSMProxyManager.h>
 
+#include <set>
 #include <string>
 
 namespace
 {
 
 // The arrays of reports, some eighty: each has one value for the whole surface, so that "Colour by" does
-// not offer them. Whole names, as the setting hides arrays of other data, too.
-constexpr const char* ReportNames =
-  "^(AirValue|Bijective|Boundary(Anisotropy|Iterations|Length|Vertices)|ChosenCut|ClassSeparation|"
-  "ClosedCracks|Components|DegenerateFaces|"
-  "Dropped(Area|Cells|ComponentArea|Components|DegenerateFaces|DuplicateFaces|Faces)|"
-  "FacesWithin2Percent|Filled(Area|Holes)|FlatArea|FlippedFaces|FoldAreaChange|Genus|"
-  "Handle(AreaAdded|AreaRemoved|Displacement|LoopLengths)|Hole(Centre|Radius)|"
-  "IsosurfaceComponents|Isovalue|Left(Folded|OutArea)|LengthScale|Max(CellArea|Curvature)Error|"
-  "Mean(Above|Below)|MergedPoints|NewtonIterations|NotFiniteVoxels|ReasonOfCut|"
-  "Refinement(Repairs|Rounds)|Relief(Branches|Length|Strain)|RemeshEdgeLength|"
-  "Removed(Area|Fins|Handles|RegionPoints|Spikes)|ReorientedFaces|RingDistanceError|"
-  "RootMeanSquareStretch|SD(Log)?AreaRatio|SeamLength|SeamRegionPoints|SelfIntersections(Before)?|"
-  "ShareBelow|SmallestAngle|SmoothingLength|SplitPoints|SurfaceArea|UnusedPoints|"
-  "(Mean|StandardError|P95)(Local|WithinMap|Global)LengthError|"
-  "(Mean|AreaWeightedMean|P95|P99|Max)(AreaError|AreaDistortion|AngleDistortion|BeltramiMagnitude|"
-  "StretchL2|SymmetricDirichlet|AngleError))$";
+// not offer them. Whole names, as the setting hides arrays of other data, too; in parts, as VTK
+// takes no more than 32 parentheses in one expression.
+constexpr const char* ReportNames[] = {
+  "^(AirValue|Bijective|Boundary(Anisotropy|Iterations|Length|Vertices)|ChosenCut)$",
+  "^(ClassSeparation|ClosedCracks|Components|DegenerateFaces)$",
+  "^(Dropped(Area|Cells|ComponentArea|Components|DegenerateFaces|DuplicateFaces|Faces))$",
+  "^(FacesWithin2Percent|Filled(Area|Holes)|FlatArea|FlippedFaces|FoldAreaChange|Genus)$",
+  "^(Handle(AreaAdded|AreaRemoved|Displacement|LoopLengths)|Hole(Centre|Radius))$",
+  "^(IsosurfaceComponents|Isovalue|Left(Folded|OutArea)|LengthScale)$",
+  "^(Max(CellArea|Curvature)Error|Mean(Above|Below)|MergedPoints|NewtonIterations)$",
+  "^(NotFiniteVoxels|ReasonOfCut|Refinement(Repairs|Rounds)|Relief(Branches|Length|Strain))$",
+  "^(RemeshEdgeLength|Removed(Area|Fins|Handles|RegionPoints|Spikes)|ReorientedFaces)$",
+  "^(RingDistanceError|RootMeanSquareStretch|SD(Log)?AreaRatio|SeamLength|SeamRegionPoints)$",
+  "^(SelfIntersections(Before)?|ShareBelow|SmallestAngle|SmoothingLength|SplitPoints)$",
+  "^(SurfaceArea|UnusedPoints|(Mean|StandardError|P95)(Local|WithinMap|Global)LengthError)$",
+  "^((Mean|AreaWeightedMean|P95|P99|Max)(AreaError|AreaDistortion|AngleDistortion|BeltramiMagnitude|"
+  "StretchL2|SymmetricDirichlet|AngleError))$"
+};
 
 void hideReports()
 {
   vtkPVRepresentedArrayListSettings* settings = vtkPVRepresentedArrayListSettings::GetInstance();
-  const int count = settings->GetNumberOfFilterExpressions();
-  for (int i = 0; i < count; ++i)
+  std::set<std::string> known;
+  for (int i = 0; i < settings->GetNumberOfFilterExpressions(); ++i)
   {
-    if (std::string(settings->GetFilterExpression(i)) == ReportNames)
+    known.insert(settings->GetFilterExpression(i));
+  }
+  for (const char* names : ReportNames)
+  {
+    if (known.count(names) == 0)
     {
-      return;
+      const int count = settings->GetNumberOfFilterExpressions();
+      settings->SetNumberOfFilterExpressions(count + 1);
+      settings->SetFilterExpression(count, names);
     }
   }
-  settings->SetNumberOfFilterExpressions(count + 1);
-  settings->SetFilterExpression(count, ReportNames);
 }
 
 } // namespace

@@ -55,7 +55,15 @@ TEST(VolumeToSurface, WhatIsNoVolumeIsAnErrorThatSaysWhy)
   expect(changed([](vtkImageData* v) { v->GetPointData()->Initialize(); }), "no numbers at its voxels");
   expect(changed([](vtkImageData* v) { v->SetSpacing(1.0, 0.0, 1.0); }), "the size 0 along axis 2");
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Density");
-  expect(good, "the volume has no point array Density");
+  expect(changed(
+           [](vtkImageData* v)
+           {
+             vtkNew<vtkFloatArray> second;
+             second->SetName("Second");
+             second->SetNumberOfTuples(v->GetNumberOfPoints());
+             v->GetPointData()->AddArray(second);
+           }),
+    "the volume has no point array Density");
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Values");
   filter->SetIsovalue(5000.0);
   expect(good, "the isovalue 5000 is not between the least and greatest value");

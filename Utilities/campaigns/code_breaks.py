@@ -173,7 +173,7 @@ BREAKS = [
     at("Areas/SmoothDeformation.cxx", "fineness * usual", "usual"),
     at("Areas/MapDeformation.cxx", "faces.row(count++) = gaps.row(gap);", ""),
     at("Areas/DeformationEnergy.cxx", "kept.Point.Stays", "!kept.Point.Stays", "if (kept.Point.Stays)"),
-    at("Areas/TargetAreas.cxx", "faceAreas(surface.Vertices, surface.Faces)", "targets"),
+    at("Areas/TargetAreas.cxx", "scaledTargets(faceTargets(surface, {}), targets.sum())", "targets"),
     at("Areas/AreaPreservingDisk.cxx", "range <= std::log(WidestStep)", "true"),
     at("Areas/TargetAreas.cxx", "EIGEN_PI / areas.sum()", "2.0 * EIGEN_PI / areas.sum()"),
     at(

@@ -20,7 +20,7 @@ namespace
 // angles of triangles that are nearly degenerate; the others flip twice for each at most. A flow ends
 // after some evaluations of that kind. A guard: flows that end well, on strips of needles, had two.
 constexpr long long MostFlipsPerHalfedge = 5;
-constexpr int MostExcessiveFlips = 20;
+constexpr int MostExcessiveFlips = 8;
 // Relative residual of a step's linear system. A choice: with more, steps lose their direction; with
 // less, each takes more iterations of conjugate gradients without fewer steps.
 constexpr double LinearTolerance = 1e-2;

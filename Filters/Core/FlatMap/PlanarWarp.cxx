@@ -37,9 +37,9 @@ double heightOf(const TriangleMesh& mesh)
   const Eigen::RowVector3d size = mesh.Vertices.colwise().maxCoeff() - low;
   if (size.z() > Planarity * std::max(size.x(), size.y()))
   {
-    throw InvalidInput("the mesh was not planar before it was flattened (z ran from " +
-                       std::to_string(low.z()) + " to " + std::to_string(low.z() + size.z()) +
-                       "): pass the flat map of a mesh in a plane of constant z");
+    throw InvalidInput("the mesh was not planar before it was flattened (z has a range of " +
+                       formatted(size.z()) + ", x and y of " + formatted(size.x()) + " and " +
+                       formatted(size.y()) + "): pass the flat map of a mesh in a plane of constant z");
   }
   return low.z() + 0.5 * size.z();
 }
