@@ -64,13 +64,12 @@ def _unpacked(path, folder):
         types = {"int16": "MET_SHORT", "uint16": "MET_USHORT", "uint8": "MET_UCHAR"}
         if kind not in types:
             raise ScanError(f"{path} has voxels of type {kind}: known are {', '.join(types)}")
-        stem = os.path.splitext(os.path.basename(path))[0]
-        data = stem.encode("ascii", "backslashreplace").decode().replace("\\", "_") + ".raw"  # headers are in ASCII
+        data = "voxels.raw"  # headers are in ASCII, and the name of a project may be long
         os.makedirs(folder, exist_ok=True)
         with voxels, open(os.path.join(folder, data), "wb") as raw:
             while block := voxels.read(1 << 20):
                 raw.write(block)
-    header = os.path.join(folder, stem + ".mhd")
+    header = os.path.join(folder, os.path.splitext(os.path.basename(path))[0] + ".mhd")
     with open(header, "w", encoding="ascii") as lines:
         lines.write(
             "ObjectType = Image\n"

@@ -204,14 +204,15 @@ def header_fields(path, separator):
     with open(path, "rb") as stream:
         end = 0
         for line in stream:
-            text = line.decode("latin-1").strip()
+            text = line.decode("utf-8", "surrogateescape").strip()  # as names of files are
             if ended:
                 lines.append(text)
                 continue
             end = stream.tell()
             name, found, value = text.partition(separator)
-            value = value.lstrip("=").strip()
-            if found and not text.startswith("#"):
+            is_pair = value.startswith("=")  # key:=value of a NRRD, whatever the key is
+            value = value.strip()
+            if found and not is_pair and not text.startswith("#"):
                 fields[name.strip().lower()] = value
             if not text or end > 1 << 20:
                 break

@@ -185,11 +185,16 @@ def place(data, matrix, source):
 
 
 def read_scan(path, patient_space=True, volume=0, warn=print):
-    """The volume in a file as vtkImageData. @warn: is told what is odd about the file, a sentence each."""
-    scan = scan_of(path, volume)
-    for warning in scan.placement.warnings:
-        warn(f"{path}: {warning}")
-    return image_of(scan, patient_space)
+    """The volume in a file as vtkImageData. @warn: is told what is odd about the file, a sentence each. Raises
+    ScanError."""
+    path = os.fspath(path)
+    try:
+        scan = scan_of(path, volume)
+        for warning in scan.placement.warnings:
+            warn(f"{path}: {warning}")
+        return image_of(scan, patient_space)
+    except OSError as error:
+        raise ScanError(f"{path}: the file cannot be read: {error.strerror or error}") from error
 
 
 def open_scan(path, patient_space=True):

@@ -187,7 +187,7 @@ class NRRDScan(VoxelFileScan):
         types = {name: kind for kind, names in NRRD_TYPES.items() for name in names}
         if fields["type"] not in types:
             raise ScanError(f"{self._path}: the type of the voxels, {fields['type']}, is not known")
-        most_first = fields.get("endian", sys.byteorder) == "big"
+        most_first = fields.get("endian", sys.byteorder).lower() == "big"
         self.kind = np.dtype((">" if most_first else "<") + types[fields["type"]])
         self.encoding = fields["encoding"].lower()
         detached = fields.get("data file", fields.get("datafile"))

@@ -5,6 +5,7 @@ take some of them for something else, and wait for ever for others."""
 import bz2
 import gzip
 import os
+import pathlib
 import tempfile
 import zlib
 
@@ -52,6 +53,10 @@ GOOD = {
     "little.nrrd": nrrd("endian: little\nencoding: raw") + LITTLE,
     "big.nrrd": nrrd("endian: big\nencoding: raw") + BIG,
     "gzip.nrrd": nrrd("endian: little\nencoding: gzip") + gzip.compress(LITTLE),
+    "capitals.nrrd": nrrd("endian: BIG\nencoding: raw") + BIG,
+    "pairs.nrrd": nrrd("endian: little\nencoding: raw\ntype:=hello\nsizes:=1 2") + LITTLE,
+    "tête.mhd": metaimage(data="tête.raw"),
+    "tête.nhdr": nrrd("endian: little\nencoding: raw\ndata file: tête.raw"),
     "bzip2.nrrd": nrrd("endian: big\nencoding: bzip2") + bz2.compress(BIG),
     "text.nrrd": nrrd("encoding: ascii") + TEXT,
     "detached.nhdr": nrrd("endian: little\nencoding: raw\ndata file: values.raw"),
@@ -189,6 +194,7 @@ def values_of(name, warnings):
 with tempfile.TemporaryDirectory() as folder:
     os.chdir(folder)
     write("values.raw", LITTLE)
+    write("tête.raw", LITTLE)
     write("skip.raw", b"12345" + LITTLE)
     for k in range(7):
         write(f"slice{k}.raw", LITTLE[60 * k : 60 * k + 60])
@@ -216,6 +222,11 @@ with tempfile.TemporaryDirectory() as folder:
     for packing in ("", ":gz", ":bz2", ":xz"):
         check_invesalius("phantom.inv3", "w" + packing)
     check_invesalius("Schädel 脳.inv3", "w")
+    VolumeFiles.write_invesalius(80 * "脳" + ".inv3", VALUES, (2.0, 1.0, 1.0))
+    values_of(80 * "脳" + ".inv3", [])
+    os.mkdir("folder.mha")
+    assert "cannot be read" in refused("folder.mha")
+    assert read_scan(pathlib.Path("little.mha")).GetDimensions() == (5, 6, 7)
     for changes in ({"shape": 3}, {"shape": [7, 6]}, {"shape": [7, 6, "x"]}, {"dtype": []}, {"filename": "project"}):
         VolumeFiles.write_invesalius("odd.inv3", VALUES, (2.0, 1.0, 1.0), **changes)
         said = refused("odd.inv3")

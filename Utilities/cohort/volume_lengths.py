@@ -56,13 +56,13 @@ def check_metaimage(path):
     kind = fields.get("elementtype", "").removeprefix("MET_").removesuffix("_ARRAY")
     if kind not in METAIMAGE_BYTES:
         raise FileLengthError("the header is damaged: it has no ElementType of numbers")
-    if data.startswith("LIST") or "%" in data or fields.get("binarydata") == "False":
+    if data.startswith("LIST") or "%" in data or fields.get("binarydata", "").lower() in ("false", "f", "0"):
         return  # voxels in several files, or as text
     sizes = _integers(fields.get("dimsize", ""))
     channels = _integers(fields.get("elementnumberofchannels", "1")) or [1]
     file, start = (path, end) if data.upper() == "LOCAL" else (os.path.join(os.path.dirname(path), data), 0)
     _require_voxels(file, start, sizes, METAIMAGE_BYTES[kind] * channels[0],
-                    zlib.MAX_WBITS if fields.get("compresseddata") == "True" else None)
+                    zlib.MAX_WBITS if fields.get("compresseddata", "").lower() in ("true", "t", "1") else None)
 
 
 def check_nrrd(path):
@@ -122,7 +122,9 @@ def _fields(path, separator, is_last, may_end=False):
             if not line and not may_end:
                 break
             name, _separator, value = line.partition(separator)
-            fields[name.decode("latin-1").strip().lower()] = value.decode("latin-1").strip("= \t\r\n")
+            if not value.startswith(b"="):  # a pair key:=value of a NRRD, whatever the key is
+                text = value.decode("utf-8", "surrogateescape")  # as names of files are
+                fields[name.decode("utf-8", "surrogateescape").strip().lower()] = text.strip()
             if not line or is_last(line):
                 return fields, stream.tell()
     raise FileLengthError("the header has no end: the file is cut short or damaged")
