@@ -286,8 +286,12 @@ private:
       ReliefOpenedSurface relief =
         flattening::cutRelief(this->mesh(), placed.Tips, this->avoided(), subrange(progress, 0.5, 1.0));
       this->Report.ReliefBranches = relief.Branches;
-      this->Report.ReliefLength = relief.Opened.Length;
-      this->followSeam(std::move(relief.Opened.Cut));
+      if (relief.Branches >
+          0) // otherwise there is no seam, and a hole may follow, which carries none over
+      {
+        this->Report.ReliefLength = relief.Opened.Length;
+        this->followSeam(std::move(relief.Opened.Cut));
+      }
     }
     if (this->Report.ReliefBranches > 0)
     {
