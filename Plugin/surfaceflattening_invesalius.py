@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The volume of an InVesalius project (.inv3) as a Scan."""
 
+import hashlib
 import os
 import plistlib
 import tarfile
@@ -64,12 +65,14 @@ def _unpacked(path, folder):
         types = {"int16": "MET_SHORT", "uint16": "MET_USHORT", "uint8": "MET_UCHAR"}
         if kind not in types:
             raise ScanError(f"{path} has voxels of type {kind}: known are {', '.join(types)}")
-        data = "voxels.raw"  # headers are in ASCII, and the name of a project may be long
+        stem = os.path.splitext(os.path.basename(path))[0]
+        # Headers are in ASCII, the name of a project may be long, and several projects may share the folder.
+        data = f"voxels-{hashlib.sha256(os.fsencode(stem)).hexdigest()[:16]}.raw"
         os.makedirs(folder, exist_ok=True)
         with voxels, open(os.path.join(folder, data), "wb") as raw:
             while block := voxels.read(1 << 20):
                 raw.write(block)
-    header = os.path.join(folder, os.path.splitext(os.path.basename(path))[0] + ".mhd")
+    header = os.path.join(folder, stem + ".mhd")
     with open(header, "w", encoding="ascii") as lines:
         lines.write(
             "ObjectType = Image\n"

@@ -6,6 +6,7 @@ y to the front, z to the top. Each format has its own way to say so; DICOM, Meta
 and to the back (LPS+). This module needs numpy alone.
 """
 
+import os
 import re
 from dataclasses import dataclass, field
 
@@ -222,6 +223,13 @@ def header_fields(path, separator):
                 elif name.strip() == "ElementDataFile":
                     break
     return fields, [line for line in lines if line], end
+
+
+def named_file(folder, name):
+    """The path of a file that a header names, in UTF-8, in the bytes of the file's own name, or in Latin-1."""
+    path = os.path.join(folder, name)
+    latin = os.path.join(folder, name.encode("utf-8", "surrogateescape").decode("latin-1"))
+    return latin if os.path.exists(latin) and not os.path.exists(path) else path
 
 
 def nearest_ras(matrix):

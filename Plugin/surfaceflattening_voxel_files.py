@@ -141,7 +141,7 @@ class VoxelFileScan(Scan):
             first, last, step = (int(word) for word in words[1:4])
             names = [words[0] % number for number in range(first, last + 1, step)]
         folder = os.path.dirname(os.path.abspath(self._path))
-        return [os.path.join(folder, name) for name in names]
+        return [orientation.named_file(folder, name) for name in names]
 
 
 class MetaImageScan(VoxelFileScan):

@@ -11,6 +11,7 @@ import zlib
 
 import numpy as np
 import VolumeFiles
+from surfaceflattening_invesalius import metaimage_of_invesalius
 from surfaceflattening_scans import ScanError, read_scan
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -56,6 +57,7 @@ GOOD = {
     "capitals.nrrd": nrrd("endian: BIG\nencoding: raw") + BIG,
     "pairs.nrrd": nrrd("endian: little\nencoding: raw\ntype:=hello\nsizes:=1 2") + LITTLE,
     "tête.mhd": metaimage(data="tête.raw"),
+    "latin.mhd": metaimage(data="tête.raw").decode().encode("latin-1"),
     "tête.nhdr": nrrd("endian: little\nencoding: raw\ndata file: tête.raw"),
     "bzip2.nrrd": nrrd("endian: big\nencoding: bzip2") + bz2.compress(BIG),
     "text.nrrd": nrrd("encoding: ascii") + TEXT,
@@ -224,6 +226,11 @@ with tempfile.TemporaryDirectory() as folder:
     check_invesalius("Schädel 脳.inv3", "w")
     VolumeFiles.write_invesalius(80 * "脳" + ".inv3", VALUES, (2.0, 1.0, 1.0))
     values_of(80 * "脳" + ".inv3", [])
+    other = VALUES + np.int16(1)
+    VolumeFiles.write_invesalius("first.inv3", VALUES, (2.0, 1.0, 1.0))
+    VolumeFiles.write_invesalius("second.inv3", other, (2.0, 1.0, 1.0))
+    headers = [metaimage_of_invesalius(name, "shared") for name in ("first.inv3", "second.inv3")]
+    values_of(headers[0], [])  # the other one lies beside it
     os.mkdir("folder.mha")
     assert "cannot be read" in refused("folder.mha")
     assert read_scan(pathlib.Path("little.mha")).GetDimensions() == (5, 6, 7)

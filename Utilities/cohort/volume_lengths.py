@@ -5,7 +5,11 @@ import gzip
 import math
 import os
 import struct
+import sys
 import zlib
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Plugin"))
+from surfaceflattening_orientation import named_file  # noqa: E402
 
 MAXIMUM_HEADER = 1 << 20  # bytes of a MetaImage or NRRD header
 PIECE = 1 << 20
@@ -60,7 +64,7 @@ def check_metaimage(path):
         return  # voxels in several files, or as text
     sizes = _integers(fields.get("dimsize", ""))
     channels = _integers(fields.get("elementnumberofchannels", "1")) or [1]
-    file, start = (path, end) if data.upper() == "LOCAL" else (os.path.join(os.path.dirname(path), data), 0)
+    file, start = (path, end) if data.upper() == "LOCAL" else (named_file(os.path.dirname(path), data), 0)
     _require_voxels(file, start, sizes, METAIMAGE_BYTES[kind] * channels[0],
                     zlib.MAX_WBITS if fields.get("compresseddata", "").lower() in ("true", "t", "1") else None)
 
@@ -83,7 +87,7 @@ def check_nrrd(path):
         return  # voxels in several files
     packings = {"raw": None, "gzip": GZIP, "gz": GZIP}
     if encoding in packings:
-        file, start = (os.path.join(os.path.dirname(path), data), 0) if data else (path, end)
+        file, start = (named_file(os.path.dirname(path), data), 0) if data else (path, end)
         _require_voxels(file, start, sizes, NRRD_BYTES[kind], packings[encoding])
 
 
