@@ -47,7 +47,8 @@
  * - `LeftOutArea` (double, input units squared): area of the components that were left out.
  *
  * An empty input gives an empty output. The following are errors, each with an empty output: a single
- * slice; voxels of no size; no array of numbers, or one with several components; voxels that are all the
+ * slice; voxels of no size; no array of numbers, or one with several components; a chosen array that
+ * does not exist, unless the volume has one array only; voxels that are all the
  * same or all not finite; an isovalue that is not between the values of the smoothed volume; a length
  * that is negative or not finite; too little memory.
  *

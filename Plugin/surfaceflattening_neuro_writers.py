@@ -29,8 +29,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 ORIGINAL = "vtkOriginalPointIds"
 SCANNER = 1  # space of GIFTI
-# Of the products of unit vectors, which headers have in single precision or with six digits: a stretch of so little is
-# a hundredth of a millimetre in a head.
+# How far the products of the axes of a matrix may be from those of unit vectors, as headers have single precision or six
+# digits: a stretch of so little is a hundredth of a millimetre in a head.
 TURN_TOLERANCE = 1e-4
 COLOURS = 1 << 24  # of three bytes
 COLOUR_STEP = 0x9E3779  # odd, so that its multiples go through all colours; neighbours in the order look different

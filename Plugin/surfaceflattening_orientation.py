@@ -225,6 +225,11 @@ def header_fields(path, separator):
     return fields, [line for line in lines if line], end
 
 
+def is_true(word):
+    """Whether a word of a MetaImage header means yes."""
+    return word.strip().lower() in ("true", "t", "1")
+
+
 def named_file(folder, name):
     """The path of a file that a header names, in UTF-8, in the bytes of the file's own name, or in Latin-1."""
     path = os.path.join(folder, name)

@@ -127,6 +127,7 @@ def true_values(values, slope, intercept):
 
 def scan_of(path, volume=0):
     """The Scan in a file, or in a folder of DICOM files. Raises ScanError."""
+    path = os.fspath(path)
     if not os.path.exists(path):
         raise ScanError(f"{path}: there is no such file")
     name = path.lower()
@@ -187,7 +188,6 @@ def place(data, matrix, source):
 def read_scan(path, patient_space=True, volume=0, warn=print):
     """The volume in a file as vtkImageData. @warn: is told what is odd about the file, a sentence each. Raises
     ScanError."""
-    path = os.fspath(path)
     try:
         scan = scan_of(path, volume)
         for warning in scan.placement.warnings:
@@ -202,6 +202,7 @@ def open_scan(path, patient_space=True):
     from paraview import simple
     from surfaceflattening_volume import _filter
 
+    path = os.fspath(path)
     if not os.path.exists(path):
         raise ScanError(f"{path}: there is no such file")
     return _filter("ScanReader")(

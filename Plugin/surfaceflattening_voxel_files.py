@@ -151,13 +151,13 @@ class MetaImageScan(VoxelFileScan):
     SEPARATOR = "="
 
     def describe(self, fields, lines, end):
-        most_first = _true(fields.get("binarydatabyteordermsb", fields.get("elementbyteordermsb", "False")))
+        most_first = orientation.is_true(fields.get("binarydatabyteordermsb", fields.get("elementbyteordermsb", "False")))
         if fields["elementtype"] not in METAIMAGE_TYPES:
             raise ScanError(f"{self._path}: the type of the voxels, {fields['elementtype']}, is not known")
         self.kind = np.dtype((">" if most_first else "<") + METAIMAGE_TYPES[fields["elementtype"]])
         self.components = int(fields.get("elementnumberofchannels", 1))
-        self.encoding = "zlib" if _true(fields.get("compresseddata", "False")) else "raw"
-        if not _true(fields.get("binarydata", "True")):
+        self.encoding = "zlib" if orientation.is_true(fields.get("compresseddata", "False")) else "raw"
+        if not orientation.is_true(fields.get("binarydata", "True")):
             self.encoding = "ascii"
         if fields["elementdatafile"].lower() == "local":
             self.files, self.skip = [self._path], end
@@ -187,7 +187,10 @@ class NRRDScan(VoxelFileScan):
         types = {name: kind for kind, names in NRRD_TYPES.items() for name in names}
         if fields["type"] not in types:
             raise ScanError(f"{self._path}: the type of the voxels, {fields['type']}, is not known")
-        most_first = fields.get("endian", sys.byteorder).lower() == "big"
+        order = fields.get("endian", sys.byteorder).lower()
+        if order not in ("big", "little"):
+            raise ScanError(f"{self._path}: the order of bytes, {order}, is not known: big or little is")
+        most_first = order == "big"
         self.kind = np.dtype((">" if most_first else "<") + types[fields["type"]])
         self.encoding = fields["encoding"].lower()
         detached = fields.get("data file", fields.get("datafile"))
@@ -218,7 +221,3 @@ class NRRDScan(VoxelFileScan):
         sizes = [float(word) for word in fields.get("spacings", "").split()] or [1.0] * count
         # A number of sizes other than that of the axes is refused later.
         return [size * unit for size, unit in zip(sizes, units)] if len(sizes) == count else sizes, warnings
-
-
-def _true(word):
-    return word.strip().lower() in ("true", "t", "1")

@@ -50,7 +50,8 @@ vtkSmartPointer<vtkDataArray> inFloatingPoint(vtkDataArray* array,
   return values;
 }
 
-// Gives a single slice a thickness, so that places between its voxels can be found.
+// Throws InvalidInput unless voxels have a size along each axis. A single slice needs none: it gets one,
+// so that VTK can tell which voxel a place is in.
 void requireVoxels(vtkImageData* volume)
 {
   const int* size = volume->GetDimensions();

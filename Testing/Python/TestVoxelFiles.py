@@ -81,6 +81,7 @@ BAD = {
         "times.mha": metaimage(size="5 6 7 2", count=4) + LITTLE + LITTLE,
         "times.nrrd": nrrd("endian: little\nencoding: raw", "5 6 7 2", "(1,0,0) (0,1,0) (0,0,2) none") + LITTLE + LITTLE,
     },
+    "the order of bytes, middle": {"middle.nrrd": nrrd("endian: middle\nencoding: raw") + LITTLE},
     "encoding hex": {"hex.nrrd": nrrd("encoding: hex") + LITTLE.hex().encode()},
     "header cannot be understood": {"no.mha": b"NDims = 3\n", "no.nrrd": b"NRRD0004\n\n"},
     "6 sizes of voxels": {
@@ -177,7 +178,7 @@ def check_units():
             volume = read_scan(name, patient_space, warn=said.append)
             assert np.allclose(volume.GetSpacing(), np.array([1, 1, 2]) * unit, rtol=1e-12), (name, volume.GetSpacing())
         matrix = volume.GetFieldData().GetArray("PatientMatrix")
-        # Of the first voxel, as below.
+        # The place of the first voxel, as below.
         expected = None if name == "spacings.nrrd" else [-5.0 * unit, -7.0 * unit, 3.0 * unit]
         found = matrix and [matrix.GetValue(k) for k in (3, 7, 11)]
         assert (found is None and expected is None) or np.allclose(found, expected, rtol=1e-12), (name, found)

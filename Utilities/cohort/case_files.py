@@ -3,17 +3,15 @@
 
 import os
 import re
-import sys
 
+import plugin_modules  # noqa: F401
 from file_lengths import FileLengthError, check_length
+from surfaceflattening_scans import ScanError, read_scan, scan_of
 from vtkmodules.vtkCommonCore import vtkOutputWindow
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
-
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Plugin"))
-from surfaceflattening_scans import ScanError, read_scan, scan_of  # noqa: E402
 
 SURFACE_READERS = {
     ".vtk": vtkPolyDataReader,

@@ -34,7 +34,8 @@ class Case:
         own, *others = (_identity(path) for path in self._files())
         if not others:
             return own
-        # Of names that are not UTF-8 the bytes; a hash, for a volume may have a file for each slice.
+        # A hash stands for all of them, as a volume may have a file for each slice. It is one of bytes, as names need
+        # not be UTF-8.
         return f"{own} {hashlib.sha256(os.fsencode(' '.join(others))).hexdigest()}"
 
     def _files(self):

@@ -5,11 +5,10 @@ import gzip
 import math
 import os
 import struct
-import sys
 import zlib
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Plugin"))
-from surfaceflattening_orientation import named_file  # noqa: E402
+import plugin_modules  # noqa: F401
+from surfaceflattening_orientation import is_true, named_file
 
 MAXIMUM_HEADER = 1 << 20  # bytes of a MetaImage or NRRD header
 PIECE = 1 << 20
@@ -60,13 +59,13 @@ def check_metaimage(path):
     kind = fields.get("elementtype", "").removeprefix("MET_").removesuffix("_ARRAY")
     if kind not in METAIMAGE_BYTES:
         raise FileLengthError("the header is damaged: it has no ElementType of numbers")
-    if data.startswith("LIST") or "%" in data or fields.get("binarydata", "").lower() in ("false", "f", "0"):
+    if data.startswith("LIST") or "%" in data or not is_true(fields.get("binarydata", "True")):
         return  # voxels in several files, or as text
     sizes = _integers(fields.get("dimsize", ""))
     channels = _integers(fields.get("elementnumberofchannels", "1")) or [1]
     file, start = (path, end) if data.upper() == "LOCAL" else (named_file(os.path.dirname(path), data), 0)
     _require_voxels(file, start, sizes, METAIMAGE_BYTES[kind] * channels[0],
-                    zlib.MAX_WBITS if fields.get("compresseddata", "").lower() in ("true", "t", "1") else None)
+                    zlib.MAX_WBITS if is_true(fields.get("compresseddata", "False")) else None)
 
 
 def check_nrrd(path):

@@ -286,8 +286,8 @@ private:
       ReliefOpenedSurface relief =
         flattening::cutRelief(this->mesh(), placed.Tips, this->avoided(), subrange(progress, 0.5, 1.0));
       this->Report.ReliefBranches = relief.Branches;
-      if (relief.Branches >
-          0) // otherwise there is no seam, and a hole may follow, which carries none over
+      // Without a branch there is no seam. A hole may be cut in its place, which carries no seam over.
+      if (relief.Branches > 0)
       {
         this->Report.ReliefLength = relief.Opened.Length;
         this->followSeam(std::move(relief.Opened.Cut));

@@ -172,8 +172,8 @@ private:
     {
       this->Report.DroppedComponentArea = this->keepFaces(faces);
     }
-    // Where edges had more than two faces, borders that lie on each other are closed. The banks of the
-    // seam of an earlier cut do so, too, and stay open.
+    // Borders that lie on each other are closed where edges had more than two faces. The banks of an
+    // earlier seam lie on each other, too, and must stay open.
     if (this->Report.Repair.SplitPoints > 0 && this->Options.Banks.empty())
     {
       follow(this->Disk.Surface, stitchCoincidentBorders(this->mesh()));
