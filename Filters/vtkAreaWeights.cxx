@@ -21,6 +21,7 @@
 #include <vtkSelection.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
 #include <set>
@@ -71,6 +72,8 @@ std::vector<double> averaged(const TriangleMesh& mesh, const std::vector<double>
   return { means.begin(), means.end() };
 }
 
+constexpr std::array<const char*, 3> RegionReport = { "RegionPoints", "RegionArea", "RegionFlatArea" };
+
 void setRegionReport(vtkFieldData* data,
   const std::vector<WeightedRegion>& regions,
   const Eigen::VectorXd& surfaceAreas,
@@ -90,9 +93,9 @@ void setRegionReport(vtkFieldData* data,
       flatArea += scale * weights[v] * surfaceAreas[v];
     }
   }
-  flattening::setDatum(data, "RegionPoints", count);
-  flattening::setDatum(data, "RegionArea", area);
-  flattening::setDatum(data, "RegionFlatArea", flatArea);
+  flattening::setDatum(data, RegionReport[0], count);
+  flattening::setDatum(data, RegionReport[1], area);
+  flattening::setDatum(data, RegionReport[2], flatArea);
 }
 
 } // namespace
@@ -324,6 +327,10 @@ void vtkAreaWeights::Execute(vtkInformationVector** inputVector, vtkInformationV
   // ParaView proposes the active array, to colour by and as the weights of OMT Area Preserving.
   output->GetPointData()->SetActiveScalars(WeightsName);
   vtkFieldData* data = output->GetFieldData();
+  for (const char* name : RegionReport) // of an earlier filter
+  {
+    data->RemoveArray(name);
+  }
   if (!regions.empty())
   {
     setRegionReport(data, regions, areas, weights);

@@ -258,16 +258,24 @@ void vtkConformalDiskFilter::Execute(vtkInformationVector** inputVector,
 
 void vtkConformalDiskFilter::Warn(int flippedFaces, int spreadPoints, int points, double anisotropy)
 {
+  const bool isSpread = spreadPoints > SpreadShare * points;
   if (flippedFaces > 0)
   {
+    const char* remedy = "set Method to Ricci Flow, which moves apart what lies too close together";
+    if (isSpread && anisotropy < 1.0)
+    {
+      remedy = "set Domain to Rectangle, as the surface is long and narrow";
+    }
+    else if (this->Method == RICCI_FLOW)
+    {
+      remedy = "remesh the surface (Surface To Disk, Remesh)";
+    }
     vtkWarningMacro(
       << this->GetBlockPrefix() << flippedFaces
       << " faces of the map are flipped and could not be untangled, so that it is not one-to-one there: "
-      << (this->Method == RICCI_FLOW
-             ? "remesh the surface (Surface To Disk, Remesh)"
-             : "set Method to Ricci Flow, which moves apart what lies too close together"));
+      << remedy);
   }
-  if (spreadPoints > SpreadShare * points)
+  if (isSpread)
   {
     vtkWarningMacro(
       << this->GetBlockPrefix() << spreadPoints << " of " << points

@@ -5,6 +5,7 @@
 #include "Internal/ArrayConversion.h"
 #include "Internal/AttributeTransfer.h"
 #include "Internal/FilterExecution.h"
+#include "Internal/ImageGrid.h"
 #include "Internal/ImageMemory.h"
 #include "Internal/PolyDataConversion.h"
 #include "Internal/TextureCoordinates.h"
@@ -20,7 +21,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -37,13 +37,6 @@ namespace
 
 using flattening::FaceMatrix;
 using flattening::MapPlace;
-using flattening::PixelGrid;
-
-PixelGrid gridOver(const flattening::TextureSquare& square, int size)
-{
-  const double length = square.Side / size;
-  return { square.Low.array() + 0.5 * length, length, size, size };
-}
 
 // The weights of the corners of the triangle under each pixel: a row per pixel, empty outside the map.
 flattening::VertexOrigins cornersOf(const std::vector<MapPlace>& places,
@@ -122,13 +115,6 @@ std::size_t bytesPerPixel(vtkPolyData* map)
          flattening::bytesPerTuple(map->GetCellData());
 }
 
-double sideOf(vtkPolyData* map)
-{
-  double bounds[6];
-  map->GetBounds(bounds);
-  return std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
-}
-
 } // namespace
 
 const char* vtkFlatMapImage::GetBlockOutputType(int vtkNotUsed(port),
@@ -142,33 +128,39 @@ vtkImageData* vtkFlatMapImage::GetOutput()
   return vtkImageData::SafeDownCast(this->GetOutputDataObject(0));
 }
 
-double vtkFlatMapImage::PixelsFor(double side) const
+int vtkFlatMapImage::PixelsFor(double side) const
 {
-  return this->PixelLength > 0.0 ? std::max(2.0, std::ceil(side / this->PixelLength)) : this->Size;
+  if (this->PixelLength == 0.0)
+  {
+    return this->Size;
+  }
+  const double pixels = std::max(2.0, std::ceil(side / this->PixelLength));
+  if (!(pixels <= GreatestSize))
+  {
+    std::ostringstream text;
+    text << "the map is " << side << " wide, which is " << pixels << " pixels of " << this->PixelLength
+         << ", more than " << GreatestSize << ": raise PixelLength";
+    throw flattening::InvalidInput(text.str());
+  }
+  return static_cast<int>(pixels);
 }
 
 int vtkFlatMapImage::RequestInformation(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
-  double size = this->Size;
-  if (this->PixelLength > 0.0)
+  flattening::updateInput(this, 0);
+  vtkPolyData* map = vtkPolyData::GetData(inputVector[0]);
+  if (map && !flattening::isEmpty(map))
   {
-    // The extent of an image must be known before its data, and here it depends on the map.
-    int port = 0;
-    vtkAlgorithm* before = this->GetInputAlgorithm(0, 0, port);
-    before->Update(port);
-    if (vtkPolyData* map = vtkPolyData::GetData(inputVector[0]); !flattening::isEmpty(map))
-    {
-      size = this->PixelsFor(sideOf(map));
-    }
+    flattening::announceGrid(outputVector->GetInformationObject(0),
+      [&]
+      {
+        const flattening::TextureSquare square =
+          flattening::textureSquare(flattening::toPlanarPositions(map));
+        return flattening::gridOver(square, this->PixelsFor(square.Side));
+      });
   }
-  // For a size that Execute() rejects, an empty extent is announced: VTK would ask again for an extent
-  // that it does not get.
-  const int last = size <= GreatestSize ? static_cast<int>(size) - 1 : -1;
-  const int extent[6] = { 0, last, 0, last, 0, std::min(last, 0) };
-  outputVector->GetInformationObject(0)->Set(
-    vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   return 1;
 }
 
@@ -183,26 +175,20 @@ void vtkFlatMapImage::Execute(vtkInformationVector** inputVector, vtkInformation
   const flattening::Points2 positions = flattening::toPlanarPositions(input);
   const flattening::FlatMapLocation map(surface, positions, flattening::subrange(progress, 0.0, 0.1));
   const flattening::TextureSquare square = flattening::textureSquare(positions);
-  if (const double pixels = this->PixelsFor(square.Side); !(pixels <= GreatestSize))
-  {
-    std::ostringstream text;
-    text << "the map is " << square.Side << " wide, which is " << pixels << " pixels of "
-         << this->PixelLength << ", more than " << GreatestSize << ": raise PixelLength";
-    throw flattening::InvalidInput(text.str());
-  }
-  const int size = static_cast<int>(this->PixelsFor(square.Side));
+  const int size = this->PixelsFor(square.Side);
   flattening::requireImageMemory(size,
     size,
     bytesPerPixel(input),
     this->PixelLength > 0.0 ? "raise PixelLength" : "set a smaller Size");
-  const PixelGrid grid = gridOver(square, size);
-  const std::vector<MapPlace> places = flattening::placesOfPixels(
-    map, grid, this->Margin * grid.Length, flattening::subrange(progress, 0.1, 0.5));
+  const flattening::ImageGrid grid = flattening::gridOver(square, size);
+  const double length = grid.Spacing[0];
+  const std::vector<MapPlace> places = flattening::placesOfPixels(map,
+    { { grid.Origin[0], grid.Origin[1] }, length, size, size },
+    this->Margin * length,
+    flattening::subrange(progress, 0.1, 0.5));
 
   flattening::report(progress, 0.5, "Sampling the arrays");
-  output->SetExtent(0, size - 1, 0, size - 1, 0, 0);
-  output->SetOrigin(grid.First.x(), grid.First.y(), 0.0);
-  output->SetSpacing(grid.Length, grid.Length, grid.Length);
+  flattening::setGrid(output, grid);
   vtkPointData* pixels = output->GetPointData();
   const flattening::VertexOrigins corners = cornersOf(places, surface.Faces, surface.vertexCount());
   flattening::report(progress, 0.6, "Sampling the arrays");
@@ -212,7 +198,7 @@ void vtkFlatMapImage::Execute(vtkInformationVector** inputVector, vtkInformation
   flattening::report(progress, 0.9, "Sampling the arrays");
   setNoNumber(pixels, places);
   const long long count = addInverse(places, pixels);
-  flattening::setDatum(output->GetFieldData(), "PixelLength", grid.Length);
+  flattening::setDatum(output->GetFieldData(), "PixelLength", length);
   flattening::setDatum(output->GetFieldData(), "PixelsInMap", count);
   flattening::report(progress, 1.0, "Done");
 }

@@ -27,6 +27,9 @@
  * - point `CellId` (vtkIdType): triangle under the pixel; -1 outside the map.
  * - point `InMap` (unsigned char): 1 in the map, 0 outside.
  *
+ * Image filters after this one ask for the extent and the spacing before there are data. Therefore this
+ * filter brings its input up to date when it is asked for information.
+ *
  * Field data (one tuple each):
  * - `PixelLength` (double, units of the map): side of a pixel.
  * - `PixelsInMap` (vtkIdType): number of pixels with `InMap` 1.
@@ -107,8 +110,9 @@ private:
   vtkFlatMapImage(const vtkFlatMapImage&) = delete;
   void operator=(const vtkFlatMapImage&) = delete;
 
-  // The number of pixels per side of a map that is @p side long and wide, without a limit.
-  double PixelsFor(double side) const;
+  // The number of pixels per side of a map that is @p side long and wide. Throws InvalidInput if they
+  // are too many.
+  int PixelsFor(double side) const;
 };
 
 #endif

@@ -21,7 +21,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
 #include <cmath>
@@ -118,13 +117,24 @@ const char* vtkFlatMapSlab::GetBlockOutputType(int port, vtkInformationVector** 
 }
 
 int vtkFlatMapSlab::RequestInformation(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** vtkNotUsed(inputVector),
+  vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
-  const int layers = this->StackSize > 1 ? this->GetNumberOfDepths() : 0;
-  const int extent[6] = { 0, this->StackSize - 1, 0, this->StackSize - 1, 0, layers - 1 };
-  outputVector->GetInformationObject(1)->Set(
-    vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  if (this->StackSize > 1)
+  {
+    flattening::updateInput(this, 0);
+    vtkPolyData* map = vtkPolyData::GetData(inputVector[0]);
+    if (map && !flattening::isEmpty(map))
+    {
+      flattening::announceGrid(outputVector->GetInformationObject(1),
+        [&]
+        {
+          const flattening::TextureSquare square =
+            flattening::textureSquare(flattening::toPlanarPositions(map));
+          return flattening::stackGrid(flattening::gridOver(square, this->StackSize), this->Depths);
+        });
+    }
+  }
   return 1;
 }
 

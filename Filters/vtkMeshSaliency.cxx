@@ -28,6 +28,16 @@ namespace
 using flattening::InvalidInput;
 using flattening::TriangleMesh;
 
+// Those of an earlier filter.
+void removeRegions(vtkPolyData* output)
+{
+  output->GetPointData()->RemoveArray("SaliencyRegion");
+  for (const char* name : { "SaliencyRegions", "SaliencyRegionAreas", "SaliencyThreshold" })
+  {
+    output->GetFieldData()->RemoveArray(name);
+  }
+}
+
 void addRegions(vtkPolyData* output, const TriangleMesh& mesh, const std::vector<int>& regions)
 {
   const Eigen::VectorXd areas = flattening::vertexAreas(mesh);
@@ -73,6 +83,7 @@ void vtkMeshSaliency::Execute(vtkInformationVector** inputVector, vtkInformation
     flattening::meshSaliency(mesh, options, flattening::progressOf(this));
 
   output->ShallowCopy(input);
+  removeRegions(output);
   flattening::addPointArray(output, "Saliency", saliency.Saliency);
   output->GetPointData()->SetActiveScalars("Saliency");
   flattening::setDatum(output->GetFieldData(), "SaliencyUnit", saliency.Unit);

@@ -9,6 +9,7 @@
 #include "Core/Transport/DomainPolygon.h"
 #include "Core/Untangling/MapPlacement.h"
 #include "Internal/ArrayConversion.h"
+#include "Internal/ChosenArray.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/FlatDomain.h"
 #include "Internal/MapMeasures.h"
@@ -73,13 +74,21 @@ TransportInput readInput(vtkPolyData* map, vtkPolyData* polygon)
   return input;
 }
 
-// The weights of the points (n); empty if all are 1. @p inUse tells which they are.
-Eigen::VectorXd readWeights(vtkPolyData* input, const char* chosen, std::string& inUse)
+// The weights of the points (n); empty if all are 1. @p choice is the input array to process, and
+// @p inUse tells which they are.
+Eigen::VectorXd readWeights(vtkPolyData* input, vtkInformation* choice, std::string& inUse)
 {
-  const bool isSet = chosen && *chosen && std::string(chosen) != "None";
-  const std::string name = isSet ? chosen : DefaultWeights;
+  const char* chosen = choice->Get(vtkDataObject::FIELD_NAME());
+  const bool isNamed = chosen && *chosen && std::string(chosen) != "None";
+  const bool isAttribute = !isNamed && choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
+  std::string name = isNamed ? chosen : DefaultWeights;
   vtkDataArray* array = input->GetPointData()->GetArray(name.c_str());
-  if (!array && !isSet)
+  if (isAttribute)
+  {
+    array = flattening::chosenAttribute(input->GetPointData(), choice);
+    name = array ? flattening::nameOf(array) : "that is the chosen attribute";
+  }
+  if (!array && !isNamed && !isAttribute)
   {
     return {};
   }
@@ -321,8 +330,7 @@ void vtkOMTAreaPreservingFilter::Execute(vtkInformationVector** inputVector,
   this->WeightsInUse = "none";
   if (this->UseAreaWeight)
   {
-    const char* chosen = this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME());
-    weights = readWeights(conformal, chosen, this->WeightsInUse);
+    weights = readWeights(conformal, this->GetInputArrayInformation(0), this->WeightsInUse);
   }
   const Placement placement = placementOf(input, this->NormalizeTo == UNIT_DOMAIN);
   flattening::AreaPreservingOptions options;

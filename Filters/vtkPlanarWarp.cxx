@@ -15,7 +15,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkUndirectedGraph.h>
 
 #include <algorithm>
@@ -42,12 +41,6 @@ double segmentLength(bool subdivide, double maximum, double meanSide)
     return 0.0;
   }
   return maximum > 0.0 ? maximum : 0.5 * meanSide;
-}
-
-// Whether the size of the image was set.
-bool chosenSize(const int size[2])
-{
-  return size[0] != 0 || size[1] != 0;
 }
 
 } // namespace
@@ -86,17 +79,40 @@ int vtkPlanarWarp::RequestInformation(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
-  vtkInformation* info = outputVector->GetInformationObject(0);
-  vtkInformation* data = inputVector[1]->GetInformationObject(0);
-  if (vtkImageData::GetData(info) && data->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  if (!vtkImageData::GetData(outputVector))
   {
-    int extent[6];
-    data->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-    const int width = chosenSize(this->ImageSize) ? this->ImageSize[0] : extent[1] - extent[0] + 1;
-    const int height = chosenSize(this->ImageSize) ? this->ImageSize[1] : extent[3] - extent[2] + 1;
-    info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), 0, width - 1, 0, height - 1, 0, 0);
+    return 1;
+  }
+  flattening::updateInput(this, 0);
+  flattening::updateInput(this, 1);
+  vtkPolyData* flat = vtkPolyData::GetData(inputVector[0]);
+  vtkImageData* image = vtkImageData::GetData(inputVector[1]);
+  if (flat && image && !flattening::isEmpty(flat) && !flattening::isEmpty(image))
+  {
+    flattening::announceGrid(outputVector->GetInformationObject(0),
+      [&]
+      {
+        return flattening::resampledGrid(image,
+          flat,
+          this->OutsidePoints == LEAVE_UNMOVED,
+          this->SizeOfImage(image),
+          flattening::planeHeight(flattening::surfaceOfFlattened(flat)));
+      });
   }
   return 1;
+}
+
+const int* vtkPlanarWarp::SizeOfImage(vtkImageData* image) const
+{
+  const bool isChosen = this->ImageSize[0] != 0 || this->ImageSize[1] != 0;
+  const int* size = isChosen ? this->ImageSize : image->GetDimensions();
+  if (std::min(size[0], size[1]) < 2 || std::max(size[0], size[1]) > 65535)
+  {
+    throw InvalidInput("the output image has " + std::to_string(size[0]) + " x " +
+                       std::to_string(size[1]) +
+                       " pixels: set both numbers from 2 to 65535, or both to 0");
+  }
+  return size;
 }
 
 void vtkPlanarWarp::Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
@@ -150,13 +166,7 @@ long long vtkPlanarWarp::WarpImage(vtkImageData* image,
     return flattening::addTextureCoordinates(
       image, flattening::surfaceOfFlattened(flat).Vertices, textured);
   }
-  const int* size = chosenSize(this->ImageSize) ? this->ImageSize : image->GetDimensions();
-  if (std::min(size[0], size[1]) < 2 || std::max(size[0], size[1]) > 65535)
-  {
-    throw InvalidInput("the output image has " + std::to_string(size[0]) + " x " +
-                       std::to_string(size[1]) +
-                       " pixels: set both numbers from 2 to 65535, or both to 0");
-  }
+  const int* size = this->SizeOfImage(image);
   // Points in the plane there and back, points in space, and the arrays as they are probed and copied.
   constexpr std::size_t points = 2 * 2 * sizeof(double) + 3 * sizeof(double);
   flattening::requireImageMemory(size[0],

@@ -177,6 +177,9 @@ private:
   vtkPlanarWarp(const vtkPlanarWarp&) = delete;
   void operator=(const vtkPlanarWarp&) = delete;
 
+  // The number of columns and rows of the output image. Throws InvalidInput if they are out of range.
+  const int* SizeOfImage(vtkImageData* image) const;
+
   long long WarpImage(vtkImageData* image,
     vtkPolyData* flat,
     const flattening::WarpRules& rules,

@@ -102,6 +102,8 @@
  * - `HandleAreaAdded` (double, input units squared): area of the caps.
  * - `HandleDisplacement` (double, input units): greatest distance by which a kept point was moved.
  * - `RemeshEdgeLength` (double, input units): target edge length; 0 without remeshing.
+ * - `RemeshAreaChange` (double, input units squared): area after remeshing less that before. New
+ *   triangles span folds and corners that are sharper than their edges are long.
  * - `HoleCentre` (double x 3, input units): centre of the hole that was cut.
  * - `HoleRadius` (double, input units): geodesic radius of that hole; 0 if none was cut.
  * - `SeamLength` (double, input units): length of all seams, those of a relief and of handles included;
@@ -535,7 +537,8 @@ public:
   /**
    * Least number of vertices of a boundary that the filter cuts: edges there are split where needed. A
    * boundary of the input gets at least 8 vertices, or this number if it is smaller, as a triangle
-   * covers less than half of its circle. Range [3, 100000]. Default: 128.
+   * covers less than half of its circle. On coarse surfaces more than some thousands may take more than
+   * a million new points, which is an error. Range [3, 100000]. Default: 128.
    */
   vtkSetClampMacro(MinimumBoundaryVertices, int, 3, 100000);
   vtkGetMacro(MinimumBoundaryVertices, int);

@@ -52,6 +52,7 @@ UNPACK = {
     "bz2": bz2.decompress,
     "zlib": zlib.decompress,
 }
+MOST_FILES = 65536  # of voxels that a header may name: far more than a scan has slices
 TEXT = ("ascii", "txt", "text")
 
 
@@ -139,7 +140,10 @@ class VoxelFileScan(Scan):
             names = lines
         elif len(words) >= 4 and "%" in words[0]:
             first, last, step = (int(word) for word in words[1:4])
-            names = [words[0] % number for number in range(first, last + 1, step)]
+            numbers = range(first, last + 1, step)
+            if len(numbers) > MOST_FILES:
+                raise ScanError(f"{self._path}: names {len(numbers)} files of voxels, more than {MOST_FILES}")
+            names = [words[0] % number for number in numbers]
         folder = os.path.dirname(os.path.abspath(self._path))
         return [orientation.named_file(folder, name) for name in names]
 

@@ -20,7 +20,7 @@ vtkDataArray* arrayOf(vtkDataSetAttributes* attributes, vtkInformation* choice)
 {
   return choice->Has(vtkDataObject::FIELD_NAME())
            ? attributes->GetArray(choice->Get(vtkDataObject::FIELD_NAME()))
-           : attributes->GetAttribute(choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()));
+           : chosenAttribute(attributes, choice);
 }
 
 } // namespace
@@ -28,6 +28,13 @@ vtkDataArray* arrayOf(vtkDataSetAttributes* attributes, vtkInformation* choice)
 std::string nameOf(vtkAbstractArray* array)
 {
   return array->GetName() ? array->GetName() : "without a name";
+}
+
+vtkDataArray* chosenAttribute(vtkDataSetAttributes* attributes, vtkInformation* choice)
+{
+  const int type = choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
+  return type >= 0 && type < vtkDataSetAttributes::NUM_ATTRIBUTES ? attributes->GetAttribute(type)
+                                                                  : nullptr;
 }
 
 ChosenArray chosenArray(vtkAlgorithm* filter, vtkPolyData* data, const std::string& what, int index)

@@ -7,6 +7,8 @@
 class vtkAbstractArray;
 class vtkAlgorithm;
 class vtkDataArray;
+class vtkDataSetAttributes;
+class vtkInformation;
 class vtkPolyData;
 
 namespace flattening
@@ -20,6 +22,10 @@ struct ChosenArray
 
 /// The array's name for messages.
 std::string nameOf(vtkAbstractArray* array);
+
+/// The array that is the attribute, such as the scalars, which @p choice, an input array to process,
+/// names; nullptr if there is none.
+vtkDataArray* chosenAttribute(vtkDataSetAttributes* attributes, vtkInformation* choice);
 
 /// The point or cell array of one component that was set as input array to process @p index of the
 /// filter (SetInputArrayToProcess). None if nothing, an empty name or "None" was set.

@@ -133,6 +133,7 @@ void setReport(vtkPolyData* output, const SurfaceToDiskReport& report, vtkIdType
   measure("HandleAreaAdded", report.Handles.AddedArea);
   measure("HandleDisplacement", report.Handles.GreatestDisplacement);
   measure("RemeshEdgeLength", report.RemeshEdgeLength);
+  measure("RemeshAreaChange", report.RemeshAreaChange);
   data->AddArray(newTuples<vtkDoubleArray>("HoleCentre", report.HoleCentre.transpose()));
   measure("HoleRadius", report.HoleRadius);
   measure("SeamLength", report.SeamLength);

@@ -104,17 +104,25 @@ bool haveEqualSteps(const std::vector<double>& depths)
 
 } // namespace
 
+ImageGrid stackGrid(const ImageGrid& pixels, const std::vector<double>& depths)
+{
+  ImageGrid grid = pixels;
+  grid.Size[2] = static_cast<int>(depths.size());
+  if (haveEqualSteps(depths))
+  {
+    grid.Origin[2] = depths[0];
+    grid.Spacing[2] = depths[1] - depths[0];
+  }
+  return grid;
+}
+
 void fillStack(vtkImageData* stack,
   vtkImageData* pixels,
   const Layers& layers,
   const std::vector<double>& depths)
 {
-  const bool isDepth = haveEqualSteps(depths);
   const auto count = static_cast<int>(depths.size());
-  const double length = pixels->GetSpacing()[0];
-  stack->SetDimensions(pixels->GetDimensions()[0], pixels->GetDimensions()[1], count);
-  stack->SetSpacing(length, length, isDepth ? depths[1] - depths[0] : length);
-  stack->SetOrigin(pixels->GetOrigin()[0], pixels->GetOrigin()[1], isDepth ? depths[0] : 0.0);
+  setGrid(stack, stackGrid(gridOf(pixels), depths));
   const vtkIdType perLayer = pixels->GetNumberOfPoints();
   vtkNew<vtkUnsignedCharArray> mask;
   mask->SetName("InVolume");

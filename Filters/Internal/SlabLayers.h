@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Core/Base/Progress.h"
+#include "Internal/ImageGrid.h"
 #include "Internal/VolumeSampling.h"
 
 #include <string>
@@ -34,7 +35,10 @@ void addSlabArrays(vtkPolyData* output, const Layers& layers, const std::vector<
 /// Adds the point array `InVolume` with a component per layer. Returns the number of samples outside.
 long long addMask(vtkPolyData* output, const Layers& layers);
 
-/// Fills @p stack with the layers over the image @p pixels; z is the depth if depths are equally spaced.
+/// The grid of the stack over an image with one layer; z is the depth if depths are equally spaced.
+ImageGrid stackGrid(const ImageGrid& pixels, const std::vector<double>& depths);
+
+/// Fills @p stack with the layers over the image @p pixels.
 void fillStack(vtkImageData* stack,
   vtkImageData* pixels,
   const Layers& layers,

@@ -165,6 +165,7 @@ public:
 
   WarpCounts write(vtkGraph* output)
   {
+    this->Graph->GetFieldData()->PassData(output->GetFieldData()); // that of the flat map
     output->CheckedShallowCopy(this->Graph);
     return this->Counts;
   }

@@ -85,12 +85,17 @@ bool pixelAt(vtkImageData* image, double x, double y, double index[3])
   return true;
 }
 
-// Lays a grid of square pixels over the flat map, and over the image, too, if it stays unmoved.
-void layOut(vtkImageData* input, vtkPolyData* flat, const ResamplingRules& rules, vtkImageData* output)
+} // namespace
+
+ImageGrid resampledGrid(vtkImageData* input,
+  vtkPolyData* flat,
+  bool leaveUnmoved,
+  const int size[2],
+  double planeHeight)
 {
   double bounds[6];
   flat->GetBounds(bounds);
-  if (rules.LeaveUnmoved)
+  if (leaveUnmoved)
   {
     double old[6];
     input->GetBounds(old);
@@ -100,14 +105,16 @@ void layOut(vtkImageData* input, vtkPolyData* flat, const ResamplingRules& rules
       bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], old[2 * axis + 1]);
     }
   }
-  const double pixel =
-    std::max((bounds[1] - bounds[0]) / rules.Size[0], (bounds[3] - bounds[2]) / rules.Size[1]);
-  output->SetDimensions(rules.Size[0], rules.Size[1], 1);
-  output->SetSpacing(pixel, pixel, 1.0);
-  output->SetOrigin(0.5 * (bounds[0] + bounds[1] - (rules.Size[0] - 1) * pixel),
-    0.5 * (bounds[2] + bounds[3] - (rules.Size[1] - 1) * pixel),
-    input->GetBounds()[4] - rules.Warp.planeHeight());
+  const double pixel = std::max((bounds[1] - bounds[0]) / size[0], (bounds[3] - bounds[2]) / size[1]);
+  return { { size[0], size[1], 1 },
+    { 0.5 * (bounds[0] + bounds[1] - (size[0] - 1) * pixel),
+      0.5 * (bounds[2] + bounds[3] - (size[1] - 1) * pixel),
+      input->GetBounds()[4] - planeHeight },
+    { pixel, pixel, 1.0 } };
 }
+
+namespace
+{
 
 Points2 pixelCentres(vtkImageData* image)
 {
@@ -222,7 +229,7 @@ long long warpImage(vtkImageData* image,
   vtkImageData* output)
 {
   const vtkSmartPointer<vtkImageData> input = pictureOf(image);
-  layOut(input, flat, rules, output);
+  setGrid(output, resampledGrid(input, flat, rules.LeaveUnmoved, rules.Size, rules.Warp.planeHeight()));
   ShownPixels shown;
   findShownPixels(input, sourcesOf(pixelCentres(output), rules), shown);
 

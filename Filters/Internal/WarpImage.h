@@ -2,6 +2,7 @@
 /// Planar Warp of images.
 #pragma once
 
+#include "Internal/ImageGrid.h"
 #include "Internal/WarpRules.h"
 
 class vtkImageData;
@@ -18,6 +19,15 @@ struct ResamplingRules
   int Size[2];       ///< number of columns and rows of the output
   ProgressCallback Progress;
 };
+
+/// The grid of square pixels over the flat map, and over the image, too, if it stays unmoved.
+/// @param size number of columns and rows
+/// @param planeHeight z of the undeformed mesh
+ImageGrid resampledGrid(vtkImageData* input,
+  vtkPolyData* flat,
+  bool leaveUnmoved,
+  const int size[2],
+  double planeHeight);
 
 /// Fills @p output, an image over @p flat, with all arrays of @p input and InMap.
 /// @return the number of pixels of the flat map that lie outside the image.

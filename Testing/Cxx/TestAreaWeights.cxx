@@ -222,6 +222,11 @@ TEST(AreaWeights, AChainMultiplies)
   sphere->SetRadius(1.0); // a moved widget is noticed
   second->Update();
   EXPECT_LT(figure(first->GetOutput(), "RegionPoints"), 20);
+  second->SetWeightsFromScalars(); // without a region, that of the filter before is not reported
+  second->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "AreaWeight");
+  second->Update();
+  EXPECT_GT(second->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(second->GetOutput()->GetFieldData()->GetArray("RegionPoints"), nullptr);
 }
 
 // On a flat map a function is placed on the map, or by SurfacePoints in space.

@@ -392,7 +392,8 @@ TEST(CompositeData, SelectionOfABlock)
   ErrorLog errors(weights);
   weights->Update();
   ASSERT_EQ(errors.messages().size(), 1u);
-  EXPECT_NE(errors.messages().front().find("block \"right\": the selection has no points or cells of this block"),
+  EXPECT_NE(errors.messages().front().find(
+              "block \"right\": the selection has no points or cells of this block"),
     std::string::npos)
     << errors.messages().front();
   const std::vector<vtkDataObject*> found = leaves(weights->GetOutputDataObject(0));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "AnalyticSurfaces.h"
 #include "FilterTest.h"
+#include "PassedGrid.h"
 
 #include <vtkConformalDiskFilter.h>
 #include <vtkFlatMapImage.h>
@@ -176,6 +177,21 @@ TEST_F(FlatMapImage, BeyondTheMapOnlyTheMarginHasValues)
     const double cut =
       outer * outer * std::acos(50.0 / outer) - 50.0 * std::sqrt(outer * outer - 2500.0);
     EXPECT_NEAR(filled, Pi * (outer * outer - 2500.0) - 4.0 * cut, 40.0);
+  }
+}
+
+TEST_F(FlatMapImage, ImageFiltersSeeThePixels)
+{
+  vtkNew<vtkPolyData> map;
+  map->ShallowCopy(Map);
+  map->GetPointData()->SetActiveScalars("Linear");
+  for (const double length : { 0.0, 0.7 })
+  {
+    vtkNew<vtkFlatMapImage> filter;
+    filter->SetInputData(map);
+    filter->SetSize(100);
+    filter->SetPixelLength(length);
+    expectGridPassedOn(filter->GetOutputPort(), "InMap");
   }
 }
 

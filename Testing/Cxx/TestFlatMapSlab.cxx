@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "AnalyticSurfaces.h"
 #include "FilterTest.h"
+#include "PassedGrid.h"
 
 #include <vtkConformalDiskFilter.h>
 #include <vtkFlatMapSlab.h>
@@ -205,6 +206,16 @@ TEST_F(FlatMapSlab, TheStackHasALayerPerDepth)
   slab->SetStackSize(0);
   slab->Update();
   EXPECT_EQ(stack->GetNumberOfPoints(), 0);
+}
+
+TEST_F(FlatMapSlab, ImageFiltersSeeThePixelsOfTheStack)
+{
+  vtkNew<vtkFlatMapSlab> slab;
+  connect(slab);
+  setDepths(slab, { 0.5, 1.0, 1.5, 2.0 });
+  slab->SetStackSize(50);
+  expectGridPassedOn(slab->GetOutputPort(1), "InVolume");
+  EXPECT_EQ(slab->GetStack()->GetSpacing()[2], 0.5);
 }
 
 // The stack has more pixels than are sampled at once.

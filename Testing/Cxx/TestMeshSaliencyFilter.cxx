@@ -108,6 +108,15 @@ TEST(MeshSaliencyFilter, ItsRegionsAreLabelsForAreaWeights)
   EXPECT_NEAR(figure(weights->GetOutput(), "RegionArea"),
     filter->GetOutput()->GetFieldData()->GetArray("SaliencyRegionAreas")->GetTuple1(0),
     1e-9);
+
+  // Regions of an earlier filter are not those of a later one.
+  vtkNew<vtkMeshSaliency> again;
+  again->SetInputConnection(filter->GetOutputPort());
+  again->SetUnit(0.8);
+  again->FindRegionsOff();
+  again->Update();
+  EXPECT_EQ(again->GetOutput()->GetPointData()->GetArray("SaliencyRegion"), nullptr);
+  EXPECT_EQ(again->GetOutput()->GetFieldData()->GetArray("SaliencyRegionAreas"), nullptr);
 }
 
 // Why the curvature is integrated over edges: on an isosurface, with its slivers, VTK's own filter is

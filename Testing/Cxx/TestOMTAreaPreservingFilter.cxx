@@ -397,6 +397,10 @@ TEST(OMTAreaPreservingFilter, AreaWeights)
   EXPECT_STREQ(filter->GetWeightsInUse(), "AreaWeight, 1 to 2");
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Importance");
   EXPECT_NEAR(shareOfRegion() / before, 3.0, 1e-9);
+  input->GetPointData()->SetActiveScalars("Importance");
+  filter->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  EXPECT_NEAR(shareOfRegion() / before, 3.0, 1e-9) << "the active scalars";
   filter->UseAreaWeightOff();
   EXPECT_NEAR(shareOfRegion() / before, 1.0, 1e-9);
 }

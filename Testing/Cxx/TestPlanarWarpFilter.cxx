@@ -187,8 +187,13 @@ vtkSmartPointer<Graph> network(double lastX)
 
 TEST(PlanarWarpFilter, GraphsKeepIdsAndData)
 {
+  const auto map = doubled();
+  vtkNew<vtkDoubleArray> patient;
+  patient->SetName("Patient");
+  patient->InsertNextValue(17.0);
+  map->GetFieldData()->AddArray(patient);
   vtkNew<vtkPlanarWarp> filter;
-  filter->SetInputData(doubled());
+  filter->SetInputData(map);
   filter->SetCarriedData(network<vtkMutableDirectedGraph>(1.9));
   filter->SetMaximumSegmentLength(0.3);
   filter->Update();
@@ -207,6 +212,7 @@ TEST(PlanarWarpFilter, GraphsKeepIdsAndData)
   ASSERT_EQ(graph->GetNumberOfEdgePoints(1), 5); // 0.64 in three parts, the point, 0.64 in three
   EXPECT_NEAR(graph->GetEdgePoint(1, 2)[1], 1.8, 1e-12);
   EXPECT_EQ(figure(graph, "InsertedPoints"), 9);
+  EXPECT_EQ(figure(graph, "Patient"), 17.0); // the field data of the map, as with other data
 
   filter->SetCarriedData(network<vtkMutableUndirectedGraph>(2.9));
   filter->Update();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FilterTest.h"
+#include "PassedGrid.h"
 #include "PlanarWarpSamples.h"
 
 #include <vtkPlanarWarp.h>
@@ -80,6 +81,19 @@ TEST(PlanarWarpImages, ImagesAreResampledByTheInverseMap)
   filter->SetImageSize(0, 0);
   filter->Update();
   EXPECT_EQ(vtkImageData::SafeDownCast(filter->GetOutputDataObject(0))->GetDimensions()[0], 101);
+}
+
+TEST(PlanarWarpImages, ImageFiltersSeeThePixels)
+{
+  for (const bool leave : { false, true })
+  {
+    vtkNew<vtkPlanarWarp> filter;
+    filter->SetInputData(deformed(plane(40), bend));
+    filter->SetCarriedData(picture());
+    filter->SetOutsidePoints(leave ? vtkPlanarWarp::LEAVE_UNMOVED : vtkPlanarWarp::REMOVE);
+    filter->SetImageSize(20, 15);
+    expectGridPassedOn(filter->GetOutputPort(), "InMap");
+  }
 }
 
 TEST(PlanarWarpImages, AnImageAroundTheMeshIsLeftUnmoved)

@@ -528,6 +528,7 @@ TEST(SurfaceToDiskModes, ReportsEveryFigure)
     "HandleAreaAdded",
     "HandleDisplacement",
     "RemeshEdgeLength",
+    "RemeshAreaChange",
     "HoleCentre",
     "HoleRadius",
     "SeamLength",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What vtkSurfaceToDiskFilter tells and shows of its changes: the third output, warnings, ScaledCurvature.
+/// What vtkSurfaceToDiskFilter tells and shows of its changes: the third output, warnings,
+/// ScaledCurvature.
 #include "SurfaceToDiskChecks.h"
 
 #include <vtkAppendPolyData.h>
@@ -53,7 +54,9 @@ TEST(SurfaceToDiskReport, AHandleThatIsNoNoiseIsWarnedOf)
   run(filter, torus(80, 40));
   ASSERT_EQ(warnings.messages().size(), 1u);
   const std::string& warning = warnings.messages().front();
-  EXPECT_NE(warning.find("a handle or tunnel was cut through and capped; the loop is "), std::string::npos) << warning;
+  EXPECT_NE(
+    warning.find("a handle or tunnel was cut through and capped; the loop is "), std::string::npos)
+    << warning;
   EXPECT_NE(warning.find("set Handles to Cut"), std::string::npos) << warning;
   vtkTable* table = filter->GetReport();
   EXPECT_EQ(amount(table, "handles removed"), 1.0);
@@ -68,6 +71,34 @@ TEST(SurfaceToDiskReport, AHandleThatIsNoNoiseIsWarnedOf)
   run(cut, torus(80, 40));
   EXPECT_TRUE(none.messages().empty());
   EXPECT_EQ(amount(cut->GetReport(), "handles removed"), -1.0) << "a row of nothing is left out";
+}
+
+TEST(SurfaceToDiskReport, RemeshingTellsTheAreaThatItCosts)
+{
+  vtkNew<vtkSurfaceToDiskFilter> plain;
+  run(plain, sphere(60));
+  const double before = figure(plain->GetOutput(), "SurfaceArea");
+  EXPECT_EQ(figure(plain->GetOutput(), "RemeshAreaChange"), 0.0);
+  for (const double share : { 0.2, 1.0 }) // of the radius
+  {
+    vtkNew<vtkSurfaceToDiskFilter> filter;
+    WarningLog warnings(filter);
+    filter->RemeshOn();
+    filter->SetTargetEdgeLength(share * std::sqrt(before / (4.0 * Pi)));
+    run(filter, sphere(60));
+    const double change = figure(filter->GetOutput(), "SurfaceArea") - before;
+    EXPECT_NEAR(figure(filter->GetOutput(), "RemeshAreaChange"), change, 0.003 * before);
+    // Equilateral triangles with corners on a sphere have less area than it, by 5/24 of the square of
+    // their side over its radius.
+    const double less = 5.0 / 24.0 * share * share;
+    EXPECT_NEAR(change / before, -less, 0.3 * less);
+    std::size_t told = 0;
+    for (const std::string& warning : warnings.messages())
+    {
+      told += warning.find("remeshing changed the area from ") != std::string::npos;
+    }
+    EXPECT_EQ(told, share == 1.0 ? 1u : 0u);
+  }
 }
 
 TEST(SurfaceToDiskReport, DroppedComponentsAreWarnedOfUnlessTheyAreNoise)

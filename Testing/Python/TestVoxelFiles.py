@@ -102,6 +102,7 @@ BAD = {
     },
     "0 values of a voxel": {"channels.mha": metaimage("ElementNumberOfChannels = 0") + LITTLE},
     "in 0 files": {"no_files.mhd": metaimage(data="LIST")},
+    "more than 65536": {"many.mhd": metaimage(data=f"slice%d.raw 1 {10**9} 1")},
     "line skip": {"lines.nrrd": nrrd("encoding: raw\nline skip: 2") + LITTLE},
 }
 # Read as they are stored, with a warning.

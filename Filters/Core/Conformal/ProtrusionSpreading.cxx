@@ -24,6 +24,9 @@ constexpr double LogScaleOfProtrusions = -11.512925464970229;
 // k = sqrt(1 + p^2 / 4) - p / 2: about a quarter for p = 4. A greater power spreads more, by weights
 // that differ more.
 constexpr double WeightPower = 4.0;
+// The weights at this depth, in logarithms of the scale, are the smallest: exp(WeightPower * DeepestPoint)
+// is 1e-174, far from where doubles underflow.
+constexpr double DeepestPoint = -100.0;
 // Logarithm of the scale, relative to where protrusions begin, up to which vertices may move: 20 times
 // the scale there. The effect of a spread protrusion falls with the square of the scale: it is less than
 // 1/400 of the scale where the vertices stay.
@@ -53,7 +56,8 @@ public:
     }
     for (int v = 0; v < t.vertexCount(); ++v)
     {
-      this->Depth[v] = static_cast<double>(logFactors[v]) - logMeanFactor - LogScaleOfProtrusions;
+      this->Depth[v] = std::max(DeepestPoint,
+        static_cast<double>(logFactors[v]) - logMeanFactor - LogScaleOfProtrusions);
     }
   }
 

@@ -40,6 +40,7 @@ void restoreUnits(DiskSurface& disk, const CoordinateFrame& frame)
          &report.FilledArea,
          &report.Handles.RemovedArea,
          &report.Handles.AddedArea,
+         &report.RemeshAreaChange,
          &report.RemovedArea,
          &report.SurfaceArea })
   {

@@ -231,7 +231,9 @@ private:
     }
     else
     {
-      this->resolveBoundary(std::min(LeastBoundaryVertices, this->Hole.BoundaryVertices));
+      // A plane or a label has cut the boundary, or it came with the input.
+      const int least = this->Report.ChosenCut ? this->Hole.BoundaryVertices : LeastBoundaryVertices;
+      this->resolveBoundary(std::min(least, this->Hole.BoundaryVertices));
     }
   }
 

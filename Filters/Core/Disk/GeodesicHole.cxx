@@ -176,7 +176,9 @@ private:
   [[noreturn]] void throwNoHole() const
   {
     throw TopologyError("no round hole of share " + formatted(this->Options.AreaFraction) +
-                        " of the area can be cut there: choose another hole point or area");
+                        " of the area with " + std::to_string(this->Options.BoundaryVertices) +
+                        " vertices or more can be cut there: lower Minimum Boundary Vertices, or choose "
+                        "another hole point or area");
   }
 
   Vertex centreVertex() const

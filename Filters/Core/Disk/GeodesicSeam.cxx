@@ -107,8 +107,8 @@ private:
       const bool isCoarse = halveLongEdges(this->Seams.surface(), faces, wanted) > wanted;
       refinement *= isCoarse ? 1.0 : SeamRefinement;
     }
-    throw TopologyError("the seam crosses too few edges of the surface, however it is refined: remesh "
-                        "the surface");
+    throw TopologyError("the seam crosses too few edges of the surface, however it is refined: lower "
+                        "Minimum Boundary Vertices, or remesh the surface");
   }
 
   void addFaces(const std::vector<PathPoint>& path, std::vector<Face>& faces) const

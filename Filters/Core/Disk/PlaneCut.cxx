@@ -49,18 +49,31 @@ std::vector<double> heightsOver(const CuttingPlane& plane, const Points3& points
   return heights;
 }
 
-void requireBothSides(const std::vector<double>& heights)
+// A plane through a corner, an edge or a face has vertices on either side by rounding alone.
+void requireBothSides(const std::vector<double>& heights, double rounding)
 {
   const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-  if (*low < 0.0 && *high > 0.0)
+  if (*low<-rounding&& * high> rounding)
   {
     return;
   }
   std::ostringstream message;
-  message << "the cutting plane misses the surface, which lies from " << *low << " to " << *high
-          << " along its normal: all of it would be " << (*high > 0.0 ? "kept" : "removed")
-          << "; move the plane's origin into the surface"
-          << (*high > 0.0 ? "" : " or turn the normal around");
+  message << "the cutting plane misses the surface or only touches it: from " << *low << " to " << *high
+          << " along the plane's normal, all of it would be " << (*high > rounding ? "kept" : "removed")
+          << "; move the plane's origin into the surface";
+  throw InvalidInput(message.str());
+}
+
+void requireLongCut(double length, int boundaryVertices, double shortestEdge)
+{
+  if (length > boundaryVertices * shortestEdge)
+  {
+    return;
+  }
+  std::ostringstream message;
+  message << "the cutting plane only grazes the surface, along a curve of length " << length
+          << ", which double precision cannot divide into " << boundaryVertices
+          << " edges: move the plane's origin into the surface";
   throw InvalidInput(message.str());
 }
 
@@ -70,17 +83,18 @@ void requireBothSides(const std::vector<double>& heights)
 void refineAlongPlane(EditableSurface& surface,
   std::vector<double>& heights,
   const CuttingPlane& plane,
-  int boundaryVertices)
+  int boundaryVertices,
+  double shortestEdge)
 {
   if (static_cast<int>(edgesAcrossIsoline(surface.mesh(), heights, 0.0).size()) >= boundaryVertices)
   {
     return;
   }
-  const double wanted =
-    levelCurveLength(toTriangleMesh(surface.mesh()),
-      Eigen::Map<const Eigen::VectorXd>(heights.data(), static_cast<Eigen::Index>(heights.size())),
-      0.0) /
-    boundaryVertices;
+  const double length = levelCurveLength(toTriangleMesh(surface.mesh()),
+    Eigen::Map<const Eigen::VectorXd>(heights.data(), static_cast<Eigen::Index>(heights.size())),
+    0.0);
+  requireLongCut(length, boundaryVertices, shortestEdge);
+  const double wanted = length / boundaryVertices;
   while (!crossesMoreThanEnough(surface.mesh(), heights, 0.0, boundaryVertices))
   {
     const auto faces = longFacesAtIsoline(surface, heights, 0.0, 0.0, EdgeLengthSlack * wanted);
@@ -128,12 +142,13 @@ PlaneCutSurface cutAtPlane(const TriangleMesh& mesh,
   requireValid(plane, boundaryVertices);
   report(progress, 0.0, "cutting at the plane");
   std::vector<double> heights = heightsOver(plane, mesh.Vertices);
-  requireBothSides(heights);
+  const double shortestEdge = ShortestBisected * mesh.Vertices.cwiseAbs().maxCoeff();
+  requireBothSides(heights, shortestEdge);
 
   PlaneCutSurface cut;
   EditableSurface surface(mesh);
   raiseValuesAt(heights, 0.0);
-  refineAlongPlane(surface, heights, plane, boundaryVertices);
+  refineAlongPlane(surface, heights, plane, boundaryVertices, shortestEdge);
   snapToIsoline(surface, heights, 0.0);
   splitAtIsoline(surface, heights, 0.0);
   cut.Surface = surface.derived();

@@ -29,8 +29,9 @@ struct PlaneCutSurface
 /// stays in the plane, and earlier boundaries stay as they are. Then the longest boundary loop is
 /// refined (refineBoundary).
 /// @param boundaryVertices the least number of vertices of the longest boundary loop (>= 3).
-/// @throws InvalidInput if the origin or normal is not finite, the normal is zero, or the whole surface
-/// lies on one side of the plane; Cancelled.
+/// @throws InvalidInput if the origin or normal is not finite, the normal is zero, the whole surface
+/// lies on one side of the plane up to rounding, or the cut is too short for double precision to hold
+/// its vertices apart; Cancelled.
 PlaneCutSurface cutAtPlane(const TriangleMesh& mesh,
   const CuttingPlane& plane,
   int boundaryVertices = 128,

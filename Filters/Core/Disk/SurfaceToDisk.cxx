@@ -312,8 +312,10 @@ private:
     this->Report.RemeshEdgeLength = this->Options.TargetEdgeLength != 0.0
                                       ? this->Options.TargetEdgeLength
                                       : this->Options.RelativeEdgeLength * meanEdgeLength(this->mesh());
+    const double before = this->area();
     follow(this->Disk.Surface,
       remeshIsotropically(this->mesh(), this->Report.RemeshEdgeLength, RemeshIterations, progress));
+    this->Report.RemeshAreaChange = this->area() - before;
   }
 
   void condition(const ProgressCallback& progress)

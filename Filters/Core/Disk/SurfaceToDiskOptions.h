@@ -117,6 +117,7 @@ struct SurfaceToDiskReport
   int Genus = 0; ///< before handles were removed or cut
   HandleRemovalReport Handles;
   double RemeshEdgeLength = 0.0; ///< 0 if the surface was not remeshed
+  double RemeshAreaChange = 0.0; ///< area after remeshing less that before
   Eigen::Vector3d HoleCentre = Eigen::Vector3d::Zero();
   double HoleRadius = 0.0; ///< geodesic; 0 if no hole was cut
   /// The area of the hole in mean faces of the surface that it was cut into; 0 if no hole was cut.

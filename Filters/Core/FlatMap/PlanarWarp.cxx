@@ -23,7 +23,9 @@ constexpr double Planarity = 1e-6;
 // The number of points between two reports of progress, at which an abort is noticed.
 constexpr Eigen::Index WarpedBatch = 1 << 14;
 
-double heightOf(const TriangleMesh& mesh)
+} // namespace
+
+double planeHeight(const TriangleMesh& mesh)
 {
   if (mesh.faceCount() == 0)
   {
@@ -43,6 +45,9 @@ double heightOf(const TriangleMesh& mesh)
   }
   return low.z() + 0.5 * size.z();
 }
+
+namespace
+{
 
 // Whether all faces are oriented clockwise.
 bool facesDownAll(const TriangleMesh& mesh)
@@ -104,7 +109,7 @@ WarpedPoints warped(const Points2& points,
 PlanarWarp::PlanarWarp(const TriangleMesh& mesh,
   const Points2& positions,
   const ProgressCallback& progress)
-  : PlaneHeight(heightOf(mesh))
+  : PlaneHeight(flattening::planeHeight(mesh))
   , FacesDown(facesDownAll(mesh))
   , MeanSide(meanEdgeLength(mesh))
   , Diagonals{ diagonal(mesh.Vertices.leftCols<2>()), diagonal(positions) }

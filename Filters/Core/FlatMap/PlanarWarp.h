@@ -11,6 +11,11 @@
 namespace flattening
 {
 
+/// The z of a mesh in a plane of constant z.
+/// @throws InvalidInput if the mesh has no triangles or a point that is not finite, or if z is not
+/// constant to 1e-6 of the larger extent.
+double planeHeight(const TriangleMesh& mesh);
+
 struct WarpedPoints
 {
   Points2 Positions; ///< n x 2, in the other shape of the mesh; unmoved if the point is not inside

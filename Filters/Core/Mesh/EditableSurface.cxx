@@ -100,8 +100,8 @@ EditableSurface::Split EditableSurface::splitEdge(Halfedge edge, double t)
       2 * static_cast<std::size_t>(this->OriginalVertices) + MostNewVertices)
   {
     throw InvalidInput(
-      "the cut would take more than a million new points, as the triangles beside it differ too "
-      "much in size: remove points that lie far off, or set Remesh");
+      "the cut would take more than a million new points: lower Minimum Boundary Vertices or, if the "
+      "triangles beside it differ very much in size, remove points that lie far off or set Remesh");
   }
   const Vertex source = this->Mesh.source(edge);
   const Vertex target = this->Mesh.target(edge);

@@ -23,9 +23,6 @@ using Face = EditableSurface::Face;
 // of the mesh. A guard against rounding (1e-16), so that any value between that and a visible length
 // works.
 constexpr double LengthRounding = 1e-6;
-// Edges are longer than this share of the coordinates, about a hundred distances of neighbouring
-// doubles: a guard, as the middle of a shorter edge can be rounded to one of its ends.
-constexpr double LeastLength = 2e-14;
 
 // A strict order of the edges, without which the propagation could run in circles. Lengths are compared
 // in single precision, so that edges equal up to rounding tie, and the same mesh at another scale is
@@ -88,7 +85,7 @@ void requireResolvable(const EditableSurface& surface,
   {
     return;
   }
-  if (!(longestEdge > LeastLength * largest))
+  if (!(longestEdge > ShortestBisected * largest))
   {
     std::ostringstream message;
     message << "edges cannot be bisected down to the length " << longestEdge

@@ -10,6 +10,10 @@
 namespace flattening
 {
 
+/// Edges are bisected to lengths above this share of the coordinates, about a hundred distances of
+/// neighbouring doubles: a guard, as the middle of a shorter edge can be rounded to one of its ends.
+constexpr double ShortestBisected = 2e-14;
+
 /// Bisects the listed faces and the parts that they are split into, until none of them has an edge
 /// longer than @p longestEdge (input units, > 0). A face is split at the middle of its longest edge
 /// together with the neighbour there, after all bisections of neighbours that this takes (the

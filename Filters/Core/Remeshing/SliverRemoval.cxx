@@ -56,23 +56,6 @@ std::array<Halfedge, 3> edgesByLength(const MeshOnSurface& surface, Face face)
   return edges;
 }
 
-// Moves a vertex to the mean of its neighbours or part of the way there. Returns whether that was done.
-bool moveInwards(MeshOnSurface& surface, Vertex v, const MeshOnSurface::Guard& guard)
-{
-  const Eigen::Vector3d here = surface.mesh().point(v);
-  const Eigen::Vector3d mean = surface.meanOfNeighbours(v);
-  for (const double share : { 1.0, 0.5, 0.25 })
-  {
-    const Eigen::Vector3d wanted = here + share * (mean - here);
-    const SurfacePoint at = surface.walk().closest(wanted, surface.place(v).Face);
-    if (surface.move(v, at, at.Position, guard))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 // Which changes may be made at the boundary.
 enum class BoundaryRule
 {
@@ -80,81 +63,150 @@ enum class BoundaryRule
   Kept       // it stays, and no new edge inside joins two of its vertices
 };
 
-bool mayFlip(const MeshOnSurface& surface, Edge edge, BoundaryRule rule)
+// Opens the small angles of a surface, one face after another.
+class SliverOpener
 {
-  const MeshOnSurface::Mesh& mesh = surface.mesh();
-  const Halfedge h = mesh.halfedge(edge);
-  return rule == BoundaryRule::Coarsened || mesh.is_border(edge) ||
-         !surface.onBoundary(mesh.target(mesh.next(h))) ||
-         !surface.onBoundary(mesh.target(mesh.next(mesh.opposite(h))));
-}
-
-// A collapse onto the boundary would join the neighbours of the lost vertex with it.
-bool mayCollapse(const MeshOnSurface& surface, Edge edge, BoundaryRule rule)
-{
-  const Halfedge h = surface.mesh().halfedge(edge);
-  return rule == BoundaryRule::Coarsened || (!surface.onBoundary(surface.mesh().source(h)) &&
-                                              !surface.onBoundary(surface.mesh().target(h)));
-}
-
-// Tries one change after another, the mildest first, until one is made.
-bool openAngles(MeshOnSurface& surface, Face face, BoundaryRule rule, const MeshOnSurface::Guard& guard)
-{
-  const MeshOnSurface::Mesh& mesh = surface.mesh();
-  const std::array<Halfedge, 3> edges = edgesByLength(surface, face);
-  const auto flip = [&](Halfedge h)
-  { return mayFlip(surface, mesh.edge(h), rule) && surface.flip(mesh.edge(h), guard); };
-  const auto collapse = [&](Halfedge h)
-  { return mayCollapse(surface, mesh.edge(h), rule) && surface.collapse(mesh.edge(h), guard); };
-  if (flip(edges[2]) || collapse(edges[0]))
+public:
+  // @param degrees angles below this one are opened
+  SliverOpener(MeshOnSurface& surface, double degrees, BoundaryRule rule)
+    : Surface(surface)
+    , Rule(rule)
+    , MostFaces(static_cast<int>(FullTurns * 360.0 / degrees))
+    , Bound(std::sin(degrees * EIGEN_PI / 180.0))
   {
-    return true;
   }
-  for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(face)))
+
+  void run(const ProgressCallback& progress)
   {
-    if (moveInwards(surface, v, guard))
+    bool changed = true;
+    for (int round = 0; changed && round < SliverRounds; ++round)
     {
-      return true;
+      changed = false;
+      const std::vector<Face> narrow = this->narrowFaces();
+      for (std::size_t i = 0; i < narrow.size(); ++i)
+      {
+        if (i % FacesBetweenReports == 0)
+        {
+          report(progress, static_cast<double>(round) / SliverRounds, "opening small angles");
+        }
+        changed |= this->open(narrow[i]);
+      }
     }
   }
-  return flip(edges[1]) || flip(edges[0]) || collapse(edges[1]) || collapse(edges[2]);
-}
 
-void removeSlivers(MeshOnSurface& surface,
-  double degrees,
-  BoundaryRule rule,
-  const ProgressCallback& progress)
-{
-  const double bound = std::sin(degrees * EIGEN_PI / 180.0);
-  const double tiny = std::sin(slivers::TinyAngle * EIGEN_PI / 180.0);
-  bool changed = true;
-  for (int round = 0; changed && round < SliverRounds; ++round)
+private:
+  // The angles at a vertex add up to about one full turn, and to less than two unless the surface is
+  // crumpled.
+  static constexpr double FullTurns = 2.0;
+
+  std::vector<Face> narrowFaces() const
   {
     std::vector<Face> narrow;
-    for (const Face f : surface.mesh().faces())
+    for (const Face f : this->Surface.mesh().faces())
     {
-      if (smallestSine(surface.triangle(f)) < bound)
+      if (smallestSine(this->Surface.triangle(f)) < this->Bound)
       {
         narrow.push_back(f);
       }
     }
-    changed = false;
-    for (std::size_t i = 0; i < narrow.size(); ++i)
+    return narrow;
+  }
+
+  bool open(Face f)
+  {
+    const double tiny = std::sin(slivers::TinyAngle * EIGEN_PI / 180.0);
+    return !this->Surface.mesh().is_removed(f) &&
+           smallestSine(this->Surface.triangle(f)) < this->Bound &&
+           (this->openAngles(f, opensSmallAngleAligned) ||
+             (smallestSine(this->Surface.triangle(f)) < tiny && this->openAngles(f, opensSmallAngle)));
+  }
+
+  // Tries one change after another, the mildest first, until one is made.
+  bool openAngles(Face face, const MeshOnSurface::Guard& guard)
+  {
+    const MeshOnSurface::Mesh& mesh = this->Surface.mesh();
+    const std::array<Halfedge, 3> edges = edgesByLength(this->Surface, face);
+    const auto flip = [&](Halfedge h)
+    { return this->mayFlip(mesh.edge(h)) && this->Surface.flip(mesh.edge(h), guard); };
+    const auto collapse = [&](Halfedge h)
+    { return this->mayCollapse(h) && this->Surface.collapse(mesh.edge(h), guard); };
+    if (flip(edges[2]) || collapse(edges[0]))
     {
-      const Face f = narrow[i];
-      if (i % FacesBetweenReports == 0)
+      return true;
+    }
+    for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(face)))
+    {
+      if (this->moveInwards(v, guard))
       {
-        report(progress, static_cast<double>(round) / SliverRounds, "opening small angles");
-      }
-      if (!surface.mesh().is_removed(f) && smallestSine(surface.triangle(f)) < bound)
-      {
-        changed |=
-          openAngles(surface, f, rule, opensSmallAngleAligned) ||
-          (smallestSine(surface.triangle(f)) < tiny && openAngles(surface, f, rule, opensSmallAngle));
+        return true;
       }
     }
+    return flip(edges[1]) || flip(edges[0]) || collapse(edges[1]) || collapse(edges[2]);
   }
-}
+
+  // Moves a vertex to the mean of its neighbours or part of the way there. Returns whether that was
+  // done.
+  bool moveInwards(Vertex v, const MeshOnSurface::Guard& guard)
+  {
+    if (this->isCrowded(v))
+    {
+      return false;
+    }
+    const Eigen::Vector3d here = this->Surface.mesh().point(v);
+    const Eigen::Vector3d mean = this->Surface.meanOfNeighbours(v);
+    for (const double share : { 1.0, 0.5, 0.25 })
+    {
+      const Eigen::Vector3d wanted = here + share * (mean - here);
+      const SurfacePoint at = this->Surface.walk().closest(wanted, this->Surface.place(v).Face);
+      if (this->Surface.move(v, at, at.Position, guard))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool mayFlip(Edge edge) const
+  {
+    const MeshOnSurface::Mesh& mesh = this->Surface.mesh();
+    const Halfedge h = mesh.halfedge(edge);
+    return this->Rule == BoundaryRule::Coarsened || mesh.is_border(edge) ||
+           !this->Surface.onBoundary(mesh.target(mesh.next(h))) ||
+           !this->Surface.onBoundary(mesh.target(mesh.next(mesh.opposite(h))));
+  }
+
+  // A collapse onto the boundary would join the neighbours of the lost vertex with it.
+  bool mayCollapse(Halfedge h) const
+  {
+    const Vertex a = this->Surface.mesh().source(h);
+    const Vertex b = this->Surface.mesh().target(h);
+    return (this->Rule == BoundaryRule::Coarsened ||
+             (!this->Surface.onBoundary(a) && !this->Surface.onBoundary(b))) &&
+           !this->isCrowded(a) && !this->isCrowded(b);
+  }
+
+  // Whether so many faces meet at a vertex that some of its angles are small wherever it lies. To move
+  // it is of no use, and to try that for each of these faces would take a time that grows with their
+  // square.
+  bool isCrowded(Vertex v) const
+  {
+    const MeshOnSurface::Mesh& mesh = this->Surface.mesh();
+    int faces = 0;
+    for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(v)))
+    {
+      if (!mesh.is_border(h) && ++faces > this->MostFaces)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  MeshOnSurface& Surface;
+  BoundaryRule Rule;
+  int MostFaces; // around a vertex that is not crowded
+  double Bound;  // sine of the smallest angle that is large enough
+};
 
 DerivedMesh withoutSmallAngles(const TriangleMesh& mesh,
   double degrees,
@@ -166,7 +218,7 @@ DerivedMesh withoutSmallAngles(const TriangleMesh& mesh,
     return derivedFromItself(mesh);
   }
   MeshOnSurface surface(mesh);
-  removeSlivers(surface, degrees, rule, progress);
+  SliverOpener(surface, degrees, rule).run(progress);
   return surface.derived();
 }
 
@@ -174,7 +226,7 @@ DerivedMesh withoutSmallAngles(const TriangleMesh& mesh,
 
 void removeSlivers(MeshOnSurface& surface, double degrees, const ProgressCallback& progress)
 {
-  removeSlivers(surface, degrees, BoundaryRule::Coarsened, progress);
+  SliverOpener(surface, degrees, BoundaryRule::Coarsened).run(progress);
 }
 
 DerivedMesh withoutSmallAngles(const TriangleMesh& mesh,

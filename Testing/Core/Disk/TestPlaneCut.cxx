@@ -161,4 +161,38 @@ TEST(PlaneCut, RejectsAPlaneThatMisses)
     Cancelled);
 }
 
+// A plane through a corner, an edge or a face that cuts off no more than rounding, or a cut whose
+// vertices double precision would not hold apart.
+TEST(PlaneCut, RejectsAPlaneThatTouches)
+{
+  TriangleMesh corner = tetrahedron();
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).matrix();
+  corner.Vertices = (corner.Vertices * turn.transpose()).eval();
+  const auto rejection = [&](const Eigen::Vector3d& point, const Eigen::Vector3d& normal)
+  { return messageOf<InvalidInput>([&] { cutAtPlane(corner, plane(turn * point, turn * normal)); }); };
+  for (const double depth : { 0.0, 1e-16, 1e-15, 1e-14 })
+  {
+    for (const double sign : { 1.0, -1.0 })
+    {
+      for (const Eigen::Vector3d& normal :
+        { Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(1, 1, 0), Eigen::Vector3d(0, 0, 1) })
+      {
+        const std::string message = rejection(depth * normal.normalized(), sign * normal);
+        EXPECT_TRUE(contains(message, "misses the surface or only touches it") &&
+                    contains(message, sign > 0.0 ? "be kept" : "be removed") &&
+                    contains(message, "; move the plane's origin into the surface") &&
+                    !contains(message, "turn"))
+          << message;
+      }
+    }
+  }
+  // The cut is an equilateral triangle with a circumference of 3 sqrt(6) depths.
+  const std::string message =
+    rejection(1e-13 * Eigen::Vector3d(1, 1, 1).normalized(), Eigen::Vector3d(1, 1, 1));
+  EXPECT_TRUE(contains(message, "only grazes the surface, along a curve of length 7.3")) << message;
+  const PlaneCutSurface cut = cutAtPlane(
+    corner, plane(turn * Eigen::Vector3d::Constant(1e-12), turn * Eigen::Vector3d(-1, -1, -1)));
+  EXPECT_GE(requireDisk(cut.Surface.Mesh).size(), 128u);
+}
+
 } // namespace

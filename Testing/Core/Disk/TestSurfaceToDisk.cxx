@@ -422,6 +422,81 @@ TEST(SurfaceToDisk, RemeshesBeforeItCuts)
     surfaceToDisk(sphere(4), options).Report.RemeshEdgeLength, 1.5 * meanEdgeLength(sphere(4)), 1e-12);
 }
 
+// The boundary of a plane or a label is there before remeshing, which makes its edges as long as others.
+TEST(SurfaceToDisk, ACutOfAnyKindHasTheVerticesAskedFor)
+{
+  const TriangleMesh closed = sphere(3);
+  SurfaceToDiskOptions options;
+  options.CountSelfIntersections = false;
+  options.Plane = { { 0.05, 0.1, 0.2 }, { 0.3, 0.1, 1.0 } };
+  options.Labelled.resize(closed.faceCount());
+  for (int f = 0; f < closed.faceCount(); ++f)
+  {
+    options.Labelled[f] = faceCorners(closed, f).col(2).mean() > 0.5;
+  }
+  for (const CutMode cut :
+    { CutMode::Hole, CutMode::Seam, CutMode::Relief, CutMode::Plane, CutMode::Label })
+  {
+    for (const bool remesh : { false, true })
+    {
+      for (const int wanted : { 128, 500 })
+      {
+        SCOPED_TRACE(std::to_string(static_cast<int>(cut)) + (remesh ? " remeshed " : " raw ") +
+                     std::to_string(wanted));
+        options.Cut = cut;
+        options.Remesh = remesh;
+        options.Hole.BoundaryVertices = wanted;
+        const DiskSurface disk = surfaceToDisk(closed, options);
+        EXPECT_EQ(disk.Report.ChosenCut, cut);
+        EXPECT_GE(disk.Report.BoundaryVertices, wanted);
+        EXPECT_LE(disk.Report.BoundaryVertices, 3 * wanted);
+        EXPECT_GT(disk.Report.SmallestAngle, 1.0);
+      }
+    }
+  }
+}
+
+// A strip of 1e-9 times 2 at the edge of a cube.
+TEST(SurfaceToDisk, AThinCutHasTheVerticesAskedFor)
+{
+  TriangleMesh cube = meshOf({ { 0, 0, 0 },
+                               { 2, 0, 0 },
+                               { 0, 2, 0 },
+                               { 2, 2, 0 },
+                               { 0, 0, 2 },
+                               { 2, 0, 2 },
+                               { 0, 2, 2 },
+                               { 2, 2, 2 } },
+    { { 0, 2, 3 },
+      { 0, 3, 1 },
+      { 4, 5, 7 },
+      { 4, 7, 6 },
+      { 0, 1, 5 },
+      { 0, 5, 4 },
+      { 2, 6, 7 },
+      { 2, 7, 3 },
+      { 0, 4, 6 },
+      { 0, 6, 2 },
+      { 1, 3, 7 },
+      { 1, 7, 5 } });
+  SurfaceToDiskOptions options;
+  options.Cut = CutMode::Plane;
+  options.Plane = { { 2.0, 2.0 - 1e-9, 0.0 }, { 1.0, 1.0, 0.0 } };
+  const DiskSurface disk = surfaceToDisk(cube, options);
+  EXPECT_GE(disk.Report.BoundaryVertices, 128);
+  EXPECT_NEAR(disk.Report.BoundaryLength, 4.0, 1e-5);
+}
+
+TEST(SurfaceToDisk, TooManyBoundaryVerticesAreNamed)
+{
+  const TriangleMesh closed = sphere(2);
+  SurfaceToDiskOptions options;
+  options.Cut = CutMode::Relief;
+  options.Hole.BoundaryVertices = 100000;
+  const std::string message = messageOf<InvalidInput>([&] { surfaceToDisk(closed, options); });
+  EXPECT_TRUE(contains(message, "a million new points: lower Minimum Boundary Vertices")) << message;
+}
+
 TEST(SurfaceToDisk, SlitsOfNonManifoldEdgesDoNotStay)
 {
   // Two spheres share an edge: an edge of one is moved onto an edge of the other.
