@@ -130,7 +130,7 @@ vtkImageData* vtkFlatMapImage::GetOutput()
 
 int vtkFlatMapImage::PixelsFor(double side) const
 {
-  if (this->PixelLength == 0.0)
+  if (!(this->PixelLength > 0.0))
   {
     return this->Size;
   }
