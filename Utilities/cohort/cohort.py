@@ -14,7 +14,6 @@ The exit status is 0 if all cases are finished, 1 if some failed, 2 if the run c
 import argparse
 import math
 import os
-import re
 import resource
 import sys
 import time
@@ -25,9 +24,17 @@ from case_process import flattened
 from case_records import CaseRecords, RunError
 from ranks import Ranks
 from run_lock import RunLock
+from surfaceflattening import vtkSurfaceToDiskFilter
 
-HOLE_AREAS = (1e-6, 0.5)  # the range of Surface To Disk, which takes the nearest value for one outside
 MOST = 1e9  # of seconds or megabytes of a limit: 30 years, and more than any machine has
+
+
+def is_negative(text):
+    """Whether an argument is a number with a minus sign."""
+    try:
+        return text.startswith("-") and math.isfinite(float(text))
+    except ValueError:
+        return False
 
 
 def finite(text):
@@ -37,7 +44,7 @@ def finite(text):
     except ValueError:
         value = math.nan
     if not math.isfinite(value):
-        raise argparse.ArgumentTypeError(f"{text!r} is not allowed: give a finite number")
+        raise argparse.ArgumentTypeError(f"{text.strip()!r} is not allowed: give a finite number")
     return value
 
 
@@ -46,7 +53,7 @@ def limit(text):
     value = finite(text)
     if not 0 < value <= MOST:
         raise argparse.ArgumentTypeError(
-            f"{text!r} is not allowed: give a number more than 0 and at most {MOST:g}, or leave the option out for no limit"
+            f"{text.strip()!r} is not allowed: give a number more than 0 and at most {MOST:g}, or leave the option out for no limit"
         )
     return value
 
@@ -54,9 +61,10 @@ def limit(text):
 def hole_area(text):
     """The share of the area that an argument is, for argparse."""
     value = finite(text)
-    least, most = HOLE_AREAS
+    disk = vtkSurfaceToDiskFilter()  # which would take the nearest value for one outside its range
+    least, most = disk.GetHoleAreaFractionMinValue(), disk.GetHoleAreaFractionMaxValue()
     if not least <= value <= most:
-        raise argparse.ArgumentTypeError(f"{text!r} is not allowed: give a share of the area from {least:g} to {most:g}")
+        raise argparse.ArgumentTypeError(f"{text.strip()!r} is not allowed: give a share of the area from {least:g} to {most:g}")
     return value
 
 
@@ -74,8 +82,6 @@ def parsed_arguments():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    # As newer Pythons have it. Older ones take -4e2 for an option, since they know no exponents.
-    parser._negative_number_matcher = re.compile(r"-\.?\d")
     parser.add_argument("files", nargs="*", help="surfaces (.vtk .vtp .ply .stl .obj) or volumes "
                         "(.nii .nii.gz .mha .mhd .nrrd .nhdr .vti)")
     parser.add_argument("--list", help="a text file with one file name per line, beside those given")
@@ -97,7 +103,8 @@ def parsed_arguments():
     parser.add_argument("--free-outline", action="store_true", help="a map that is not forced into a disk")
     parser.add_argument("--case-memory", type=limit, metavar="MB", help="of memory that a case may use")
     parser.add_argument("--case-time", type=limit, metavar="S", help="seconds after which a case is given up")
-    arguments = parser.parse_args()
+    # Older Pythons take -4e2 for an option, since they know no exponents, but not " -4e2".
+    arguments = parser.parse_args([" " + word if is_negative(word) else word for word in sys.argv[1:]])
     if arguments.list:
         try:
             arguments.files += listed_files(arguments.list)
