@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The volume of an InVesalius project (.inv3) as a Scan."""
 
+import errno
 import hashlib
 import os
 import plistlib
@@ -47,7 +48,10 @@ def metaimage_of_invesalius(path, folder):
     except ScanError:
         raise
     except Exception as error:  # damage shows in tarfile, in what unpacks, in plistlib and in what the list holds
-        reason = getattr(error, "strerror", None) or str(error) or type(error).__name__
+        # No permission, or no room on the disk; a damaged file may ask for a place that is an invalid argument.
+        if isinstance(error, OSError) and error.errno not in (None, errno.EINVAL):
+            raise ScanError(f"{error.filename or folder}: {error.strerror}") from None
+        reason = str(error) or type(error).__name__
         raise _damaged(path, reason.splitlines()[0].rstrip(":")) from None  # tarfile lists what it tried
 
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "MemoryLimit.h"
+
 #include <vtkDistortionMetrics.h>
 
 #include <vtkCellArray.h>
@@ -209,6 +211,31 @@ TEST(DistortionMetrics, LengthsAreMeasuredOnRequestOnly)
     5.0 * figure(metrics->GetOutput(), "StandardErrorGlobalLengthError"));
   EXPECT_EQ(metrics->GetSummary()->GetColumnByName("MeanLocalLengthError"), nullptr);
 }
+
+#ifdef FLATTENING_CAN_LIMIT_MEMORY
+// All lengths between 2601 points, on the map and within it, take more than 600 MB.
+TEST(DistortionMetrics, LengthsThatDoNotFitInMemoryAreAnError)
+{
+  vtkNew<vtkDistortionMetrics> metrics;
+  metrics->SetInputData(flattenedRectangle(50));
+  metrics->MeasureLengthsOn();
+  metrics->SetLengthSamples(VTK_INT_MAX);
+  vtkNew<vtkTest::ErrorObserver> errors;
+  metrics->AddObserver(vtkCommand::ErrorEvent, errors);
+  {
+    const flattening::testing::MemoryLimit limit(400000000);
+    metrics->Update();
+  }
+  EXPECT_EQ(metrics->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_NE(
+    errors->GetErrorMessage().find("measuring lengths from 2601 points takes "), std::string::npos)
+    << errors->GetErrorMessage();
+  EXPECT_NE(errors->GetErrorMessage().find("lower LengthSamples or LengthRadius"), std::string::npos);
+  metrics->SetLengthSamples(20);
+  metrics->Update();
+  EXPECT_GT(figure(metrics->GetOutput(), "MeanLocalLengthError"), 0.0);
+}
+#endif
 
 // Near the stretched end all lengths along x are three times too short, on the other end all are right.
 TEST(DistortionMetrics, LengthErrorsLieWhereTheMapIsStretched)

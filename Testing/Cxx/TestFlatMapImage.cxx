@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "AnalyticSurfaces.h"
 #include "FilterTest.h"
+#include "MemoryLimit.h"
 #include "PassedGrid.h"
 
 #include <vtkConformalDiskFilter.h>
@@ -19,11 +20,7 @@
 #include <vtkTransform.h>
 #include <vtkTransformPolyDataFilter.h>
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <cmath>
-#include <fstream>
 #include <set>
 
 namespace
@@ -285,28 +282,7 @@ TEST_F(FlatMapImage, ReportsWhatIsWrong)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 512 * 512);
 }
 
-#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-// The address space of the process, limited to what it has and so many bytes more.
-class MemoryLimit
-{
-public:
-  explicit MemoryLimit(rlim_t more)
-  {
-    getrlimit(RLIMIT_AS, &this->Before);
-    long pages = 0;
-    std::ifstream("/proc/self/statm") >> pages;
-    const rlimit limit{ static_cast<rlim_t>(pages * sysconf(_SC_PAGESIZE)) + more,
-      this->Before.rlim_max };
-    setrlimit(RLIMIT_AS, &limit);
-  }
-  MemoryLimit(const MemoryLimit&) = delete;
-  MemoryLimit& operator=(const MemoryLimit&) = delete;
-  ~MemoryLimit() { setrlimit(RLIMIT_AS, &this->Before); }
-
-private:
-  rlimit Before{};
-};
-
+#ifdef FLATTENING_CAN_LIMIT_MEMORY
 // 16384 x 16384 pixels take tens of gigabytes; VTK would end the program.
 TEST_F(FlatMapImage, AnImageThatDoesNotFitInMemoryIsAnError)
 {

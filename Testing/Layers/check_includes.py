@@ -3,14 +3,15 @@
 
     python3 check_includes.py <folder of Core>
 
-Prints each include that the table does not allow and each file that is in no folder; the exit status is 0 if there is
-none."""
+Prints each include that the table does not allow, each file that is in no folder, and each source file that is too
+long; the exit status is 0 if there is none."""
 import pathlib
 import re
 import sys
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 MOST_UNITS = 30  # a folder that one can take in at a glance
+MOST_LINES = 400  # of a source file
 
 
 def allowed_folders(readme):
@@ -48,6 +49,9 @@ def faults(core):
             yield f"{core / folder}: has {len(units)} units, more than {MOST_UNITS}"
         for path in files:
             yield from faults_of_file(path, core, allowed)
+            lines = path.read_text().count("\n")
+            if path.suffix == ".cxx" and lines > MOST_LINES:
+                yield f"{path}: has {lines} lines, more than {MOST_LINES}"
 
 
 def main():

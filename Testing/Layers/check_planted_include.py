@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plants forbidden includes into a copy of Filters/Core and expects check_includes.py to name each.
+"""Plants forbidden includes and too many lines into a copy of Filters/Core and expects check_includes.py to name each.
 
     python3 check_planted_include.py <folder of Core>"""
 import pathlib
@@ -14,6 +14,7 @@ PLANTED = (
     ("Conformal/ConformalDisk.cxx", '#include "Disk/SurfaceToDisk.h"\n', "does not let Conformal include Disk"),
     ("Disk/SurfaceToDisk.cxx", "#include <vtkPolyData.h>\n", "a header of VTK"),
     ("Base/Errors.h", '#include "../Mesh/TriangleMesh.h"\n', "does not begin at Core"),
+    ("Base/Memory.cxx", "\n" * check_includes.MOST_LINES, "lines, more than"),
 )
 
 
@@ -28,7 +29,7 @@ def main():
             found = list(check_includes.faults(core))
             path.write_text(original)
             if len(found) != 1 or expected not in found[0]:
-                sys.exit(f"{include.strip()} in {name}: expected '{expected}', found {found}")
+                sys.exit(f"{include.strip() or 'Lines'} in {name}: expected '{expected}', found {found}")
             print(found[0])
     return 0
 

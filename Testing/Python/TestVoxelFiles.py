@@ -235,6 +235,8 @@ with tempfile.TemporaryDirectory() as folder:
     values_of(headers[0], [])  # the other one lies beside it
     os.mkdir("folder.mha")
     assert "cannot be read" in refused("folder.mha")
+    os.mkdir("folder.inv3")
+    assert refused("folder.inv3") == "folder.inv3: Is a directory"
     assert read_scan(pathlib.Path("little.mha")).GetDimensions() == (5, 6, 7)
     for changes in ({"shape": 3}, {"shape": [7, 6]}, {"shape": [7, 6, "x"]}, {"dtype": []}, {"filename": "project"}):
         VolumeFiles.write_invesalius("odd.inv3", VALUES, (2.0, 1.0, 1.0), **changes)

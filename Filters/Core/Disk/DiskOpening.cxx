@@ -9,6 +9,7 @@
 #include "Disk/ReliefCut.h"
 #include "Disk/ReliefPlacement.h"
 #include "Disk/SeamAngles.h"
+#include "Disk/SeamFlags.h"
 #include "Disk/SeamPlacement.h"
 #include "Disk/SeamSegments.h"
 #include "Disk/TubeSeam.h"
@@ -53,30 +54,6 @@ double boundaryLength(const TriangleMesh& mesh)
     length += loopLength(mesh.Vertices, loop);
   }
   return length;
-}
-
-// Flags of vertices that are made of others: whether all, or any, of these are flagged.
-std::vector<char> flagsOf(const VertexOrigins& origins, const std::vector<char>& flags, bool all)
-{
-  std::vector<char> result(origins.rows(), all);
-  for (int v = 0; v < origins.rows(); ++v)
-  {
-    for (VertexOrigins::InnerIterator origin(origins, v); origin; ++origin)
-    {
-      result[v] = all ? result[v] && flags[origin.col()] : result[v] || flags[origin.col()];
-    }
-  }
-  return result;
-}
-
-int countOnSeam(const std::vector<char>& flags, const CutSurface& cut)
-{
-  int count = 0;
-  for (std::size_t v = 0; v < flags.size(); ++v)
-  {
-    count += flags[v] && cut.OnSeam[v] ? 1 : 0;
-  }
-  return count;
 }
 
 // @throws InvalidInput if the seam that is to open a closed surface has only a few edges.

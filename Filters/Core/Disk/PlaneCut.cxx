@@ -53,7 +53,7 @@ std::vector<double> heightsOver(const CuttingPlane& plane, const Points3& points
 void requireBothSides(const std::vector<double>& heights, double rounding)
 {
   const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-  if (*low<-rounding&& * high> rounding)
+  if (std::min(-*low, *high) > rounding)
   {
     return;
   }

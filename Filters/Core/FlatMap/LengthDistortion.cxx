@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FlatMap/LengthDistortion.h"
 
+#include "Base/Memory.h"
 #include "FlatMap/LengthSources.h"
 #include "FlatMap/MapPaths.h"
 #include "Geodesics/GeodesicSearch.h"
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +34,14 @@ constexpr int Rings = 7;
 // A source of global lengths takes about forty times as long as one of local lengths, so this share of
 // the sources must do. Lengths over the whole surface vary less from source to source.
 constexpr int SamplesPerGlobalSample = 20;
+
+// Bytes of a pair of points: its ratio and weight in one kind of lengths, in a copy of them, and in a
+// list of them that is sorted.
+constexpr double BytesPerPair = 3 * 2 * sizeof(double);
+
+// So many sources tell how much memory all sources take. They are spread over the surface, and their
+// mean is right to a tenth or so.
+constexpr std::size_t FirstSources = 32;
 
 // The share of local lengths in the progress.
 constexpr double LocalShare = 0.3;
@@ -73,6 +83,30 @@ struct LocalLengths
   SourceLengths Rings;
 };
 
+std::vector<std::size_t> numbersBelow(std::size_t count)
+{
+  std::vector<std::size_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+// @throws InvalidInput if there is not as much memory as the lengths of all sources take.
+// @param share  of the sources, whose lengths are known
+void requireMemoryOfPairs(const std::vector<LocalLengths>& known, double share)
+{
+  const double pairs = std::accumulate(known.begin(),
+    known.end(),
+    0.0,
+    [](double sum, const LocalLengths& lengths)
+    {
+      return sum + static_cast<double>(lengths.Local.Ratios.size() + lengths.WithinMap.Ratios.size() +
+                                       lengths.Rings.Ratios.size());
+    });
+  requireMemory("measuring lengths from " + std::to_string(known.size()) + " points",
+    BytesPerPair * pairs / share,
+    "lower LengthSamples or LengthRadius");
+}
+
 class LengthMeasurement
 {
 public:
@@ -103,11 +137,19 @@ public:
     const ProgressCallback& progress)
   {
     std::vector<LocalLengths> lengths(sources.size());
-    this->forEachSource(sources,
-      SourceTask([&](std::size_t i, Searches& searches, const GeodesicSearch::Checkpoint& check)
-        { lengths[i] = this->localLengthsOf(sources[i], radius, searches, check); }),
-      LocalStage,
-      progress);
+    const SourceTask task([&](std::size_t i, Searches& searches, const GeodesicSearch::Checkpoint& check)
+      { lengths[i] = this->localLengthsOf(sources[i], radius, searches, check); });
+    // A few of the sources come first and tell how much memory all of them take.
+    const std::size_t step = std::max<std::size_t>(1, sources.size() / FirstSources);
+    std::vector<std::size_t> order = numbersBelow(sources.size());
+    const auto rest =
+      std::stable_partition(order.begin(), order.end(), [step](std::size_t i) { return i % step == 0; });
+    const std::vector<std::size_t> first(order.begin(), rest);
+    order.erase(order.begin(), rest);
+    const double share = static_cast<double>(first.size()) / static_cast<double>(sources.size());
+    this->forEachSource(first, task, LocalStage, subrange(progress, 0.0, share));
+    requireMemoryOfPairs(lengths, share);
+    this->forEachSource(order, task, LocalStage, subrange(progress, share, 1.0));
     return lengths;
   }
 
@@ -115,7 +157,7 @@ public:
     const ProgressCallback& progress)
   {
     std::vector<SourceLengths> lengths(sources.size());
-    this->forEachSource(sources,
+    this->forEachSource(numbersBelow(sources.size()),
       SourceTask(
         [&](std::size_t i, Searches& searches, const GeodesicSearch::Checkpoint& check)
         {
@@ -134,7 +176,7 @@ public:
 private:
   using SourceTask = std::function<void(std::size_t, Searches&, const GeodesicSearch::Checkpoint&)>;
 
-  void forEachSource(const std::vector<int>& sources,
+  void forEachSource(const std::vector<std::size_t>& sources,
     const SourceTask& task,
     const char* stage,
     const ProgressCallback& progress)
@@ -145,7 +187,7 @@ private:
       sources.size(),
       [&](std::size_t i)
       {
-        task(i, this->SearchesOfThreads.local(), [&state] { state.check(); });
+        task(sources[i], this->SearchesOfThreads.local(), [&state] { state.check(); });
         state.finishOne();
       },
       tbb::simple_partitioner());

@@ -23,81 +23,7 @@ constexpr double NarrowestWindow = 1e-12;
 // buckets were sorted, half a brain would take 1.75 times as long.
 constexpr int HalfedgesPerUnsortedWindow = 4;
 
-// Without the care of std::hypot for extreme numbers, which takes most of the time.
-double norm(double x, double y)
-{
-  return std::sqrt(x * x + y * y);
-}
-
 } // namespace
-
-double GeodesicSearch::Window::distanceAt(double position) const
-{
-  return this->Before + norm(position - this->X, this->Y);
-}
-
-double GeodesicSearch::Window::nearest() const
-{
-  return this->distanceAt(std::clamp(this->X, this->Begin, this->End));
-}
-
-bool GeodesicSearch::Bucket::isPlaceNext() const
-{
-  return !this->Places.empty() && (!this->IsSorted || this->Windows.empty() ||
-                                    this->Places.front().Distance <= this->Windows.front().Nearest);
-}
-
-GeodesicSearch::PlaceEvent GeodesicSearch::Bucket::takePlace()
-{
-  std::pop_heap(this->Places.begin(), this->Places.end());
-  const PlaceEvent place = this->Places.back();
-  this->Places.pop_back();
-  return place;
-}
-
-GeodesicSearch::Window GeodesicSearch::Bucket::takeWindow()
-{
-  if (!this->IsSorted)
-  {
-    return this->Windows[this->NextWindow++];
-  }
-  std::pop_heap(this->Windows.begin(), this->Windows.end());
-  const Window window = this->Windows.back();
-  this->Windows.pop_back();
-  return window;
-}
-
-void GeodesicSearch::Bucket::add(const PlaceEvent& place)
-{
-  this->Places.push_back(place);
-  std::push_heap(this->Places.begin(), this->Places.end());
-}
-
-void GeodesicSearch::Bucket::add(const Window& window)
-{
-  this->Windows.push_back(window);
-  if (this->IsSorted)
-  {
-    std::push_heap(this->Windows.begin(), this->Windows.end());
-  }
-}
-
-void GeodesicSearch::Bucket::sort()
-{
-  this->Windows.erase(
-    this->Windows.begin(), this->Windows.begin() + static_cast<std::ptrdiff_t>(this->NextWindow));
-  this->NextWindow = 0;
-  this->IsSorted = true;
-  std::make_heap(this->Windows.begin(), this->Windows.end());
-}
-
-void GeodesicSearch::Bucket::clear()
-{
-  this->Places.clear();
-  this->Windows.clear();
-  this->NextWindow = 0;
-  this->IsSorted = false;
-}
 
 GeodesicSearch::GeodesicSearch(const UnfoldableFaces& faces, Paths paths)
   : Faces(faces)
@@ -153,7 +79,7 @@ void GeodesicSearch::start(int source, double limit)
   {
     this->Views[h].Distance = Infinite;
   }
-  for (Bucket& bucket : this->Buckets)
+  for (WindowBucket& bucket : this->Buckets)
   {
     bucket.clear();
   }
@@ -176,7 +102,7 @@ bool GeodesicSearch::advance(const Checkpoint& checkpoint)
     checkpoint();
   }
   // The references do not outlive a call that may add buckets.
-  const auto bucket = [this]() -> Bucket& { return this->Buckets[this->Current]; };
+  const auto bucket = [this]() -> WindowBucket& { return this->Buckets[this->Current]; };
   int windows = 0;
   while (!bucket().isEmpty())
   {
@@ -263,7 +189,7 @@ void GeodesicSearch::enterFace(const Window& window)
   const double crossing = window.X - (side.ApexX - window.X) * window.Y / height;
   // The path to the apex bends at an end of the window if the apex is out of its sight.
   const double nearest = std::clamp(crossing, window.Begin, window.End);
-  const double distance = window.distanceAt(nearest) + norm(side.ApexX - nearest, side.ApexY);
+  const double distance = window.distanceAt(nearest) + planarNorm(side.ApexX - nearest, side.ApexY);
   this->lower(this->Faces.Origin[previousHalfedge(h)],
     distance,
     { window.Origin, window.Trail, nearest, window.X, window.Y });
@@ -326,7 +252,7 @@ void GeodesicSearch::pushLeft(const Window& window, double begin, double end)
     return;
   }
   const PlanarSide& side = this->Faces.Sides[window.Halfedge];
-  const double apex = norm(side.ApexX, side.ApexY);
+  const double apex = planarNorm(side.ApexX, side.ApexY);
   const double x = side.ApexX / apex;
   const double y = side.ApexY / apex;
   // How far along the side the straight line leaves that crosses the half-edge at @p position.
@@ -347,7 +273,7 @@ void GeodesicSearch::pushLeft(const Window& window, double begin, double end)
     window.Earlier };
   // A path from the far end of the half-edge that meets all lines of the window.
   const int far = this->Faces.Origin[nextHalfedge(window.Halfedge)];
-  const double aside = norm(next.Begin * x - side.Length, next.Begin * y);
+  const double aside = planarNorm(next.Begin * x - side.Length, next.Begin * y);
   if (this->Distances[far] + aside > next.distanceAt(next.Begin))
   {
     this->push(next);
@@ -366,7 +292,7 @@ void GeodesicSearch::pushRight(const Window& window, double begin, double end)
   }
   const PlanarSide& side = this->Faces.Sides[window.Halfedge];
   // The direction from the apex to the half-edge's end.
-  const double apex = norm(side.Length - side.ApexX, side.ApexY);
+  const double apex = planarNorm(side.Length - side.ApexX, side.ApexY);
   const double x = (side.Length - side.ApexX) / apex;
   const double y = -side.ApexY / apex;
   const auto leavesAt = [&](double position)
@@ -387,7 +313,7 @@ void GeodesicSearch::pushRight(const Window& window, double begin, double end)
     window.Passed,
     window.Earlier };
   const int far = this->Faces.Origin[window.Halfedge];
-  const double aside = norm(side.ApexX + next.End * x, side.ApexY + next.End * y);
+  const double aside = planarNorm(side.ApexX + next.End * x, side.ApexY + next.End * y);
   if (this->Distances[far] + aside > next.distanceAt(next.End))
   {
     this->push(next);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Geodesics/UnfoldableFaces.h"
+#include "Geodesics/WindowBucket.h"
 
 #include <functional>
 #include <utility>
@@ -66,27 +67,8 @@ public:
   std::vector<PathCrossing> pathFrom(int target) const;
 
 private:
-  // The interval of a half-edge that straight lines from one point reach before they enter its face.
-  // The point lies below the half-edge in the plane of the face (see PlanarSide).
-  struct Window
-  {
-    int Halfedge;
-    double Begin; // along the half-edge
-    double End;
-    double X; // of the point
-    double Y;
-    double Before;        // distance of the point from the source
-    int Origin;           // the place that the point is an image of
-    int Trail;            // of the half-edges before this one, until push(); then with this one
-    int Passed = 0;       // how many half-edges its lines cross
-    int Earlier = -1;     // one of them: the last whose number was a power of 2
-    double Nearest = 0.0; // the least of its distances, from push() on
+  using Window = GeodesicWindow;
 
-    bool operator<(const Window& other) const { return other.Nearest < this->Nearest; }
-
-    double distanceAt(double position) const;
-    double nearest() const;
-  };
   // A half-edge that the lines of a window cross, and the number of the trail of those before; -1 if
   // there are none.
   struct Trail
@@ -103,34 +85,6 @@ private:
     double Position = 0.0; // where it crosses the last one
     double X = 0.0;        // of the image of the place before, in the plane of the last half-edge's face
     double Y = 0.0;
-  };
-  struct PlaceEvent
-  {
-    int Place;
-    double Distance;
-
-    bool operator<(const PlaceEvent& other) const { return other.Distance < this->Distance; }
-  };
-  // A bucket holds windows and places that are processed together: their distances differ by less than
-  // its width. Of the places the nearest comes first, and then of the windows the oldest, which is
-  // quick. But where a whole region of small faces lies in one bucket, it is spread over again and
-  // again, for ever shorter paths. There the nearest window or place comes first, once the bucket is
-  // sorted.
-  struct Bucket
-  {
-    bool isEmpty() const { return this->Places.empty() && this->NextWindow == this->Windows.size(); }
-    bool isPlaceNext() const;
-    PlaceEvent takePlace();
-    Window takeWindow();
-    void add(const PlaceEvent& place);
-    void add(const Window& window);
-    void sort();
-    void clear();
-
-    std::vector<PlaceEvent> Places; // a heap
-    std::vector<Window> Windows;    // a heap if the bucket is sorted
-    std::size_t NextWindow = 0;     // 0 if it is sorted
-    bool IsSorted = false;
   };
   // The best window so far that saw the apex of a half-edge's face.
   struct ApexView
@@ -158,7 +112,7 @@ private:
   double Width; // of a bucket
   double Limit = 0.0;
   std::size_t Current = 0;
-  std::vector<Bucket> Buckets;
+  std::vector<WindowBucket> Buckets;
   std::vector<double> Distances; // of the places; infinite where not reached
   std::vector<Arrival> Arrivals; // at the places that are reached
   std::vector<int> ReachedPlaces;

@@ -22,8 +22,8 @@ double cross(const Vector2d& a, const Vector2d& b)
   return a.x() * b.y() - a.y() * b.x();
 }
 
-// A straight line at a half-edge that it meets, and the point to which the line goes, in the plane of the
-// half-edge.
+// A straight line at a half-edge that it meets, and the point to which the line goes, in the plane of
+// the half-edge.
 struct LineAtHalfedge
 {
   int Halfedge;

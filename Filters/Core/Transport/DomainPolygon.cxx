@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <list>
 #include <string>
 #include <vector>
 
@@ -44,32 +46,35 @@ void requireCoordinates(const Points2& outline, double size)
 // The points without those at which the outline goes straight on.
 std::vector<Eigen::Vector2d> cornersOf(const Points2& outline, double size)
 {
-  std::vector<Eigen::Vector2d> corners(outline.rows());
+  std::list<Eigen::Vector2d> corners; // of which any can be taken out in no time
   for (Eigen::Index k = 0; k < outline.rows(); ++k)
   {
-    corners[k] = outline.row(k);
+    corners.emplace_back(outline.row(k));
   }
-  const auto isNone = [&](std::size_t k)
+  using Corner = std::list<Eigen::Vector2d>::iterator;
+  const auto isNone = [&](Corner corner)
   {
-    const Eigen::Vector2d before = corners[k] - corners[(k + corners.size() - 1) % corners.size()];
-    const Eigen::Vector2d after = corners[(k + 1) % corners.size()] - corners[k];
+    const Corner next = std::next(corner);
+    const Eigen::Vector2d before =
+      *corner - *std::prev(corner == corners.begin() ? corners.end() : corner);
+    const Eigen::Vector2d after = *(next == corners.end() ? corners.begin() : next) - *corner;
     return before.norm() <= OnTheLine * size ||
            (before.dot(after) > 0.0 &&
              std::abs(cross(before, after)) <= OnTheLine * before.norm() * after.norm());
   };
-  for (std::size_t k = 0; k < corners.size() && corners.size() > 1;)
+  for (Corner corner = corners.begin(); corner != corners.end() && corners.size() > 1;)
   {
-    if (isNone(k))
+    if (isNone(corner))
     {
-      corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(k));
-      k = k > 0 ? k - 1 : 0;
+      corner = corners.erase(corner);
+      corner = corner == corners.begin() ? corner : std::prev(corner);
     }
     else
     {
-      ++k;
+      ++corner;
     }
   }
-  return corners;
+  return { corners.begin(), corners.end() };
 }
 
 ConvexPolygon convexPolygon(const Points2& corners, const std::string& remedy)
