@@ -109,11 +109,15 @@ void visitIntersectingPairs(const std::vector<PlacedTriangle>& triangles,
   std::vector<const Box*> pointers; // sorted instead of the boxes themselves: half the time
   boxes.reserve(triangles.size());
   pointers.reserve(triangles.size());
-  for (const PlacedTriangle& triangle : triangles)
+  for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    Eigen::AlignedBox3d box = triangle.box();
-    boxes.emplace_back(box.min().data(), box.max().data(), static_cast<int>(boxes.size()));
-    pointers.push_back(&boxes.back());
+    const auto& [a, b, c] = triangles[i].Vertices;
+    if (a != b && b != c && c != a)
+    {
+      Eigen::AlignedBox3d box = triangles[i].box();
+      boxes.emplace_back(box.min().data(), box.max().data(), static_cast<int>(i));
+      pointers.push_back(&boxes.back());
+    }
   }
   int calls = 0; // of the calling thread
   const std::thread::id caller = std::this_thread::get_id();

@@ -31,10 +31,12 @@ struct PlacedTriangle
 };
 
 /// Whether two triangles have a point in common beside the vertices and the edge that they share by
-/// index. Two triangles with the same three vertices have. Exact predicates decide.
+/// index. Two triangles with the same three vertices have. Exact predicates decide. Precondition: no
+/// triangle has a vertex twice.
 bool intersect(const PlacedTriangle& a, const PlacedTriangle& b);
 
-/// Pairs of indices (i < j, sorted) of the triangles that intersect.
+/// Pairs of indices (i < j, sorted) of the triangles that intersect. A triangle that has a vertex twice
+/// intersects nothing.
 std::vector<std::pair<int, int>> intersectingPairs(const std::vector<PlacedTriangle>& triangles,
   const ProgressCallback& progress = {});
 
@@ -49,7 +51,8 @@ std::optional<std::vector<std::pair<int, int>>> fewOverlappingBoxes(
   std::size_t most);
 
 /// The number of pairs of faces that intersect, the ones that CGAL's self_intersections finds. They are
-/// not kept: ten thousand faces can have fifty million. Precondition: no face is without area.
+/// not kept: ten thousand faces can have fifty million. A face that has a vertex twice intersects nothing.
+/// Precondition: no other face is without area.
 std::size_t countSelfIntersections(const TriangleMesh& mesh, const ProgressCallback& progress = {});
 
 /// For each group of faces of @p mesh the number of pairs of a face in it and any other face of the mesh

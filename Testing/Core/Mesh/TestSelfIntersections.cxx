@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesh/SelfIntersections.h"
+#include "Support/SampleSurfaces.h"
+
+namespace
+{
+
+using namespace flattening;
+using namespace flattening::samples;
+
+// Triangles around one edge: beside it, folded onto the first, through the first, and far away.
+TEST(SelfIntersections, CountsPairsThatShareMoreThanTheirCorners)
+{
+  const TriangleMesh mesh = meshOf({ { 0, 0, 0 },
+                                     { 1, 0, 0 },
+                                     { 0, 1, 0 },
+                                     { 0, -1, 0 },
+                                     { 1, 1, 0 },
+                                     { 0.2, 0.2, -1 },
+                                     { 0.3, 0.2, 1 },
+                                     { 0.2, 0.3, 1 } },
+    { { 0, 1, 2 }, { 1, 0, 3 } });
+  EXPECT_EQ(countSelfIntersections(mesh), 0u);
+  TriangleMesh folded = mesh;
+  folded.Faces.row(1) << 1, 0, 4;
+  EXPECT_EQ(countSelfIntersections(folded), 1u);
+  TriangleMesh pierced = mesh;
+  pierced.Faces.conservativeResize(3, 3);
+  pierced.Faces.row(2) << 5, 6, 7;
+  EXPECT_EQ(countSelfIntersections(pierced), 1u);
+}
+
+// Joined corners leave such a face on both banks of a seam whose points are too close together for their
+// coordinates to tell them apart.
+TEST(SelfIntersections, AFaceThatHasAVertexTwiceIntersectsNothing)
+{
+  TriangleMesh mesh = sphere(2);
+  const int faces = mesh.faceCount();
+  mesh.Faces.conservativeResize(3 * faces, 3);
+  for (int f = 0; f < faces; ++f)
+  {
+    const Eigen::RowVector3i face = mesh.Faces.row(f);
+    mesh.Faces.row(faces + f) << face[0], face[1], face[0];
+    mesh.Faces.row(2 * faces + f) << face[2], face[2], face[1];
+  }
+  EXPECT_EQ(countSelfIntersections(mesh), 0u);
+}
+
+} // namespace
