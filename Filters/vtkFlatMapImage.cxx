@@ -150,16 +150,12 @@ int vtkFlatMapImage::RequestInformation(vtkInformation* vtkNotUsed(request),
   vtkInformationVector* outputVector)
 {
   flattening::updateInput(this, 0);
-  vtkPolyData* map = vtkPolyData::GetData(inputVector[0]);
-  if (map && !flattening::isEmpty(map))
+  if (vtkPolyData* map = vtkPolyData::GetData(inputVector[0])) // not composite
   {
-    flattening::announceGrid(outputVector->GetInformationObject(0),
-      [&]
-      {
-        const flattening::TextureSquare square =
-          flattening::textureSquare(flattening::toPlanarPositions(map));
-        return flattening::gridOver(square, this->PixelsFor(square.Side));
-      });
+    flattening::announceGridOver(map,
+      outputVector->GetInformationObject(0),
+      [this](const flattening::TextureSquare& square)
+      { return flattening::gridOver(square, this->PixelsFor(square.Side)); });
   }
   return 1;
 }

@@ -123,17 +123,17 @@ int vtkFlatMapSlab::RequestInformation(vtkInformation* vtkNotUsed(request),
   if (this->StackSize > 1)
   {
     flattening::updateInput(this, 0);
-    vtkPolyData* map = vtkPolyData::GetData(inputVector[0]);
-    if (map && !flattening::isEmpty(map))
-    {
-      flattening::announceGrid(outputVector->GetInformationObject(1),
-        [&]
-        {
-          const flattening::TextureSquare square =
-            flattening::textureSquare(flattening::toPlanarPositions(map));
-          return flattening::stackGrid(flattening::gridOver(square, this->StackSize), this->Depths);
-        });
-    }
+  }
+  if (vtkPolyData* map = vtkPolyData::GetData(inputVector[0])) // not composite
+  {
+    flattening::announceGridOver(map,
+      outputVector->GetInformationObject(1),
+      [this](const flattening::TextureSquare& square)
+      {
+        return this->StackSize > 1
+                 ? flattening::stackGrid(flattening::gridOver(square, this->StackSize), this->Depths)
+                 : flattening::NoImage;
+      });
   }
   return 1;
 }

@@ -28,7 +28,7 @@ namespace
 using flattening::InvalidInput;
 using flattening::TriangleMesh;
 
-// Those of an earlier filter.
+// Removes the regions that an earlier filter has found.
 void removeRegions(vtkPolyData* output)
 {
   output->GetPointData()->RemoveArray("SaliencyRegion");

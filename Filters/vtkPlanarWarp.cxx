@@ -87,11 +87,15 @@ int vtkPlanarWarp::RequestInformation(vtkInformation* vtkNotUsed(request),
   flattening::updateInput(this, 1);
   vtkPolyData* flat = vtkPolyData::GetData(inputVector[0]);
   vtkImageData* image = vtkImageData::GetData(inputVector[1]);
-  if (flat && image && !flattening::isEmpty(flat) && !flattening::isEmpty(image))
+  if (flat && image) // not composite
   {
     flattening::announceGrid(outputVector->GetInformationObject(0),
       [&]
       {
+        if (flattening::isEmpty(flat) || flattening::isEmpty(image))
+        {
+          return flattening::NoImage;
+        }
         return flattening::resampledGrid(image,
           flat,
           this->OutsidePoints == LEAVE_UNMOVED,

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Internal/ImageGrid.h"
 
+#include "Internal/PolyDataConversion.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkDataObject.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
+#include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <exception>
@@ -47,7 +50,7 @@ void updateInput(vtkAlgorithm* filter, int port)
 
 void announceGrid(vtkInformation* output, const std::function<ImageGrid()>& grid)
 {
-  ImageGrid announced{ { 0, 0, 0 }, { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 } };
+  ImageGrid announced = NoImage;
   try
   {
     announced = grid();
@@ -60,6 +63,14 @@ void announceGrid(vtkInformation* output, const std::function<ImageGrid()>& grid
     vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), 0, size[0] - 1, 0, size[1] - 1, 0, size[2] - 1);
   output->Set(vtkDataObject::ORIGIN(), announced.Origin, 3);
   output->Set(vtkDataObject::SPACING(), announced.Spacing, 3);
+}
+
+void announceGridOver(vtkPolyData* map,
+  vtkInformation* output,
+  const std::function<ImageGrid(const TextureSquare&)>& grid)
+{
+  announceGrid(
+    output, [&] { return isEmpty(map) ? NoImage : grid(textureSquare(toPlanarPositions(map))); });
 }
 
 } // namespace flattening

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Where the pixels of an image lie. Image filters ask for it before the image is made.
+/// The grid of an image, which tells where its pixels lie. Image filters ask for the grid before the
+/// image is made.
 #pragma once
 
 #include "Internal/TextureCoordinates.h"
@@ -9,6 +10,7 @@
 class vtkAlgorithm;
 class vtkImageData;
 class vtkInformation;
+class vtkPolyData;
 
 namespace flattening
 {
@@ -19,6 +21,8 @@ struct ImageGrid
   double Origin[3];  ///< centre of the first pixel
   double Spacing[3]; ///< distance of neighbouring pixels along each axis
 };
+
+constexpr ImageGrid NoImage{ { 0, 0, 0 }, { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 } };
 
 /// The grid of @p size x @p size pixels that cover the square around a map; the length of a pixel is the
 /// spacing along z, too.
@@ -37,5 +41,10 @@ void updateInput(vtkAlgorithm* filter, int port);
 /// @param grid makes the grid. Where it throws, an empty image is announced, as the execution will
 /// report the same error.
 void announceGrid(vtkInformation* output, const std::function<ImageGrid()>& grid);
+
+/// The same for an image over the square around a flat map; no image if the map is empty.
+void announceGridOver(vtkPolyData* map,
+  vtkInformation* output,
+  const std::function<ImageGrid(const TextureSquare&)>& grid);
 
 } // namespace flattening

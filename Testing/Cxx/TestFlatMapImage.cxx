@@ -253,6 +253,16 @@ TEST_F(FlatMapImage, EmptyInputGivesAnEmptyImage)
   filter->SetInputData(vtkNew<vtkPolyData>());
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  filter->SetInputData(Map);
+  filter->Update();
+  EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
+  filter->SetInputData(vtkNew<vtkPolyData>()); // the extent of the map before is no longer announced
+  filter->UpdateInformation();
+  int extent[6];
+  filter->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  EXPECT_LT(extent[1], extent[0]);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_TRUE(errors.messages().empty());
 }
 

@@ -8,7 +8,8 @@ namespace
 using namespace flattening;
 using namespace flattening::samples;
 
-// Triangles around one edge: beside it, folded onto the first, through the first, and far away.
+// Two triangles with a common edge that lie beside each other, two that are folded onto each other, and
+// one that goes through another.
 TEST(SelfIntersections, CountsPairsThatShareMoreThanTheirCorners)
 {
   const TriangleMesh mesh = meshOf({ { 0, 0, 0 },
