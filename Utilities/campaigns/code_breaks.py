@@ -211,6 +211,11 @@ BREAKS = [
         "surface.squaredLength(side) <= 4.0 * limit",
     ),
     at(
+        "Remeshing/LongestEdgeBisection.cxx",
+        "surface.squaredLength(side) > limit",
+        "surface.squaredLength(side) > 4.0 * limit",
+    ),
+    at(
         "Remeshing/RegionPreservingDecimation.cxx",
         "keep[f.idx()]",
         "false",

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <limits>
 #include <sstream>
 
 namespace flattening
@@ -94,12 +93,49 @@ void requireResolvable(const EditableSurface& surface,
   }
 }
 
-// Bisects the faces as bisectLongEdges does. Returns false, with some of them bisected, if that makes
-// more than a number of faces.
-bool bisect(EditableSurface& surface,
-  const std::vector<Face>& faces,
-  double longestEdge,
-  std::size_t mostFaces)
+// The faces with a vertex on the boundary loop of a border half-edge.
+std::vector<Face> facesAround(const SurfaceMesh& mesh, Halfedge border)
+{
+  std::vector<Face> faces;
+  for (const Halfedge along : mesh.halfedges_around_face(border))
+  {
+    for (const Face face : mesh.faces_around_target(along))
+    {
+      if (face != SurfaceMesh::null_face())
+      {
+        faces.push_back(face);
+      }
+    }
+  }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+// Bisects the faces with a vertex on a boundary loop until none of them has an edge longer than a limit.
+// The parts of a face that do not touch the loop stay as large as they are.
+void bisectAlongBoundary(EditableSurface& surface, Halfedge border, double longestEdge)
+{
+  const double limit = squaredLimit(longestEdge);
+  bool isDone = false;
+  while (!isDone) // every split halves an edge longer than the limit
+  {
+    isDone = true;
+    for (const Face face : facesAround(surface.mesh(), border))
+    {
+      const Halfedge side = longestSide(surface, face);
+      if (surface.squaredLength(side) > limit)
+      {
+        surface.splitEdge(endOfPropagation(surface, side), 0.5);
+        isDone = false;
+      }
+    }
+  }
+}
+
+} // namespace
+
+void bisectLongEdges(EditableSurface& surface, const std::vector<Face>& faces, double longestEdge)
 {
   SurfaceMesh& mesh = surface.mesh();
   requireResolvable(surface, faces, longestEdge);
@@ -119,10 +155,6 @@ bool bisect(EditableSurface& surface,
       queue.pop_front();
       continue;
     }
-    if (mesh.num_faces() >= mostFaces)
-    {
-      return false;
-    }
     const auto split = surface.splitEdge(endOfPropagation(surface, side), 0.5);
     wanted.resize(mesh.num_faces(), 0);
     for (const auto& [half, rest] : split.Halves)
@@ -134,57 +166,6 @@ bool bisect(EditableSurface& surface,
       }
     }
   }
-  return true;
-}
-
-// The half-edges along a boundary loop that belong to faces.
-std::vector<Halfedge> innerSides(const SurfaceMesh& mesh, const std::vector<int>& loop)
-{
-  std::vector<Halfedge> sides;
-  for (std::size_t i = 0; i < loop.size(); ++i)
-  {
-    const SurfaceMesh::Vertex_index from(loop[i]);
-    const SurfaceMesh::Vertex_index to(loop[(i + 1) % loop.size()]);
-    sides.push_back(mesh.halfedge(from, to));
-  }
-  return sides;
-}
-
-std::vector<Face> facesAt(const SurfaceMesh& mesh, const std::vector<Halfedge>& sides)
-{
-  std::vector<Face> faces;
-  for (const Halfedge side : sides)
-  {
-    faces.push_back(mesh.face(side));
-  }
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  return faces;
-}
-
-// Halves each of the edges until no part is longer than a limit: less than twice as many parts as the
-// limit fits into the edge, and one.
-void halveEdges(EditableSurface& surface, std::vector<Halfedge> edges, double longestEdge)
-{
-  while (!edges.empty())
-  {
-    const Halfedge edge = edges.back(); // after a split the second half of the edge
-    if (surface.squaredLength(edge) <= squaredLimit(longestEdge))
-    {
-      edges.pop_back();
-      continue;
-    }
-    const EditableSurface::Vertex source = surface.mesh().source(edge);
-    const EditableSurface::Vertex middle = surface.splitEdge(edge, 0.5).Middle;
-    edges.push_back(surface.mesh().halfedge(source, middle));
-  }
-}
-
-} // namespace
-
-void bisectLongEdges(EditableSurface& surface, const std::vector<Face>& faces, double longestEdge)
-{
-  bisect(surface, faces, longestEdge, std::numeric_limits<std::size_t>::max());
 }
 
 double halveLongEdges(EditableSurface& surface, const std::vector<Face>& faces, double wanted)
@@ -212,21 +193,14 @@ DerivedMesh refineBoundary(const TriangleMesh& mesh, int minimumVertices)
     return derivedFromItself(mesh);
   }
 
-  // A disk in the plane has 0.18 n^2 equilateral triangles with n of them along its boundary, and
-  // bisection makes up to four times as many. More come from faces that reach far from the boundary: on
-  // a tube that is closed at one end, of 42 faces as long as the tube, 95,000 for 64 vertices.
-  const std::size_t mostNewFaces = static_cast<std::size_t>(minimumVertices) * minimumVertices;
   // Edges no longer than the mean edge of a boundary with just `minimumVertices` vertices.
   const double edge = loopLength(mesh.Vertices, *longest) / minimumVertices;
   EditableSurface surface(mesh);
-  const std::vector<Halfedge> sides = innerSides(surface.mesh(), *longest);
-  if (bisect(surface, facesAt(surface.mesh(), sides), edge, mesh.faceCount() + mostNewFaces))
-  {
-    return surface.derived();
-  }
-  EditableSurface again(mesh); // has the same half-edges as the first had
-  halveEdges(again, sides, edge);
-  return again.derived();
+  const Halfedge border = surface.mesh().opposite(surface.mesh().halfedge(
+    SurfaceMesh::Vertex_index((*longest)[0]), SurfaceMesh::Vertex_index((*longest)[1])));
+  requireResolvable(surface, facesAround(surface.mesh(), border), edge);
+  bisectAlongBoundary(surface, border, edge);
+  return surface.derived();
 }
 
 } // namespace flattening

@@ -30,11 +30,11 @@ double halveLongEdges(EditableSurface& surface,
   const std::vector<EditableSurface::Face>& faces,
   double wanted);
 
-/// Gives the longest boundary loop of an oriented manifold at least @p minimumVertices vertices by
-/// bisecting the faces along it. Where that takes more than the square of @p minimumVertices new faces,
-/// as for faces that reach far from the boundary, boundary edges alone are halved, which adds no more
-/// than two faces per wanted vertex and makes angles smaller. Nothing changes if the loop has as many
-/// vertices or if there is no boundary.
+/// Gives the longest boundary loop of an oriented manifold at least @p minimumVertices vertices. Faces
+/// with a vertex on the loop are bisected as by bisectLongEdges, until their edges are as long as the
+/// mean edge of such a loop; parts of them that do not touch the loop stay large, so that the number of
+/// new faces grows with that of the vertices. Nothing changes if the loop has as many vertices or if
+/// there is no boundary.
 DerivedMesh refineBoundary(const TriangleMesh& mesh, int minimumVertices);
 
 } // namespace flattening

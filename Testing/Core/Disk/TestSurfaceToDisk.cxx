@@ -487,16 +487,6 @@ TEST(SurfaceToDisk, AThinCutHasTheVerticesAskedFor)
   EXPECT_NEAR(disk.Report.BoundaryLength, 4.0, 1e-5);
 }
 
-TEST(SurfaceToDisk, TooManyBoundaryVerticesAreNamed)
-{
-  const TriangleMesh closed = sphere(2);
-  SurfaceToDiskOptions options;
-  options.Cut = CutMode::Relief;
-  options.Hole.BoundaryVertices = 100000;
-  const std::string message = messageOf<InvalidInput>([&] { surfaceToDisk(closed, options); });
-  EXPECT_TRUE(contains(message, "a million new points: lower Minimum Boundary Vertices")) << message;
-}
-
 TEST(SurfaceToDisk, SlitsOfNonManifoldEdgesDoNotStay)
 {
   // Two spheres share an edge: an edge of one is moved onto an edge of the other.

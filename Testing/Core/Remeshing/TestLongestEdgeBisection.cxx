@@ -35,9 +35,20 @@ TEST(LongestEdgeBisection, AddsVerticesToTheLongestLoopAlone)
   EXPECT_EQ(refineBoundary(sphere(2), 128).Mesh.Faces, sphere(2).Faces);
 }
 
-// Fourteen faces from a small loop to a far tip: bisecting them would make 23,000. Each side is 4.6
-// times as long as allowed and is halved three times.
-TEST(LongestEdgeBisection, HalvesTheBoundaryAloneWhereFacesReachFar)
+// Bisecting all parts of the faces along the boundary would make a number of faces that grows with the
+// square of the number of vertices.
+TEST(LongestEdgeBisection, FacesGrowWithTheNumberOfBoundaryVertices)
+{
+  const TriangleMesh tube = cylinder(20, 6, 3.0);
+  for (const int vertices : { 160, 320, 640, 1280, 2560 })
+  {
+    const DerivedMesh refined = refineBoundary(tube, vertices);
+    EXPECT_LT(refined.Mesh.faceCount(), 11 * vertices);
+  }
+}
+
+// Fourteen faces from a small loop to a far tip.
+TEST(LongestEdgeBisection, FacesThatReachFarAreBisectedNearTheBoundaryOnly)
 {
   TriangleMesh needles;
   needles.Vertices = Points3::Zero(15, 3);
@@ -50,10 +61,27 @@ TEST(LongestEdgeBisection, HalvesTheBoundaryAloneWhereFacesReachFar)
   }
   const DerivedMesh refined = refineBoundary(needles, 64);
   const std::vector<int> loop = requireDisk(refined.Mesh);
-  EXPECT_EQ(loop.size(), 14u * 8u);
-  EXPECT_EQ(refined.Mesh.faceCount(), 14 * 8);
+  EXPECT_EQ(loop.size(), 14u * 8u); // a side is 4.6 times as long as allowed and is halved three times
+  EXPECT_LT(refined.Mesh.faceCount(), 5000);
   EXPECT_NEAR(loopLength(refined.Mesh.Vertices, loop), 28.0 * std::sin(Pi / 14.0), 1e-12);
   EXPECT_NEAR(totalArea(refined.Mesh), totalArea(needles), 1e-10);
+  EXPECT_GE(smallestAngle(refined.Mesh), 0.5 * smallestAngle(needles));
+  for (int f = 0; f < refined.Mesh.faceCount(); ++f) // no edge at the boundary is longer than asked for
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Eigen::Vector3d a = refined.Mesh.Vertices.row(refined.Mesh.Faces(f, k));
+      const Eigen::Vector3d b = refined.Mesh.Vertices.row(refined.Mesh.Faces(f, (k + 1) % 3));
+      EXPECT_TRUE((a - b).norm() <= 28.0 * std::sin(Pi / 14.0) / 64.0 || (a.z() > 0.0 && b.z() > 0.0));
+    }
+  }
+}
+
+TEST(LongestEdgeBisection, TooManyVerticesAreAnErrorThatNamesTheSetting)
+{
+  const std::string message =
+    messageOf<InvalidInput>([] { refineBoundary(cylinder(20, 6, 3.0), 1000000); });
+  EXPECT_TRUE(contains(message, "a million new points: lower Minimum Boundary Vertices")) << message;
 }
 
 TEST(LongestEdgeBisection, EndsWhereDoublePrecisionDoes)
