@@ -3,6 +3,7 @@
 
 #include "Core/Disk/SeamWayPoints.h"
 #include "Core/Geodesics/GeodesicPath.h"
+#include "Core/Mesh/CoordinateFrame.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/PolyDataConversion.h"
 #include "Internal/TriangulatedInput.h"
@@ -107,13 +108,16 @@ void vtkSeamPreview::SetSeamPathStart(int index, int point)
 void vtkSeamPreview::Execute(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const flattening::ProgressCallback progress = flattening::progressOf(this);
-  const flattening::TriangleMesh mesh =
+  const flattening::TriangleMesh input =
     flattening::toTriangleMesh(flattening::triangulate(vtkPolyData::GetData(inputVector[0])));
+  const flattening::CoordinateFrame frame(input);
+  const flattening::TriangleMesh mesh = frame.normalised(input);
   const std::optional<SurfaceMesh> surface = connected(mesh);
   std::vector<int> vertices;
   for (const std::array<double, 3>& point : this->SeamPoints)
   {
-    vertices.push_back(nearestVertex(mesh.Vertices, Eigen::Vector3d(point.data())));
+    vertices.push_back(
+      nearestVertex(mesh.Vertices, frame.normalisedPoint(Eigen::Vector3d(point.data()))));
   }
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -136,7 +140,7 @@ void vtkSeamPreview::Execute(vtkInformationVector** inputVector, vtkInformationV
     legs->InsertNextValue(k - 1);
     for (const Eigen::Vector3d& point : leg)
     {
-      lines->InsertCellPoint(points->InsertNextPoint(point.data()));
+      lines->InsertCellPoint(points->InsertNextPoint(frame.restoredPoint(point).data()));
     }
   }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);

@@ -12,8 +12,10 @@
  * Output arrays:
  * - cell `Leg` (int): number, from 0, of the point with which the leg begins.
  *
- * An empty input gives an empty output. The following are errors, each with an empty output: a cell with
- * a point that does not exist or is not finite.
+ * An empty input gives an empty output, and points that are nearest to the same point of the surface have
+ * no leg between them. The following are errors, each with an empty output: a cell with a point that does
+ * not exist or is not finite; a surface too large, too small or too far from the origin for double
+ * precision.
  *
  * @sa vtkSurfaceToDiskFilter
  */

@@ -114,6 +114,33 @@ TEST(SeamPreview, ASeamOfAFewEdgesIsAnErrorOfTheCutThatSaysSo)
   EXPECT_EQ(disk->GetOutput()->GetNumberOfCells(), 0);
 }
 
+// A geodesic on coordinates whose squares overflow would need all memory.
+TEST(SeamPreview, TheSizeOfTheSurfaceDoesNotMatter)
+{
+  const auto surface = sphere(0.0);
+  const double r = Radius;
+  const std::vector<double> expected =
+    lengths(previewOn(surface, { { r, 0, 0 }, { 0, r, 0 } })->GetOutput());
+  for (const int exponent : { -600, 600 })
+  {
+    const double scale = std::ldexp(1.0, exponent);
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (vtkIdType p = 0; p < surface->GetNumberOfPoints(); ++p)
+    {
+      const double* x = surface->GetPoint(p);
+      points->InsertNextPoint(scale * x[0], scale * x[1], scale * x[2]);
+    }
+    vtkNew<vtkPolyData> scaled;
+    scaled->SetPoints(points);
+    scaled->SetPolys(surface->GetPolys());
+    const auto preview = previewOn(scaled, { { scale * r, 0, 0 }, { 0, scale * r, 0 } });
+    const std::vector<double> found = lengths(preview->GetOutput());
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NEAR(found[0] / scale, expected[0], 1e-9 * expected[0]);
+  }
+}
+
 TEST(SeamPreview, AnEmptySurfaceHasNone)
 {
   vtkNew<vtkPolyData> empty;

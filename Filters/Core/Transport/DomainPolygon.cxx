@@ -35,8 +35,7 @@ void requireCoordinates(const Points2& outline, double size)
                          " of the domain's outline is not finite: give the corners of a convex polygon");
     }
   }
-  if (!(size > LeastSize * outline.cwiseAbs().maxCoeff()) || !(size * size > 0.0) ||
-      !std::isfinite(size * size))
+  if (!(size > LeastSize * outline.cwiseAbs().maxCoeff()) || !std::isnormal(size))
   {
     throw InvalidInput("the domain's outline has an extent of " + formatted(size) +
                        ", too small or too large for its place: give a convex polygon near the origin");
@@ -99,9 +98,13 @@ DomainPolygon domainPolygon(const Points2& outline)
     throw InvalidInput(
       "the domain's outline has " + std::to_string(outline.rows()) + " points" + remedy);
   }
-  const double size = (outline.colwise().maxCoeff() - outline.colwise().minCoeff()).norm();
-  requireCoordinates(outline, size);
-  const std::vector<Eigen::Vector2d> corners = cornersOf(outline, size);
+  requireCoordinates(outline, (outline.colwise().maxCoeff() - outline.colwise().minCoeff()).maxCoeff());
+  // Scaled by a power of two, so that products of three coordinates neither overflow nor underflow.
+  int exponent = 0;
+  std::frexp(outline.cwiseAbs().maxCoeff(), &exponent);
+  const Points2 unit = outline.unaryExpr([exponent](double x) { return std::ldexp(x, -exponent); });
+  const double size = (unit.colwise().maxCoeff() - unit.colwise().minCoeff()).norm();
+  const std::vector<Eigen::Vector2d> corners = cornersOf(unit, size);
   double area = 0.0;
   for (std::size_t k = 0; k < corners.size(); ++k)
   {
@@ -121,10 +124,12 @@ DomainPolygon domainPolygon(const Points2& outline)
   const Eigen::RowVector2d near = polygon.Corners.row(0);
   polygon.Corners.rowwise() -= near;
   const ConvexPolygon convex = convexPolygon(polygon.Corners, remedy);
-  polygon.Centroid = near.transpose() + convex.centroid();
-  polygon.Scale = std::sqrt(convex.area() / EIGEN_PI);
   polygon.Corners.rowwise() -= convex.centroid().transpose();
-  polygon.Corners /= polygon.Scale;
+  const double scale = std::sqrt(convex.area() / EIGEN_PI);
+  polygon.Corners /= scale;
+  polygon.Scale = std::ldexp(scale, exponent);
+  polygon.Centroid = (near.transpose() + convex.centroid())
+                       .unaryExpr([exponent](double x) { return std::ldexp(x, exponent); });
   return polygon;
 }
 

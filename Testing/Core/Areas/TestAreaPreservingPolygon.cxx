@@ -285,6 +285,20 @@ TEST(DomainPolygon, HasAreaPiAroundItsCentroid)
   }
 }
 
+TEST(DomainPolygon, TheSizeOfTheOutlineDoesNotMatter)
+{
+  const Points2 outline = pointsOf({ { 1, 0.3 }, { 4, 0.5 }, { 3, 2.7 }, { 1.2, 2 } });
+  const DomainPolygon expected = domainPolygon(outline);
+  for (const int exponent : { -1000, -350, 350, 1000 })
+  {
+    const double scale = std::ldexp(1.0, exponent);
+    const DomainPolygon polygon = domainPolygon(scale * outline);
+    EXPECT_EQ(polygon.Corners, expected.Corners);
+    EXPECT_EQ(polygon.Centroid, scale * expected.Centroid);
+    EXPECT_EQ(polygon.Scale, scale * expected.Scale);
+  }
+}
+
 TEST(DomainPolygon, RefusesWhatIsNoConvexPolygon)
 {
   const auto message = [](const Points2& outline)
@@ -306,8 +320,8 @@ TEST(DomainPolygon, RefusesWhatIsNoConvexPolygon)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(contains(message(pointsOf({ { 0, 0 }, { 1, nan }, { 1, 1 } })), "point 1"));
   EXPECT_TRUE(contains(message(pointsOf({ { 1e12, 0 }, { 1e12 + 1, 0 }, { 1e12, 1 } })), "too small"));
-  EXPECT_TRUE(contains(message(1e-200 * regular(4)), "too small"));
-  EXPECT_TRUE(contains(message(1e200 * regular(4)), "too large"));
+  EXPECT_TRUE(contains(message(1e-310 * regular(4)), "too small"));
+  EXPECT_TRUE(contains(message(1.5e308 * regular(4)), "too large"));
 }
 
 } // namespace
