@@ -208,6 +208,7 @@ private:
   {
     UntanglingOptions options;
     options.AreaWeight = UntanglingOptions::EqualAreaWeight;
+    options.AllOrNone = true;
     if (patches == PatchSizes::Large)
     {
       const int share = static_cast<int>(LargestPatchShare * this->Surface.vertexCount());

@@ -182,6 +182,11 @@ UntanglingReport untangleMap(const FaceMatrix& faces,
     if (!mesh.safelyPositive(left[i]))
     {
       patches.untangleAround(left[i]);
+      // No other patch moves the vertices of a face that could not be untangled.
+      if (options.AllOrNone && faceOrientation(positions, faces, left[i]) <= 0)
+      {
+        break;
+      }
     }
   }
   result.FlippedFaces = countFlippedFaces(positions, faces);

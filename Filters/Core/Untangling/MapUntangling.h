@@ -22,6 +22,9 @@ struct UntanglingOptions
   /// patch is the number of Newton steps times the number of free vertices. With a bound of 1, vain
   /// attempts do not take much longer than a conformal map.
   double WorkPerVertex = 1.0;
+  /// Whether to end at the first face that stays flipped, as a map is of no use then. Off: the other
+  /// faces are untangled nevertheless.
+  bool AllOrNone = false;
 };
 
 struct UntanglingReport

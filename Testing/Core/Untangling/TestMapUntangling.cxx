@@ -214,6 +214,38 @@ TEST(MapUntangling, UntanglesTheRestOfAHopelessMap)
   EXPECT_EQ(report.RepairedFaces, flipped - report.FlippedFaces);
 }
 
+// A twist in the middle can be undone, two exchanged boundary vertices cannot. The latter come first in
+// the list of faces: all or none means that the twist is left as it was.
+TEST(MapUntangling, EndsAtTheFirstFaceThatStaysFlippedIfThatIsAskedFor)
+{
+  TriangleMesh mesh = ringDisk();
+  mesh.Faces = mesh.Faces.colwise().reverse().eval();
+  const std::vector<int> loop = requireDisk(mesh);
+  std::vector<char> fixed(mesh.vertexCount(), 0);
+  for (const int v : loop)
+  {
+    fixed[v] = 1;
+  }
+  const double ring = (mesh.Vertices.row(1) - mesh.Vertices.row(0)).norm();
+  Points2 start = twisted(mesh, 1.5 * ring, 3.1);
+  const int twist = countFlippedFaces(start, mesh.Faces);
+  start.row(loop[0]).swap(start.row(loop[10]));
+  const auto repaired = [&](bool allOrNone)
+  {
+    Points2 positions = start;
+    UntanglingOptions options;
+    options.AllOrNone = allOrNone;
+    options.WorkPerVertex = 1000.0;
+    const TargetTriangles targets = similarTriangles(mesh, positions);
+    const UntanglingReport report = untangleMap(mesh.Faces, fixed, targets, positions, options);
+    EXPECT_GT(report.FlippedFaces, 0);
+    EXPECT_EQ(report.FlippedFaces, countFlippedFaces(positions, mesh.Faces));
+    return report.RepairedFaces;
+  };
+  EXPECT_GE(repaired(false), twist);
+  EXPECT_LT(repaired(true), twist);
+}
+
 // The whole map must move into the lens between a short arc and its chord, as a piece of the surface
 // must that an edge between two boundary vertices cuts off.
 TEST(MapUntangling, FitsIntoTheLensOfAChord)
