@@ -144,9 +144,14 @@ void checkStrayErrors(const std::string& name, Findings& findings)
   }
 }
 
-void print(const std::string& name, const Outcome& outcome, double seconds)
+void print(vtkAlgorithm* filter, const Outcome& outcome, double seconds)
 {
-  std::printf("%s: %.3f s\n", name.c_str(), seconds);
+  vtkDataObject* output = filter->GetOutputDataObject(0);
+  std::printf("%s: %.3f s, %lld points, %lld cells\n",
+    filter->GetClassName(),
+    seconds,
+    static_cast<long long>(output->GetNumberOfElements(vtkDataObject::POINT)),
+    static_cast<long long>(output->GetNumberOfElements(vtkDataObject::CELL)));
   for (const std::string& message : outcome.Errors)
   {
     std::printf("  error: %s\n", message.c_str());
@@ -208,7 +213,7 @@ Outcome runFilter(vtkAlgorithm* filter, Findings& findings)
   }
   if (IsVerbose)
   {
-    print(name, outcome, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    print(filter, outcome, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
   }
   checkStrayErrors(name, findings);
   outcome.HasResult = !hasNothing(filter->GetOutputDataObject(0));

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fuzz
 {
@@ -55,13 +56,11 @@ enum class Domain
   Polygon
 };
 
-// The domain of a map; the campaign marks maps to a polygon.
-Domain domainOf(vtkPolyData* map)
+Domain domainOf(vtkPolyData* map, vtkPolyData* polygon)
 {
-  vtkFieldData* data = map->GetFieldData();
-  return data->HasArray("FuzzDomain")       ? Domain::Polygon
-         : data->HasArray("CornerPointIds") ? Domain::Rectangle
-                                            : Domain::Disk;
+  return polygon                                           ? Domain::Polygon
+         : map->GetFieldData()->HasArray("CornerPointIds") ? Domain::Rectangle
+                                                           : Domain::Disk;
 }
 
 struct Box
@@ -113,7 +112,7 @@ double radiusOf(const Triangles& map, const std::vector<vtkIdType>& loop)
   return radius;
 }
 
-// Whether the boundary goes once around the inside, on the outline of its domain.
+// Whether the boundary goes once around the inside, on the outline of a disk or a rectangle.
 void checkOutline(const Triangles& map,
   const std::vector<vtkIdType>& loop,
   Domain domain,
@@ -129,7 +128,7 @@ void checkOutline(const Triangles& map,
     "outline",
     "Bijective, but the boundary does not go round its centre once");
   const double radius = radiusOf(map, loop);
-  for (const vtkIdType p : domain == Domain::Polygon ? std::vector<vtkIdType>{} : loop)
+  for (const vtkIdType p : loop)
   {
     const Point& a = map.Points[p];
     const double away = domain == Domain::Disk
@@ -139,6 +138,108 @@ void checkOutline(const Triangles& map,
     findings.require(
       std::abs(away) <= 1e-9 * size, "outline", "Bijective, but a boundary point is not on the outline");
   }
+}
+
+using Outline = std::vector<std::array<long double, 2>>;
+
+long double outlineArea(const Outline& outline)
+{
+  const auto& from = outline.front();
+  long double area = 0.0L;
+  for (std::size_t i = 0; i + 1 < outline.size(); ++i)
+  {
+    const auto& a = outline[i];
+    const auto& b = outline[i + 1];
+    area += 0.5L * ((a[0] - from[0]) * (b[1] - from[1]) - (a[1] - from[1]) * (b[0] - from[0]));
+  }
+  return area;
+}
+
+std::array<long double, 2> centroidOf(const Outline& outline)
+{
+  const auto& from = outline.front();
+  const long double whole = outlineArea(outline);
+  std::array<long double, 2> centroid = from;
+  for (std::size_t i = 0; i + 1 < outline.size(); ++i)
+  {
+    const long double share = outlineArea({ from, outline[i], outline[i + 1] }) / whole;
+    for (int k = 0; k < 2; ++k)
+    {
+      centroid[k] += share * ((outline[i][k] - from[k]) + (outline[i + 1][k] - from[k])) / 3.0L;
+    }
+  }
+  return centroid;
+}
+
+// The corners of the polygon, scaled about its centroid to an area, or as they are if that is 0.
+Outline scaledOutline(vtkPolyData* polygon, long double toArea)
+{
+  Outline outline;
+  for (vtkIdType p = 0; p < polygon->GetNumberOfPoints(); ++p)
+  {
+    const double* point = polygon->GetPoint(p);
+    outline.push_back({ point[0], point[1] });
+  }
+  const auto centroid = centroidOf(outline);
+  const long double area = std::abs(outlineArea(outline));
+  const long double scale = toArea > 0.0L ? std::sqrt(toArea) / std::sqrt(area) : 1.0L;
+  for (auto& corner : outline)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      corner[k] = centroid[k] + scale * (corner[k] - centroid[k]);
+    }
+  }
+  return outline;
+}
+
+long double distanceTo(const Outline& outline, const Point& point)
+{
+  long double least = std::numeric_limits<long double>::infinity();
+  for (std::size_t i = 0; i < outline.size(); ++i)
+  {
+    const auto& a = outline[i];
+    const auto& b = outline[(i + 1) % outline.size()];
+    const long double side[2] = { b[0] - a[0], b[1] - a[1] };
+    const long double length = std::hypot(side[0], side[1]);
+    const long double from[2] = { point[0] - a[0], point[1] - a[1] };
+    const long double along =
+      length > 0.0L ? (from[0] * (side[0] / length) + from[1] * (side[1] / length)) / length : 0.0L;
+    const long double t = std::clamp(along, 0.0L, 1.0L);
+    least = std::min(least, std::hypot(from[0] - t * side[0], from[1] - t * side[1]));
+  }
+  return least;
+}
+
+// Whether the boundary goes once around the centroid of the polygon, on its outline.
+void checkPolygonOutline(const Triangles& map,
+  const std::vector<vtkIdType>& loop,
+  vtkPolyData* polygon,
+  long double area,
+  Findings& findings)
+{
+  const Outline outline = scaledOutline(polygon, area);
+  const auto centroid = centroidOf(outline);
+  const Box box = boxOf(map, loop);
+  const double size = std::max(box.High[0] - box.Low[0], box.High[1] - box.Low[1]);
+  findings.require(
+    goesRoundOnce(
+      map, loop, { static_cast<double>(centroid[0]), static_cast<double>(centroid[1]), 0.0 }, size),
+    "outline",
+    "Bijective, but the boundary does not go round the centroid of the polygon once");
+  double bounds[6];
+  polygon->GetBounds(bounds);
+  const double away = std::max(
+    { -bounds[0], bounds[1], -bounds[2], bounds[3], std::abs(box.High[0]), std::abs(box.High[1]) });
+  long double farthest = 0.0L;
+  for (const vtkIdType p : loop)
+  {
+    farthest = std::max(farthest, distanceTo(outline, map.Points[p]));
+  }
+  findings.require(farthest <= 1e-8L * size + 4e-15L * away,
+    "outline",
+    "a boundary point is off the outline of the polygon by " +
+      std::to_string(static_cast<double>(farthest / size)) + " of its size");
 }
 
 bool areApart(const Point& a, const Point& b, const Point& c, const Point& d, int axis)
@@ -192,7 +293,7 @@ void checkDomainArea(const Triangles& map,
 
 } // namespace
 
-void checkMap(vtkPolyData* data, bool hasSurfaceArea, Findings& findings)
+void checkMap(vtkPolyData* data, bool hasSurfaceArea, Findings& findings, vtkPolyData* polygon)
 {
   const Triangles map = trianglesOf(data);
   const Triangles surface = trianglesOf(data, "SurfacePoints");
@@ -210,7 +311,8 @@ void checkMap(vtkPolyData* data, bool hasSurfaceArea, Findings& findings)
       std::to_string(flipped));
   const bool isTransported = data->GetFieldData()->HasArray("Bijective") != 0;
   const bool isFree = isTransported && figure(data, "FreeOutline") == 1.0;
-  const Domain domain = domainOf(data);
+  const Domain domain = domainOf(data, polygon);
+  const long double area = totalArea(surface);
   const auto loops = boundaryLoops(map);
   if (loops.size() != 1)
   {
@@ -222,9 +324,10 @@ void checkMap(vtkPolyData* data, bool hasSurfaceArea, Findings& findings)
   {
     findings.require(
       flipped == 0, "bijective", "Bijective, but " + std::to_string(flipped) + " faces are flipped");
-    isFree ? checkFreeOutline(map, loop, findings) : checkOutline(map, loop, domain, findings);
+    isFree    ? checkFreeOutline(map, loop, findings)
+    : polygon ? checkPolygonOutline(map, loop, polygon, hasSurfaceArea ? area : 0.0L, findings)
+              : checkOutline(map, loop, domain, findings);
   }
-  const long double area = totalArea(surface);
   if (hasSurfaceArea && area > 0.0L && isFree)
   {
     const long double covered = totalArea(map);

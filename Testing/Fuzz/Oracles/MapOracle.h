@@ -11,7 +11,8 @@ namespace fuzz
 
 /// The output of Conformal Disk or OMT Area Preserving.
 /// @param hasSurfaceArea whether the domain is to have the area of the surface
-void checkMap(vtkPolyData* map, bool hasSurfaceArea, Findings& findings);
+/// @param polygon what the map is to fill, scaled to that area; null for a disk or a rectangle
+void checkMap(vtkPolyData* map, bool hasSurfaceArea, Findings& findings, vtkPolyData* polygon = nullptr);
 
 /// Output port 0 of Distortion Metrics.
 /// @param hasTargets whether areas were compared with the array TargetArea

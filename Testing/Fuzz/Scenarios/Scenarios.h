@@ -22,6 +22,8 @@ void runPipeline(const Case& one, Findings& findings);
 /// One of the other filters, on the surface, its disk or one of its maps.
 void runOtherFilter(const Case& one, Findings& findings);
 const std::vector<std::string>& otherFilters();
+/// The pipeline with what a user draws: seams, labels to cut off, regions of interest, weights, polygons.
+void runDrawnInputs(const Case& one, Findings& findings);
 /// Execute, modify, abort at a random moment, another input, execute again: the results are those of new
 /// filters.
 void runLifecycle(const Case& one, Findings& findings);
