@@ -3,13 +3,77 @@
 
 #include "Untangling/SmoothPositivePart.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace flattening
 {
+namespace
+{
+
+using Eigen::Vector2d;
+using Eigen::Vector4d;
+
+// A vector over its length, which is 1 or 0.
+Vector2d directionOf(const Vector2d& vector, double length)
+{
+  return length > 0.0 ? Vector2d(vector / length) : Vector2d(1.0, 0.0);
+}
+
+// The second derivatives, by the entries of J in rows, of a function of |J|^2 and D = det J,
+//   a I + m (j c^T + c j^T) + q c c^T + p K,
+// where j are the entries, c = K j the derivatives of D by them, and K its second derivatives.
+struct IsotropicHessian
+{
+  double OfIdentity; // a
+  double OfMixed;    // m
+  double OfSquare;   // q
+  double OfDet;      // p
+
+  // The nearest matrix that has no negative eigenvalues (Smith, de Goes and Kim 2019, "Analytic
+  // eigensystems for isotropic distortion energies"). The eigenvalues of K are 1, for multiples of
+  // rotations, and -1, for multiples of reflections. J is the sum of one of each. In the plane of these
+  // two the matrix has 2 x 2 entries; at right angles to it, its eigenvalues are a + p and a - p.
+  Eigen::Matrix4d positivePart(const Eigen::Matrix2d& j) const
+  {
+    const double unit = std::sqrt(0.5); // a rotation over its norm
+    const Vector2d rotation = unit * Vector2d(j(0, 0) + j(1, 1), j(0, 1) - j(1, 0));
+    const Vector2d reflection = unit * Vector2d(j(0, 0) - j(1, 1), j(0, 1) + j(1, 0));
+    const double r = rotation.norm();
+    const double s = reflection.norm();
+    const Vector2d alongR = unit * directionOf(rotation, r);
+    const Vector2d alongS = unit * directionOf(reflection, s);
+    const Vector4d first(alongR.x(), alongR.y(), -alongR.y(), alongR.x());
+    const Vector4d second(alongS.x(), alongS.y(), alongS.y(), -alongS.x());
+    const Vector4d otherFirst(-alongR.y(), alongR.x(), -alongR.x(), -alongR.y());
+    const Vector4d otherSecond(-alongS.y(), alongS.x(), alongS.x(), alongS.y());
+
+    // j = r first + s second, and c = r first - s second.
+    const double ofFirst =
+      this->OfIdentity + this->OfDet + (2.0 * this->OfMixed + this->OfSquare) * r * r;
+    const double ofSecond =
+      this->OfIdentity - this->OfDet + (this->OfSquare - 2.0 * this->OfMixed) * s * s;
+    const double ofBoth = -this->OfSquare * r * s;
+    const double mean = 0.5 * (ofFirst + ofSecond);
+    const double half = 0.5 * (ofFirst - ofSecond);
+    const double spread =
+      std::hypot(half, ofBoth); // the eigenvalues are mean + spread and mean - spread
+    const double greater = std::max(0.0, mean + spread);
+    const double smaller = std::max(0.0, mean - spread);
+    const double middle = 0.5 * (greater + smaller);
+    const double share = spread > 0.0 ? 0.5 * (greater - smaller) / spread : 0.0;
+    return (middle + share * half) * (first * first.transpose()) +
+           (middle - share * half) * (second * second.transpose()) +
+           share * ofBoth * (first * second.transpose() + second * first.transpose()) +
+           std::max(0.0, this->OfIdentity + this->OfDet) * (otherFirst * otherFirst.transpose()) +
+           std::max(0.0, this->OfIdentity - this->OfDet) * (otherSecond * otherSecond.transpose());
+  }
+};
+
+} // namespace
 
 FoldoverEnergy::FoldoverEnergy(const TargetTriangle& target, double areaWeight)
   : AreaWeight(areaWeight)
@@ -38,13 +102,9 @@ double FoldoverEnergy::value(const Corners& corners, double epsilon) const
 
 FoldoverEnergy::Derivatives FoldoverEnergy::derivatives(const Corners& corners, double epsilon) const
 {
-  using Vector4 = Eigen::Vector4d;
   const Eigen::Matrix2d m = this->jacobian(corners);
-  const Vector4 j(m(0, 0), m(0, 1), m(1, 0), m(1, 1));
-  const Vector4 cofactors(m(1, 1), -m(1, 0), -m(0, 1), m(0, 0)); // gradient of D by J
-  Eigen::Matrix4d curvature = Eigen::Matrix4d::Zero();           // second derivatives of D by J
-  curvature(0, 3) = curvature(3, 0) = 1.0;
-  curvature(1, 2) = curvature(2, 1) = -1.0;
+  const Vector4d j(m(0, 0), m(0, 1), m(1, 0), m(1, 1));
+  const Vector4d cofactors(m(1, 1), -m(1, 0), -m(0, 1), m(0, 0)); // gradient of D by J
 
   // The energy is N / chi, N = |J|^2 + w (D^2 + 1).
   const double d = m.determinant();
@@ -58,13 +118,8 @@ FoldoverEnergy::Derivatives FoldoverEnergy::derivatives(const Corners& corners, 
     (2.0 * w - 4.0 * w * d * chiByD / chi + n * (2.0 * chiByD * chiByD / chi - chiByDD) / chi) / chi;
   const double mixed = -2.0 * chiByD / (chi * chi);
 
-  const Vector4 gradient = 2.0 / chi * j + byD * cofactors;
-  const Eigen::Matrix4d hessian = 2.0 / chi * Eigen::Matrix4d::Identity() +
-                                  mixed * (j * cofactors.transpose() + cofactors * j.transpose()) +
-                                  byDD * (cofactors * cofactors.transpose()) + byD * curvature;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(hessian);
-  const Eigen::Matrix4d convex = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() *
-                                 eigen.eigenvectors().transpose();
+  const Vector4d gradient = 2.0 / chi * j + byD * cofactors;
+  const Eigen::Matrix4d convex = IsotropicHessian{ 2.0 / chi, mixed, byDD, byD }.positivePart(m);
 
   Eigen::Matrix<double, 4, 6> jacobianByCorners = Eigen::Matrix<double, 4, 6>::Zero();
   for (int corner = 0; corner < 3; ++corner)
