@@ -95,8 +95,9 @@
  * the domain, or, with FaceRefinement, that differ by a factor of more than a million; a weight array
  * that does not exist; the errors of vtkConformalDiskFilter about its input; no convergence to
  * Tolerance. On port 1: not exactly one polygon or closed line; an outline that is not flat, not finite
- * or not convex, crosses itself, has fewer than three corners or no area, is smaller than 1e-9 of its
- * coordinates, or has more corners to be fixed than there are boundary points.
+ * or not convex, crosses itself, has fewer than three corners or no area, is more than a million times
+ * as long as wide, is smaller than 1e-9 of its coordinates, or has more corners to be fixed than there
+ * are boundary points.
  *
  * Sources: Zhao et al., "Area-Preservation Mapping using Optimal Mass Transport", TVCG 2013, section 4
  * and Algorithm 1; Kitagawa, Merigot, Thibert, "Convergence of a Newton algorithm for semi-discrete

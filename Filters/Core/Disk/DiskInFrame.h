@@ -23,8 +23,12 @@ template <typename Error>
 [[noreturn]] void throwInUnits(const Error& error, const CoordinateFrame& frame)
 {
   std::ostringstream message;
-  message << error.what() << " (lengths here are in units of " << frame.restoredLength(1.0)
-          << ", places are relative to " << frame.restoredPoint(Eigen::Vector3d::Zero()).transpose()
+  message << error.what() << " (";
+  if (frame.changesSize())
+  {
+    message << "lengths here are in units of " << frame.restoredLength(1.0) << ", ";
+  }
+  message << "places are relative to " << frame.restoredPoint(Eigen::Vector3d::Zero()).transpose()
           << ")";
   throw Error(message.str());
 }

@@ -177,6 +177,16 @@ Points2 PlaneFrame::normalised(const Points2& positions) const
   return positions.unaryExpr([this](double x) { return std::ldexp(x, -this->Exponent); });
 }
 
+Eigen::Vector2d PlaneFrame::restoredPoint(const Eigen::Vector2d& point) const
+{
+  return point.unaryExpr([this](double x) { return this->restoredLength(x); });
+}
+
+double PlaneFrame::restoredLength(double length) const
+{
+  return std::ldexp(length, this->Exponent);
+}
+
 double PlaneFrame::restoredArea(double area) const
 {
   return std::ldexp(area, 2 * this->Exponent);

@@ -43,13 +43,15 @@ private:
   Eigen::Vector3d Origin = Eigen::Vector3d::Zero();
 };
 
-/// The same for a flat map, which is scaled only: x -> 2^-k x.
+/// The same for positions in the plane, which are scaled only: x -> 2^-k x.
 class PlaneFrame
 {
 public:
   explicit PlaneFrame(const Points2& positions);
 
   Points2 normalised(const Points2& positions) const;
+  Eigen::Vector2d restoredPoint(const Eigen::Vector2d& point) const;
+  double restoredLength(double length) const;
   /// Infinite or 0 if double precision does not hold the area in the units of the map.
   double restoredArea(double area) const;
 

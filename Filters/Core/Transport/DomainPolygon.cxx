@@ -2,6 +2,7 @@
 #include "Transport/DomainPolygon.h"
 
 #include "Base/Errors.h"
+#include "Mesh/CoordinateFrame.h"
 #include "Mesh/PlaneVectors.h"
 #include "Transport/ConvexDomain.h"
 
@@ -17,9 +18,11 @@ namespace flattening
 namespace
 {
 
-// A point is no corner if the sine of the angle there is smaller, and an outline has no area if its area
-// over its squared size is. A guard, chosen far above the rounding of coordinates; with 0 the corners of
-// ConvexPolygon would not all be strictly convex.
+// The least width of an outline over its length, and the distance of a point from the line through its
+// neighbours, over the width, below which it is no corner. Guards: their product is above the rounding
+// of coordinates, without which the corners of ConvexPolygon would not all be strictly convex, and
+// points that are left out do not change the area.
+constexpr double LeastWidth = 1e-6;
 constexpr double OnTheLine = 1e-9;
 // The least size of an outline over its largest coordinate. A guard: smaller ones have lost their shape
 // to rounding.
@@ -42,8 +45,20 @@ void requireCoordinates(const Points2& outline, double size)
   }
 }
 
-// The points without those at which the outline goes straight on.
-std::vector<Eigen::Vector2d> cornersOf(const Points2& outline, double size)
+double areaOf(const Points2& outline)
+{
+  double area = 0.0;
+  for (Eigen::Index k = 0; k + 1 < outline.rows(); ++k)
+  {
+    area += 0.5 * cross((outline.row(k) - outline.row(0)).transpose().eval(),
+                    (outline.row(k + 1) - outline.row(0)).transpose().eval());
+  }
+  return area;
+}
+
+// The points without those that lie on the line through their neighbours, or nearer to it than a
+// distance.
+std::vector<Eigen::Vector2d> cornersOf(const Points2& outline, double distance)
 {
   std::list<Eigen::Vector2d> corners; // of which any can be taken out in no time
   for (Eigen::Index k = 0; k < outline.rows(); ++k)
@@ -57,9 +72,9 @@ std::vector<Eigen::Vector2d> cornersOf(const Points2& outline, double size)
     const Eigen::Vector2d before =
       *corner - *std::prev(corner == corners.begin() ? corners.end() : corner);
     const Eigen::Vector2d after = *(next == corners.end() ? corners.begin() : next) - *corner;
-    return before.norm() <= OnTheLine * size ||
+    return before.norm() <= distance ||
            (before.dot(after) > 0.0 &&
-             std::abs(cross(before, after)) <= OnTheLine * before.norm() * after.norm());
+             std::abs(cross(before, after)) <= distance * (before + after).norm());
   };
   for (Corner corner = corners.begin(); corner != corners.end() && corners.size() > 1;)
   {
@@ -99,20 +114,16 @@ DomainPolygon domainPolygon(const Points2& outline)
       "the domain's outline has " + std::to_string(outline.rows()) + " points" + remedy);
   }
   requireCoordinates(outline, (outline.colwise().maxCoeff() - outline.colwise().minCoeff()).maxCoeff());
-  // Scaled by a power of two, so that products of three coordinates neither overflow nor underflow.
-  int exponent = 0;
-  std::frexp(outline.cwiseAbs().maxCoeff(), &exponent);
-  const Points2 unit = outline.unaryExpr([exponent](double x) { return std::ldexp(x, -exponent); });
-  const double size = (unit.colwise().maxCoeff() - unit.colwise().minCoeff()).norm();
-  const std::vector<Eigen::Vector2d> corners = cornersOf(unit, size);
-  double area = 0.0;
-  for (std::size_t k = 0; k < corners.size(); ++k)
+  const PlaneFrame frame(outline);
+  const Points2 normalised = frame.normalised(outline);
+  const double size = (normalised.colwise().maxCoeff() - normalised.colwise().minCoeff()).norm();
+  const double area = areaOf(normalised);
+  const double width = std::abs(area) / size;
+  const std::vector<Eigen::Vector2d> corners = cornersOf(normalised, OnTheLine * width);
+  if (corners.size() < 3 || !(width > LeastWidth * size))
   {
-    area += 0.5 * cross(corners[k] - corners[0], corners[(k + 1) % corners.size()] - corners[0]);
-  }
-  if (corners.size() < 3 || !(std::abs(area) > OnTheLine * size * size))
-  {
-    throw InvalidInput("the domain's outline has no area" + remedy);
+    throw InvalidInput(
+      "the domain's outline has no area, or is more than a million times as long as wide" + remedy);
   }
   DomainPolygon polygon;
   polygon.Corners.resize(static_cast<Eigen::Index>(corners.size()), 2);
@@ -127,9 +138,8 @@ DomainPolygon domainPolygon(const Points2& outline)
   polygon.Corners.rowwise() -= convex.centroid().transpose();
   const double scale = std::sqrt(convex.area() / EIGEN_PI);
   polygon.Corners /= scale;
-  polygon.Scale = std::ldexp(scale, exponent);
-  polygon.Centroid = (near.transpose() + convex.centroid())
-                       .unaryExpr([exponent](double x) { return std::ldexp(x, exponent); });
+  polygon.Scale = frame.restoredLength(scale);
+  polygon.Centroid = frame.restoredPoint(near.transpose() + convex.centroid());
   return polygon;
 }
 

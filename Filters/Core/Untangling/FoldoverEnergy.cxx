@@ -17,7 +17,7 @@ namespace
 using Eigen::Vector2d;
 using Eigen::Vector4d;
 
-// A vector over its length, which is 1 or 0.
+// The unit vector along a vector of a length, and any unit vector if that is 0.
 Vector2d directionOf(const Vector2d& vector, double length)
 {
   return length > 0.0 ? Vector2d(vector / length) : Vector2d(1.0, 0.0);
@@ -39,7 +39,7 @@ struct IsotropicHessian
   // two the matrix has 2 x 2 entries; at right angles to it, its eigenvalues are a + p and a - p.
   Eigen::Matrix4d positivePart(const Eigen::Matrix2d& j) const
   {
-    const double unit = std::sqrt(0.5); // a rotation over its norm
+    const double unit = std::sqrt(0.5); // a rotation has the norm 1 / unit
     const Vector2d rotation = unit * Vector2d(j(0, 0) + j(1, 1), j(0, 1) - j(1, 0));
     const Vector2d reflection = unit * Vector2d(j(0, 0) - j(1, 1), j(0, 1) + j(1, 0));
     const double r = rotation.norm();

@@ -299,6 +299,20 @@ TEST(DomainPolygon, TheSizeOfTheOutlineDoesNotMatter)
   }
 }
 
+// A point is no corner if it is near the line through its neighbours, beside the width. Measured by the
+// angle there, some points of a needle would be none, and its area would be another.
+TEST(DomainPolygon, KeepsTheAreaOfANeedle)
+{
+  constexpr int points = 20000;
+  for (const double width : { 1e-1, 1e-3, 2e-6 })
+  {
+    Points2 outline = regular(points);
+    const double area = width * 0.5 * points * std::sin(2.0 * Pi / points); // triangles at the centre
+    outline.col(1) *= width;
+    EXPECT_NEAR(domainPolygon(outline).Scale / std::sqrt(area / Pi), 1.0, 1e-9) << width;
+  }
+}
+
 TEST(DomainPolygon, RefusesWhatIsNoConvexPolygon)
 {
   const auto message = [](const Points2& outline)
@@ -320,6 +334,9 @@ TEST(DomainPolygon, RefusesWhatIsNoConvexPolygon)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(contains(message(pointsOf({ { 0, 0 }, { 1, nan }, { 1, 1 } })), "point 1"));
   EXPECT_TRUE(contains(message(pointsOf({ { 1e12, 0 }, { 1e12 + 1, 0 }, { 1e12, 1 } })), "too small"));
+  Points2 needle = regular(4);
+  needle.col(1) *= 1e-7;
+  EXPECT_TRUE(contains(message(needle), "a million times as long as wide"));
   EXPECT_TRUE(contains(message(1e-310 * regular(4)), "too small"));
   EXPECT_TRUE(contains(message(1.5e308 * regular(4)), "too large"));
 }

@@ -236,6 +236,7 @@ void checkPolygonOutline(const Triangles& map,
   {
     farthest = std::max(farthest, distanceTo(outline, map.Points[p]));
   }
+  // The filter leaves out points that lie on a side to 1e-9 of the width, and rounds its positions.
   findings.require(farthest <= 1e-8L * size + 4e-15L * away,
     "outline",
     "a boundary point is off the outline of the polygon by " +

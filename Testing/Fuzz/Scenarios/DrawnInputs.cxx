@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../Oracles/DiskOracle.h"
-#include "../Oracles/FilterRun.h"
-#include "../Oracles/MapOracle.h"
-#include "../Oracles/Triangles.h"
 #include "DrawnShapes.h"
 #include "Scenarios.h"
 
 #include <vtkAreaWeights.h>
-#include <vtkConformalDiskFilter.h>
 #include <vtkNew.h>
 #include <vtkOMTAreaPreservingFilter.h>
 #include <vtkPolyData.h>
@@ -35,8 +30,11 @@ vtkSmartPointer<vtkPolyData> cutsOf(vtkPolyData* surface, Findings& findings)
   return vtkPolyData::SafeDownCast(disk->GetOutputDataObject(1));
 }
 
+// Chooses a cut of a disk, and what it needs.
 void drawCut(Random& random, vtkPolyData* surface, vtkSurfaceToDiskFilter* disk, Findings& findings)
 {
+  chooseRegions(disk, 0); // of interest
+  chooseRegions(disk, 1); // labels to cut off
   switch (random.integer(0, 3))
   {
     case 0:
@@ -57,6 +55,7 @@ void drawCut(Random& random, vtkPolyData* surface, vtkSurfaceToDiskFilter* disk,
   }
 }
 
+// Runs the preview of a seam between points of the surface.
 void runPreview(Random& random, vtkPolyData* surface, Findings& findings)
 {
   vtkNew<vtkSeamPreview> preview;
@@ -74,35 +73,13 @@ void runPreview(Random& random, vtkPolyData* surface, Findings& findings)
     preview->SetNumberOfSeamPathStarts(1);
     preview->SetSeamPathStart(0, random.integer(-1, count + 1));
   }
+  // Points that are nearest to the same point of the surface have no leg, which is right.
   Findings found;
   runFilter(preview, found);
   for (const Failure& failure : found.Failures)
   {
-    findings.require(failure.Kind == "silent-failure", failure.Kind, failure.Detail); // no leg is right
+    findings.require(failure.Kind == "silent-failure", failure.Kind, failure.Detail);
   }
-}
-
-// @return whether there is a map to go on with
-bool runToConformalMap(Random& random, vtkPolyData* surface, const Chain& chain, Findings& findings)
-{
-  auto* disk = vtkSurfaceToDiskFilter::SafeDownCast(chain[0]);
-  auto* conformal = vtkConformalDiskFilter::SafeDownCast(chain[1]);
-  disk->SetInputData(surface);
-  chooseRegions(disk, 0);
-  chooseRegions(disk, 1);
-  drawCut(random, surface, disk, findings);
-  if (!runFilter(disk, findings).HasResult)
-  {
-    return false;
-  }
-  ++findings.Disks;
-  checkDisk(disk->GetOutput(), surface, findings);
-  if (!runFilter(conformal, findings).HasResult)
-  {
-    return false;
-  }
-  checkMap(conformal->GetOutput(), conformal->GetNormalizeTo() == 0, findings);
-  return true;
 }
 
 // Weights for one region of the conformal map.
@@ -134,7 +111,8 @@ void runDrawnInputs(const Case& one, Findings& findings)
     runPreview(random, surface, findings);
   }
   const Chain chain = newChain(one, true);
-  if (!runToConformalMap(random, surface, chain, findings))
+  drawCut(random, surface, vtkSurfaceToDiskFilter::SafeDownCast(chain[0]), findings);
+  if (!runToConformalMap(chain, surface, findings))
   {
     return;
   }
@@ -149,15 +127,7 @@ void runDrawnInputs(const Case& one, Findings& findings)
     polygon = drawnPolygon(random);
     flat->SetDomainData(polygon);
   }
-  const Outcome outcome = runFilter(flat, findings);
-  if (!outcome.HasResult)
-  {
-    return;
-  }
-  checkMap(flat->GetOutput(), flat->GetNormalizeTo() == 0, findings, polygon);
-  findings.require(figure(flat->GetOutput(), "Bijective") == 1.0 || !outcome.Warnings.empty(),
-    "no-warning",
-    "Bijective is 0, but there was no warning");
+  runAreaPreserving(chain, findings, polygon);
 }
 
 } // namespace fuzz

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a user draws beside a surface: lines of a seam, regions, the outline of a map. Most are
-/// sensible, some are hostile.
+/// Random shapes as a user draws them beside a surface: the lines of a seam, regions, the outline of a
+/// map. Most of them are sensible, some are hostile.
 #pragma once
 
 #include "../Random.h"

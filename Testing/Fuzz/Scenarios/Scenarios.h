@@ -4,6 +4,7 @@
 #pragma once
 
 #include "../Case.h"
+#include "../Oracles/FilterRun.h"
 
 #include <vtkSmartPointer.h>
 
@@ -11,6 +12,7 @@
 
 class vtkAlgorithm;
 class vtkDataObject;
+class vtkPolyData;
 
 namespace fuzz
 {
@@ -22,7 +24,8 @@ void runPipeline(const Case& one, Findings& findings);
 /// One of the other filters, on the surface, its disk or one of its maps.
 void runOtherFilter(const Case& one, Findings& findings);
 const std::vector<std::string>& otherFilters();
-/// The pipeline with what a user draws: seams, labels to cut off, regions of interest, weights, polygons.
+/// The pipeline with what a user draws: seams, labels to cut off, regions of interest, weights,
+/// polygons.
 void runDrawnInputs(const Case& one, Findings& findings);
 /// Execute, modify, abort at a random moment, another input, execute again: the results are those of new
 /// filters.
@@ -43,6 +46,14 @@ using Chain = std::vector<vtkSmartPointer<vtkAlgorithm>>;
 /// Surface To Disk and Conformal Disk with the settings of a case and, if @p isLong, the two filters
 /// after them.
 Chain newChain(const Case& one, bool isLong);
+
+/// Runs Surface To Disk and Conformal Disk of a chain and checks the disk and the map.
+/// @return whether there is a map to go on with
+bool runToConformalMap(const Chain& chain, vtkPolyData* surface, Findings& findings);
+
+/// Runs OMT Area Preserving of a long chain and checks the map.
+/// @param polygon what the map is to fill; null for the domain of the conformal map
+Outcome runAreaPreserving(const Chain& chain, Findings& findings, vtkPolyData* polygon = nullptr);
 
 /// A new polygon, strip, vertex and line for each of the input, and a copy of all arrays.
 vtkSmartPointer<vtkDataObject> copyOf(vtkDataObject* data);
