@@ -147,6 +147,10 @@ Placement placementOf(const TransportInput& input, bool isUnit)
   if (input.Polygon)
   {
     placement.Centre = input.Polygon->Centroid.transpose();
+    if (!isUnit) // a domain at its own size was found to be large enough when it was read
+    {
+      flattening::requireResolved(placement);
+    }
   }
   else if (domain.IsRectangle)
   {

@@ -96,8 +96,9 @@
  * that does not exist; the errors of vtkConformalDiskFilter about its input; no convergence to
  * Tolerance. On port 1: not exactly one polygon or closed line; an outline that is not flat, not finite
  * or not convex, crosses itself, has fewer than three corners or no area, is more than a million times
- * as long as wide, is smaller than 1e-9 of its coordinates, or has more corners to be fixed than there
- * are boundary points.
+ * as long as wide, is smaller than 1e-9 of its coordinates, has a centroid at more than 1e9 times the
+ * radius of a disk with the area of the surface, unless NormalizeTo is UNIT_DOMAIN, or has more corners
+ * to be fixed than there are boundary points.
  *
  * Sources: Zhao et al., "Area-Preservation Mapping using Optimal Mass Transport", TVCG 2013, section 4
  * and Algorithm 1; Kitagawa, Merigot, Thibert, "Convergence of a Newton algorithm for semi-discrete

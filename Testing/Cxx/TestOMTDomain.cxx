@@ -250,6 +250,8 @@ TEST(OMTDomain, BadPolygons)
   expect(domain({ { 0, 0, 0 }, { 1, nan, 0 }, { 1, 1, 0 } }), "point 1 of the domain's outline is not");
   expect(domain({ { 0, 0, 0 }, { 0, 1, 0 }, { 0, 1, 1 }, { 0, 0, 1 } }), "plane of constant z");
   expect(domain({ { 1e9, 0, 0 }, { 1e9 + 0.1, 0, 0 }, { 1e9, 0.1, 0 } }), "too small");
+  expect(
+    domain({ { 1e130, 0, 0 }, { 2e130, 0, 0 }, { 1e130, 1e130, 0 } }), "does not hold so small a map");
   auto damaged = domain(Rectangle);
   vtkNew<vtkCellArray> cells;
   cells->InsertNextCell({ 0, 1, 99 });
