@@ -147,9 +147,9 @@ Placement placementOf(const TransportInput& input, bool isUnit)
   if (input.Polygon)
   {
     placement.Centre = input.Polygon->Centroid.transpose();
-    if (!isUnit) // a domain at its own size was found to be large enough when it was read
+    if (!isUnit) // at its own size, domainPolygon() found it to be large enough
     {
-      flattening::requireResolved(placement);
+      flattening::requireResolved(*input.Polygon, placement.Scale);
     }
   }
   else if (domain.IsRectangle)

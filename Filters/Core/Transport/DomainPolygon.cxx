@@ -24,8 +24,8 @@ namespace
 // points that are left out do not change the area.
 constexpr double LeastWidth = 1e-6;
 constexpr double OnTheLine = 1e-9;
-// The least size of an outline over its largest coordinate. A guard: smaller ones have lost their shape
-// to rounding.
+// The least size of an outline, or of a map, over its largest coordinate. A guard: smaller ones have
+// lost their shape to rounding.
 constexpr double LeastSize = 1e-9;
 
 void requireCoordinates(const Points2& outline, double size)
@@ -141,6 +141,18 @@ DomainPolygon domainPolygon(const Points2& outline)
   polygon.Scale = frame.restoredLength(scale);
   polygon.Centroid = frame.restoredPoint(near.transpose() + convex.centroid());
   return polygon;
+}
+
+void requireResolved(const DomainPolygon& polygon, double radius)
+{
+  const double distance = polygon.Centroid.cwiseAbs().maxCoeff();
+  if (!(radius > LeastSize * distance))
+  {
+    throw InvalidInput("the area of the surface is that of a disk of radius " + formatted(radius) +
+                       ", but the domain's outline lies at a distance of " + formatted(distance) +
+                       " from the origin, where double precision does not hold so small a map: scale "
+                       "the outline to the area of the surface, or move its centre to the origin");
+  }
 }
 
 } // namespace flattening

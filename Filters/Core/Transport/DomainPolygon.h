@@ -23,4 +23,9 @@ struct DomainPolygon
 /// origin.
 DomainPolygon domainPolygon(const Points2& outline);
 
+/// Checks that a map with the area of a disk of radius @p radius, in the units of the outline, keeps its
+/// shape around the centroid of @p polygon.
+/// @throws InvalidInput if the radius is at most 1e-9 of the distance from there to the origin.
+void requireResolved(const DomainPolygon& polygon, double radius);
+
 } // namespace flattening

@@ -16,10 +16,6 @@ struct Placement
   Eigen::RowVector2d Centre = Eigen::RowVector2d::Zero();
 };
 
-/// @throws InvalidInput if the centre of a domain's outline lies so far from the origin that a map of
-/// this scale would lose its shape to rounding there.
-void requireResolved(const Placement& placement);
-
 struct PlacedMap
 {
   Points2 Positions;    ///< n x 2

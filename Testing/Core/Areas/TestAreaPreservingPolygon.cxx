@@ -341,4 +341,15 @@ TEST(DomainPolygon, RefusesWhatIsNoConvexPolygon)
   EXPECT_TRUE(contains(message(1.5e308 * regular(4)), "too large"));
 }
 
+TEST(DomainPolygon, FarFromTheOriginNeedsALargeMap)
+{
+  const DomainPolygon polygon = domainPolygon(1e130 * pointsOf({ { 1, 2 }, { 2, 2 }, { 1, 3 } }));
+  const auto message = [&polygon](double radius)
+  { return messageOf<InvalidInput>([&] { requireResolved(polygon, radius); }); };
+  EXPECT_TRUE(contains(message(5.0), "a distance of 2.33333e+130"));
+  EXPECT_TRUE(contains(message(2.3e121), "does not hold so small a map"));
+  EXPECT_NO_THROW(requireResolved(polygon, 2.4e121));
+  EXPECT_NO_THROW(requireResolved(domainPolygon(regular(6)), 1e-5)) << "around the origin";
+}
+
 } // namespace
