@@ -176,7 +176,9 @@ public:
   ///@{
   /**
    * Number of source points, if MeasureLengths is on. They are points of the surface, drawn by area from
-   * a fixed seed; the same input gives the same points. Global lengths take a twentieth of them. Four
+   * a fixed seed; the same input gives the same points. Local lengths take all of them where
+   * LengthRadius reaches over less than a sixteenth of the surface, fewer where it reaches farther, and
+   * a sixteenth of them where it reaches over all of it. Global lengths take a twentieth of them. Four
    * times as many halve the standard errors and take four times as long. More than there are points
    * count as many as those. Range [2, inf), otherwise an error; one, too, if the lengths between them
    * and the points within LengthRadius need more memory than there is. Default: 300.

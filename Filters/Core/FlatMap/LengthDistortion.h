@@ -20,8 +20,9 @@ struct LengthOptions
 {
   /// Points no farther apart on the surface are local, input units. Finite and > 0.
   double Radius = 30.0;
-  /// Number of source points, at least 2, but no more than the surface has vertices. Global lengths have
-  /// a twentieth as many source points, but at least 2.
+  /// Number of source points, at least 2, but no more than the surface has vertices. Local lengths have
+  /// fewer where the radius reaches over much of the surface, as LengthPairs::local() says. Global
+  /// lengths have a twentieth as many, but at least 2.
   int Samples = 300;
 };
 

@@ -107,6 +107,7 @@ TEST(LengthDistortion, CylinderWithASeam)
   const int n = 24;
   const double side = 2.0 * std::sin(Pi / n);
   TriangleMesh mesh = rectangleGrid(n + 1, 17, n * side);
+  mesh.Vertices.col(1) *= 4.0; // in a low cylinder nearly half of the lengths cross the seam
   const Points2 flat = mesh.Vertices.leftCols<2>();
   for (int v = 0; v < mesh.vertexCount(); ++v)
   {
