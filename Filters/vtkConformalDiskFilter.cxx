@@ -70,6 +70,11 @@ int nearestVertex(const Disk& disk, const std::vector<int>& candidates, const do
 // the map is then visibly not conformal.
 constexpr double SpreadShare = 0.01;
 
+// The BoundaryAnisotropy below which the surface is taken for a strip, which a rectangle suits: a flat
+// rectangle of 13 to 1 has 0.2. The boundary of half a brain is long as well, though the surface is not:
+// it has 0.6.
+constexpr double StripAnisotropy = 0.2;
+
 // The methods in the order of vtkConformalDiskFilter::MethodType.
 constexpr std::array<flattening::ConformalMethod, 3> Methods = { flattening::ConformalMethod::RicciFlow,
   flattening::ConformalMethod::BoundaryFirst,
@@ -157,12 +162,14 @@ DomainMap rectangleMap(vtkConformalDiskFilter* filter, vtkPolyData* input, const
   return { std::move(map.Map), map.Modulus, map.Corners };
 }
 
+// @param logScale the logarithm of the size of the output over that of the map, less that of the surface
+// over that of the mesh that was mapped.
 void fillMap(vtkPolyData* output,
   vtkPolyData* input,
   const flattening::Points3& places,
   const flattening::Points2& positions,
   const flattening::ConformalDiskMap& map,
-  double scale)
+  double logScale)
 {
   output->ShallowCopy(input);
   flattening::removeEarlierMeasures(output);
@@ -171,29 +178,17 @@ void fillMap(vtkPolyData* output,
   flattening::setTextureCoordinates(output, map.Positions);
   flattening::deactivateNormals(output);
   flattening::addSurfacePoints(output, places);
-  flattening::addPointArray(
-    output, "ConformalFactor", (map.LogFactors.array() + std::log(scale)).matrix());
+  flattening::addPointArray(output, "ConformalFactor", (map.LogFactors.array() + logScale).matrix());
 }
 
-// Removes the values of an earlier map which the report of this map may lack.
-void removeReport(vtkFieldData* data)
+// @param addedLength that of the map in input units.
+void setReport(vtkFieldData* data,
+  const flattening::ConformalDiskMap& map,
+  double addedLength,
+  int method)
 {
-  for (const char* name : { "NewtonIterations",
-         "MaxCurvatureError",
-         "LayoutError",
-         "SpreadPoints",
-         "BoundaryIterations",
-         "Modulus",
-         "CornerPointIds" })
-  {
-    data->RemoveArray(name);
-  }
-}
-
-void setReport(vtkFieldData* data, const flattening::ConformalDiskMap& map, int method)
-{
-  const auto count = [data](const char* name, int value)
-  { flattening::setDatum(data, name, static_cast<long long>(value)); };
+  const auto count = [data](const char* name, long long value)
+  { flattening::setDatum(data, name, value); };
   if (method == vtkConformalDiskFilter::RICCI_FLOW)
   {
     count("NewtonIterations", map.NewtonIterations);
@@ -209,7 +204,7 @@ void setReport(vtkFieldData* data, const flattening::ConformalDiskMap& map, int 
     count("BoundaryIterations", map.BoundaryIterations);
   }
   count("IntrinsicFlips", map.Flips);
-  flattening::setDatum(data, "AddedLength", map.AddedLength);
+  flattening::setDatum(data, "AddedLength", addedLength);
   count("RepairedFaces", map.Untangling.RepairedFaces);
   count("MovedPoints", map.Untangling.MovedVertices);
   flattening::setDatum(data, "GreatestMove", map.Untangling.GreatestMove);
@@ -237,11 +232,16 @@ void vtkConformalDiskFilter::Execute(vtkInformationVector** inputVector,
   const flattening::PlacedMap placed =
     flattening::placeMap(mesh, disk.Loop, map.Positions, { scale, Eigen::RowVector2d::Zero() });
   map.Untangling.FlippedFaces = placed.FlippedFaces;
-  fillMap(output, input, disk.Places, placed.Positions, map, scale);
+  fillMap(output,
+    input,
+    disk.Places,
+    placed.Positions,
+    map,
+    std::log(scale) - std::log(frame.restoredLength(1.0)));
 
   vtkFieldData* data = output->GetFieldData();
-  removeReport(data);
-  setReport(data, map, this->Method);
+  flattening::removeEarlierReports(data);
+  setReport(data, map, frame.restoredLength(map.AddedLength), this->Method);
   if (this->Domain == RECTANGLE)
   {
     flattening::setDatum(data, "Modulus", result.Area);
@@ -262,9 +262,14 @@ void vtkConformalDiskFilter::Warn(int flippedFaces, int spreadPoints, int points
   if (flippedFaces > 0)
   {
     const char* remedy = "set Method to Ricci Flow, which moves apart what lies too close together";
-    if (isSpread && anisotropy < 1.0)
+    if (isSpread && anisotropy < StripAnisotropy)
     {
       remedy = "set Domain to Rectangle, as the surface is long and narrow";
+    }
+    else if (isSpread)
+    {
+      remedy = "smooth the surface more, or fill its narrow parts; OMT Area Preserving untangles most "
+               "of these faces";
     }
     else if (this->Method == RICCI_FLOW)
     {

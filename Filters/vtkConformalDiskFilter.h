@@ -5,8 +5,9 @@
  *
  * The input is an oriented triangle surface with one component, one boundary loop and no handle, as
  * vtkSurfaceToDiskFilter makes it. The output has the same points and cells, one to one and with all of
- * their arrays except those that Distortion Metrics added to an earlier map, but its points lie in the
- * disk around the origin of the plane z = 0, and the boundary vertices lie exactly on the circle.
+ * their arrays except those that Distortion Metrics added to an earlier map, and without the field data
+ * of an earlier map, but its points lie in the disk around the origin of the plane z = 0, and the
+ * boundary vertices lie exactly on the circle.
  *
  * There are three methods (SetMethod), which share the centring and the rotation of the disk;
  * docs/conformal_methods.md compares them.
@@ -41,15 +42,15 @@
  * to be moved apart; for a long tube a rectangle is better then.
  *
  * Output arrays:
- * - point `SurfacePoints` (double x 3, input units): where the flat point lies on the surface; warping
- *   by it restores the surface.
+ * - point `SurfacePoints` (double x 3, input units): where the flat point lies on the surface;
+ *   ParaView's Calculator with Coordinate Results puts the points of the map back there.
  * - point `ConformalFactor` (double, dimensionless): natural logarithm of flat length over surface
  *   length, u of the Ricci flow; for the other methods, of the root mean square length of the sides of
  *   the faces at the point on the map over that on the surface.
  * - point `TCoords` (float x 2, [0, 1]): active texture coordinates, the flat position in the smallest
  *   square around the map with the same centre.
  * - point `SurfaceTCoords` (as in the input): texture coordinates that the surface had under the name
- *   `TCoords`; absent if it had none.
+ *   `TCoords` before it was flattened; absent if it had none.
  *
  * Field data (one tuple each unless stated otherwise):
  * - `NewtonIterations` (vtkIdType): steps of Newton's method; Ricci flow only.

@@ -62,7 +62,7 @@ void addCellArrays(vtkPolyData* map, const std::vector<MapPlace>& places, vtkPoi
   for (int i = 0; i < underPixels->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = underPixels->GetAbstractArray(i);
-    if (pixels->HasArray(array->GetName()))
+    while (pixels->HasArray(array->GetName()))
     {
       array->SetName((std::string(array->GetName()) + "Cell").c_str());
     }
@@ -152,10 +152,12 @@ int vtkFlatMapImage::RequestInformation(vtkInformation* vtkNotUsed(request),
   flattening::updateInput(this, 0);
   if (vtkPolyData* map = vtkPolyData::GetData(inputVector[0])) // not composite
   {
+    vtkInformation* output = outputVector->GetInformationObject(0);
     flattening::announceGridOver(map,
-      outputVector->GetInformationObject(0),
+      output,
       [this](const flattening::TextureSquare& square)
       { return flattening::gridOver(square, this->PixelsFor(square.Side)); });
+    flattening::announceScalars(output, map->GetPointData()->GetScalars());
   }
   return 1;
 }

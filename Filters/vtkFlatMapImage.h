@@ -12,7 +12,7 @@
  * Point arrays of floating point numbers are interpolated at the centres of the pixels; all others
  * (labels, ids, strings) take the value of the nearest corner of the triangle, as the mean of two
  * labels is not a label. Cell arrays take the value of the triangle under the pixel; where a point
- * array has the same name, the suffix `Cell` is added.
+ * array has the same name, the suffix `Cell` is added, as often as it takes for a name of its own.
  *
  * Pixels outside the map but within Margin have the values of the nearest position on the map, so that
  * interpolation between pixels works at the boundary of the map. Pixels farther away are NaN in arrays
@@ -27,8 +27,9 @@
  * - point `CellId` (vtkIdType): triangle under the pixel; -1 outside the map.
  * - point `InMap` (unsigned char): 1 in the map, 0 outside.
  *
- * Image filters after this one ask for the extent and the spacing before there are data. Therefore this
- * filter brings its input up to date when it is asked for information.
+ * Image filters after this one ask for the extent, the spacing and the type of the active scalars before
+ * there are data. Therefore this filter brings its input up to date when it is asked for information.
+ * They ask once for all time steps (docs/composite_data.md).
  *
  * Field data (one tuple each):
  * - `PixelLength` (double, units of the map): side of a pixel.

@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 vtkStandardNewMacro(vtkFlatMapSlab);
 
@@ -123,17 +124,26 @@ int vtkFlatMapSlab::RequestInformation(vtkInformation* vtkNotUsed(request),
   if (this->StackSize > 1)
   {
     flattening::updateInput(this, 0);
+    flattening::updateInput(this, 1);
   }
   if (vtkPolyData* map = vtkPolyData::GetData(inputVector[0])) // not composite
   {
+    vtkInformation* stack = outputVector->GetInformationObject(1);
     flattening::announceGridOver(map,
-      outputVector->GetInformationObject(1),
+      stack,
       [this](const flattening::TextureSquare& square)
       {
         return this->StackSize > 1
                  ? flattening::stackGrid(flattening::gridOver(square, this->StackSize), this->Depths)
                  : flattening::NoImage;
       });
+    if (vtkImageData* volume = vtkImageData::GetData(inputVector[1])) // not composite
+    {
+      const std::vector<vtkDataArray*> arrays = flattening::sampledArrays(volume);
+      vtkDataArray* first = arrays.empty() ? nullptr : arrays.front();
+      flattening::announceScalars(
+        stack, first, first ? flattening::sampledType(first, this->NearestVoxel) : VTK_DOUBLE);
+    }
   }
   return 1;
 }

@@ -37,6 +37,10 @@
  * - point `InVolume` (unsigned char): 1 where the pixel lies on the map and its sample inside the
  *   volume, 0 elsewhere.
  *
+ * Image filters after the stack ask for its extent, its spacing and the type of its values before there
+ * are data. Therefore this filter brings its inputs up to date when it is asked for information, if it
+ * makes a stack.
+ *
  * Field data of both ports:
  * - `Depths` (double, input units, one tuple per depth): depths below the surface.
  * - `OutsideSamples` (vtkIdType, one tuple): number of samples of port 0 outside the volume.

@@ -3,8 +3,8 @@
 
 #include "Core/Base/Errors.h"
 #include "Core/FlatMap/FlatMapTransfer.h"
-#include "Core/Mesh/DerivedMesh.h"
 #include "Internal/FilterExecution.h"
+#include "Internal/MapMeasures.h"
 #include "Internal/PolyDataConversion.h"
 #include "Internal/RegionOutput.h"
 
@@ -14,48 +14,47 @@
 #include <vtkPolyData.h>
 
 #include <sstream>
-#include <vector>
 
 vtkStandardNewMacro(vtkFlatMapTransfer);
 
 namespace
 {
 
-using flattening::DerivedMesh;
 using flattening::TransferredMap;
 
-// The original faces whose three vertices have a position on the map.
-DerivedMesh survivingPart(const flattening::TriangleMesh& original, const TransferredMap& map)
+void requireFaces(const TransferredMap& map)
 {
-  std::vector<int> faces;
-  for (int f = 0; f < original.faceCount(); ++f)
+  if (map.Part.Mesh.faceCount() > 0)
   {
-    if (map.Survived[original.Faces(f, 0)] && map.Survived[original.Faces(f, 1)] &&
-        map.Survived[original.Faces(f, 2)])
-    {
-      faces.push_back(f);
-    }
+    return;
   }
-  if (faces.empty())
-  {
-    std::ostringstream message;
-    message << "no triangle of the original surface has all of its points within " << map.Tolerance
-            << " of the flattened one: raise the tolerance, or set it to 0, for half of the flattened "
-               "surface's mean edge length";
-    throw flattening::InvalidInput(message.str());
-  }
-  return flattening::extractFaces(original, faces);
+  std::ostringstream message;
+  message << "no triangle of the original surface has all of its points within " << map.Tolerance
+          << " of the flattened one: raise the tolerance, or set it to 0, for half of the flattened "
+             "surface's mean edge length";
+  throw flattening::InvalidInput(message.str());
 }
 
-flattening::Points2 positionsOf(const DerivedMesh& part, const TransferredMap& map)
+// Replaces what describes the flattened surface by what holds for the map of the original one.
+void setReport(vtkPolyData* output,
+  const flattening::TriangleMesh& original,
+  const TransferredMap& map,
+  vtkIdType flipped)
 {
-  flattening::Points2 positions(part.Mesh.vertexCount(), 2);
-  for (int v = 0; v < part.Mesh.vertexCount(); ++v)
-  {
-    positions.row(v) =
-      map.Positions.row(flattening::VertexOrigins::InnerIterator(part.Vertices, v).col());
-  }
-  return positions;
+  flattening::removeEarlierMap(output);
+  vtkFieldData* data = output->GetFieldData();
+  const auto count = [data](const char* name, vtkIdType value)
+  { flattening::setDatum(data, name, static_cast<long long>(value)); };
+  const flattening::TriangleMesh& part = map.Part.Mesh;
+  count("TransferredPoints", part.vertexCount());
+  count("LostPoints", original.vertexCount() - map.KeptVertices);
+  count("RepeatedPoints", map.RepeatedVertices);
+  count("LostCells", original.faceCount() - part.faceCount());
+  count("CellsAcrossSeams", map.FacesAcrossSeams);
+  count("FlippedFaces", flipped);
+  flattening::setDatum(data, "SurfaceArea", flattening::faceAreas(part.Vertices, part.Faces).sum());
+  flattening::setDatum(data, "LargestDistance", map.LargestDistance);
+  flattening::setDatum(data, "Tolerance", map.Tolerance);
 }
 
 } // namespace
@@ -78,21 +77,20 @@ void vtkFlatMapTransfer::Execute(vtkInformationVector** inputVector, vtkInformat
   flattening::requireOrdinarySize(flattened.Surface);
   const TransferredMap map =
     flattening::transferFlatMap(flattened, surface, this->Tolerance, flattening::progressOf(this));
-  const DerivedMesh part = survivingPart(surface, map);
-  const flattening::Points2 positions = positionsOf(part, map);
-
-  flattening::setFlatRegion(output, original, part, positions);
-
-  const auto flipped = (flattening::signedFaceAreas(positions, part.Mesh.Faces).array() <= 0.0).count();
-  vtkFieldData* data = output->GetFieldData();
-  const auto count = [data](const char* name, vtkIdType value)
-  { flattening::setDatum(data, name, static_cast<long long>(value)); };
-  count("TransferredPoints", part.Mesh.vertexCount());
-  count("LostPoints", surface.vertexCount() - part.Mesh.vertexCount());
-  count("LostCells", surface.faceCount() - part.Mesh.faceCount());
-  count("FlippedFaces", flipped);
-  flattening::setDatum(data, "LargestDistance", map.LargestDistance);
-  flattening::setDatum(data, "Tolerance", map.Tolerance);
+  requireFaces(map);
+  flattening::setFlatRegion(output, original, map.Part, map.PartPositions);
+  const vtkIdType flipped =
+    (flattening::signedFaceAreas(map.PartPositions, map.Part.Mesh.Faces).array() <= 0.0).count();
+  setReport(output, surface, map, flipped);
+  if (flipped > 0)
+  {
+    vtkWarningMacro(
+      << this->GetBlockPrefix() << flipped
+      << " triangles of the original surface are flipped on the map, so that it is not one-to-one "
+         "there: they are smaller than those of the flattened surface, or beside its boundary. Leave "
+         "them out of what is measured (Distortion Metrics, array Flipped), or flatten the surface "
+         "without Remesh");
+  }
 }
 
 void vtkFlatMapTransfer::PrintSelf(ostream& os, vtkIndent indent)

@@ -12,23 +12,34 @@
  * An original point is lost if it has no such position: if it lies on a removed hole, component, handle
  * or patch, farther away than the tolerance, or nearest to the wrong side of a fold (normals that
  * differ by more than 90 degrees). The output consists of the original cells whose points all survived.
- * Their points lie in the plane z = 0 and keep all arrays of the original surface.
+ * Their points lie in the plane z = 0 and keep all arrays of the original surface but those that
+ * describe an earlier map of it.
+ *
+ * A disk that vtkSurfaceToDiskFilter has opened along a seam has two banks there, at the same place on
+ * the surface and apart on the map. Each cell lies on the bank of its centroid, and none reaches from
+ * one bank to the other. A point on the seam is in the output once for each bank, as in the disk. A cell
+ * through which the seam runs has no place in one piece: it is left out, on a surface that was not
+ * remeshed, too, as seams run through triangles.
  *
  * Output arrays:
  * - point `SurfacePoints` (double x 3, input units): the original point.
- * - point `vtkOriginalPointIds` (vtkIdType): id of the original point.
+ * - point `vtkOriginalPointIds` (vtkIdType): id of the original point; points on a seam share one.
  * - cell `vtkOriginalCellIds` (vtkIdType): id of the original cell.
  * - point `TCoords` (float x 2, [0, 1]): active texture coordinates, the flat position in the smallest
  *   square around the map with the same centre.
  * - point `SurfaceTCoords` (as in the input): texture coordinates that the original surface had under
  *   the name `TCoords`; absent if it had none.
  *
- * Field data (one tuple each):
+ * Field data (one tuple each), in place of the measures and reports of the flattened surface's map:
  * - `TransferredPoints` (vtkIdType): number of points of the output.
  * - `LostPoints` (vtkIdType): number of original points that are not in the output.
+ * - `RepeatedPoints` (vtkIdType): number of original points that are in the output more than once.
  * - `LostCells` (vtkIdType): number of original cells that are not in the output.
- * - `FlippedFaces` (vtkIdType): number of triangles of the output that are not positively oriented;
- *   there are a few where the original surface has slivers that the flattened surface does not have.
+ * - `CellsAcrossSeams` (vtkIdType): number of those through which a seam runs.
+ * - `FlippedFaces` (vtkIdType): number of triangles of the output that are not positively oriented; a
+ *   warning if there are any. There are a few where the original surface has slivers that the flattened
+ *   surface does not have, and beside seams, where the map bends their sides.
+ * - `SurfaceArea` (double, input units squared): area of the output's cells on the original surface.
  * - `LargestDistance` (double, input units): greatest distance of a transferred point from the
  *   flattened surface.
  * - `Tolerance` (double, input units): the tolerance that was used.

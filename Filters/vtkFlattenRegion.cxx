@@ -127,16 +127,6 @@ RegionDisk withFineBoundary(RegionDisk region)
   return region;
 }
 
-// Removes what describes the map that the input may be.
-void removeEarlierMap(vtkPolyData* region)
-{
-  flattening::removeEarlierMeasures(region);
-  for (const char* name : { "ConformalFactor", "CellArea", "PowerWeight", "FlatPoints" })
-  {
-    region->GetPointData()->RemoveArray(name);
-  }
-}
-
 void setReport(vtkFieldData* data,
   const RegionDisk& region,
   double margin,
@@ -239,7 +229,7 @@ void vtkFlattenRegion::Execute(vtkInformationVector** inputVector, vtkInformatio
   const flattening::RegionReport measures =
     flattening::measureRegion(region, positions, flattening::subrange(progress, 0.7, 1.0));
   flattening::setFlatRegion(output, input, region.Disk, positions);
-  removeEarlierMap(output);
+  flattening::removeEarlierMap(output);
   output->GetCellData()->AddArray(
     flattening::newArray<vtkUnsignedCharArray>("InRegion", region.InRegion));
   flattening::fillMeasures(

@@ -11,17 +11,17 @@
  * says which area was left out with the other pieces.
  *
  * Output port 0 is the flat region with its margin, in the plane z = 0, with the area of the surface
- * and all arrays of the input, except those that describe it as a flat map. Output port 1 is a vtkTable
- * with the rows `Area`, `GreatestDiameter`, `ExtentAcross` and `Perimeter`. Output port 2 has the two
- * diameters and the outline as polylines on the flat map.
+ * and all arrays of the input, except the arrays and field data that describe it as a flat map. Output
+ * port 1 is a vtkTable with the rows `Area`, `GreatestDiameter`, `ExtentAcross` and `Perimeter`. Output
+ * port 2 has the two diameters and the outline as polylines on the flat map.
  *
  * Output arrays of port 0:
  * - point `SurfacePoints` (double x 3, input units): where the flat point lies on the surface.
  * - point `vtkOriginalPointIds` (vtkIdType): id of the same point in the input; -1 for a new point.
  * - point `TCoords` (float x 2, [0, 1]): active texture coordinates, the flat position in the smallest
  *   square around the map with the same centre.
- * - point `SurfaceTCoords` (as in the input): texture coordinates that the input had under the name
- *   `TCoords`; absent if it had none.
+ * - point `SurfaceTCoords` (as in the input): texture coordinates that the surface had under the name
+ *   `TCoords` before it was flattened; absent if it had none.
  * - cell `InRegion` (unsigned char): 1 in the region, 0 in the margin.
  * - cell `vtkOriginalCellIds` (vtkIdType): id of the cell of the input that the cell is a part of.
  *

@@ -288,6 +288,10 @@ void setReport(vtkFieldData* data, const flattening::AreaPreservingMap& map)
   count("FreeOutline", map.Deformations > 0 ? 1 : 0);
 }
 
+// Share of the domain's area that the outline of the map may cut off without a warning: half of the 2
+// percent by which faces count as right.
+constexpr double LargestOutlineLoss = 0.01;
+
 } // namespace
 
 vtkOMTAreaPreservingFilter::vtkOMTAreaPreservingFilter()
@@ -383,6 +387,19 @@ void vtkOMTAreaPreservingFilter::Execute(vtkInformationVector** inputVector,
       << "double precision does not hold areas in the square of the units of this surface: "
          "the arrays of areas are 0 or infinite, and the map is right; scale the surface, "
          "e.g. with Transform");
+  }
+  const double flatArea =
+    flattening::faceAreas(flattening::planarMesh(placed.Positions, {}).Vertices, input.Surface.Faces)
+      .sum();
+  if (flatArea < (1.0 - LargestOutlineLoss) * area)
+  {
+    vtkWarningMacro(<< this->GetBlockPrefix() << "the outline of the map, a polygon, encloses "
+                    << flattening::formatted(100.0 * (1.0 - flatArea / area))
+                    << " percent less than the domain, and all areas on the map are too small by that: "
+                       "multiply them by "
+                    << flattening::formatted(area / flatArea)
+                    << ", or cut the surface open along a longer seam or its relief (Surface To Disk, "
+                       "Cut)");
   }
   if (result.Map.StartShare < 1.0)
   {

@@ -51,7 +51,9 @@
  * not a one-to-one map to the present domain, if more than a percent of the triangles would flip on the
  * way, or with an AngleWeight.
  *
- * A warning is given if the map is not one-to-one, or if its outline could not be freed.
+ * A warning is given if the map is not one-to-one, if its outline could not be freed, or if the outline,
+ * which is a polygon, encloses more than 1 percent less than the domain: all areas on the map are then
+ * too small by that, and the warning names the factor that makes them right.
  *
  * Output arrays of port 0:
  * - point `TargetArea` (double, output units squared): area that the point is to have; the sum is the

@@ -102,6 +102,8 @@ int vtkPlanarWarp::RequestInformation(vtkInformation* vtkNotUsed(request),
           this->SizeOfImage(image),
           flattening::planeHeight(flattening::surfaceOfFlattened(flat)));
       });
+    flattening::announceScalars(
+      outputVector->GetInformationObject(0), image->GetPointData()->GetScalars());
   }
   return 1;
 }

@@ -33,7 +33,8 @@
  * Field data (one tuple each):
  * - `OutsidePoints` (vtkIdType): number of points of the data that lie outside the mesh; of a resampled
  *   image, the number of pixels of the flat map that lie outside the image.
- * - `InsertedPoints` (vtkIdType): number of points that were inserted on lines and edges.
+ * - `InsertedPoints` (vtkIdType): number of points that were inserted on lines and edges and are
+ *   in the output.
  *
  * An empty input on either port gives an empty output. The following are errors, each with an empty
  * output: no array `SurfacePoints`; an undeformed mesh that is not in a plane of constant z or folds

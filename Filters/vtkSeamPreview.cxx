@@ -18,7 +18,9 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
+#include <vector>
 
 vtkStandardNewMacro(vtkSeamPreview);
 
@@ -40,11 +42,33 @@ std::optional<SurfaceMesh> connected(const flattening::TriangleMesh& mesh)
   }
 }
 
-int nearestVertex(const flattening::Points3& points, const Eigen::Vector3d& picked)
+// The vertices of faces, one flag per vertex: other points are no part of the surface.
+std::vector<char> verticesOfFaces(const flattening::TriangleMesh& mesh)
 {
-  Eigen::Index nearest = 0;
-  (points.rowwise() - picked.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
-  return static_cast<int>(nearest);
+  std::vector<char> used(mesh.vertexCount(), 0);
+  for (const int v : mesh.Faces.reshaped())
+  {
+    used[v] = 1;
+  }
+  return used;
+}
+
+int nearestVertex(const flattening::TriangleMesh& mesh,
+  const std::vector<char>& candidates,
+  const Eigen::Vector3d& picked)
+{
+  int nearest = -1;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    const double distance = (mesh.Vertices.row(v) - picked.transpose()).squaredNorm();
+    if (candidates[v] && (nearest < 0 || distance < smallest))
+    {
+      nearest = v;
+      smallest = distance;
+    }
+  }
+  return nearest;
 }
 
 Line legBetween(const std::optional<SurfaceMesh>& surface,
@@ -113,11 +137,12 @@ void vtkSeamPreview::Execute(vtkInformationVector** inputVector, vtkInformationV
   const flattening::CoordinateFrame frame(input);
   const flattening::TriangleMesh mesh = frame.normalised(input);
   const std::optional<SurfaceMesh> surface = connected(mesh);
+  const std::vector<char> candidates = verticesOfFaces(mesh);
   std::vector<int> vertices;
   for (const std::array<double, 3>& point : this->SeamPoints)
   {
     vertices.push_back(
-      nearestVertex(mesh.Vertices, frame.normalisedPoint(Eigen::Vector3d(point.data()))));
+      nearestVertex(mesh, candidates, frame.normalisedPoint(Eigen::Vector3d(point.data()))));
   }
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();

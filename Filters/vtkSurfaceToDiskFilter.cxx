@@ -153,7 +153,8 @@ void vtkSurfaceToDiskFilter::Execute(vtkInformationVector** inputVector,
   {
     vtkWarningMacro(<< this->GetBlockPrefix() << warning);
   }
-  const double step = flattening::coordinateStep(input);
+  const double step =
+    flattening::coordinateStep(disk.Surface.Mesh.Vertices, input->GetPoints()->GetDataType());
   if (step > CoarsestStep * meanEdge(surface))
   {
     vtkWarningMacro(<< this->GetBlockPrefix() << roundingWarning(step));

@@ -7,6 +7,7 @@
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataObjectTypes.h>
+#include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationIntegerKey.h>
 #include <vtkInformationStringKey.h>
@@ -123,25 +124,47 @@ std::string wordFor(const std::string& type)
                                   : "a " + type;
 }
 
-// The selection nodes that were made for this block or for no block.
+bool isOfAnotherBlock(vtkSelectionNode* node, unsigned int flatIndex)
+{
+  vtkInformation* properties = node->GetProperties();
+  return properties->Has(vtkSelectionNode::COMPOSITE_INDEX()) &&
+         properties->Get(vtkSelectionNode::COMPOSITE_INDEX()) != static_cast<int>(flatIndex);
+}
+
+// A node of the same kind of elements that selects none.
+vtkSmartPointer<vtkSelectionNode> nothingLike(vtkSelectionNode* node)
+{
+  auto nothing = vtkSmartPointer<vtkSelectionNode>::New();
+  nothing->SetFieldType(node->GetFieldType());
+  nothing->SetContentType(vtkSelectionNode::INDICES);
+  nothing->SetSelectionList(vtkNew<vtkIdTypeArray>());
+  return nothing;
+}
+
+vtkSmartPointer<vtkSelectionNode> withoutBlock(vtkSelectionNode* node)
+{
+  auto copy = vtkSmartPointer<vtkSelectionNode>::New();
+  copy->ShallowCopy(node);
+  copy->GetProperties()->Remove(vtkSelectionNode::COMPOSITE_INDEX());
+  return copy;
+}
+
+// The selection with its expression as far as it concerns this block: nodes that were made for another
+// block select nothing.
 vtkSmartPointer<vtkSelection> selectionIn(unsigned int flatIndex, vtkSelection* selection)
 {
   auto result = vtkSmartPointer<vtkSelection>::New();
+  const std::string expression = selection->GetExpression();
+  bool concernsBlock = expression.find('!') != std::string::npos; // what other nodes leave out
   for (unsigned int i = 0; i < selection->GetNumberOfNodes(); ++i)
   {
     vtkSelectionNode* node = selection->GetNode(i);
-    vtkInformation* properties = node->GetProperties();
-    const bool hasBlock = properties->Has(vtkSelectionNode::COMPOSITE_INDEX());
-    if (hasBlock && properties->Get(vtkSelectionNode::COMPOSITE_INDEX()) != static_cast<int>(flatIndex))
-    {
-      continue;
-    }
-    vtkNew<vtkSelectionNode> copy;
-    copy->ShallowCopy(node);
-    copy->GetProperties()->Remove(vtkSelectionNode::COMPOSITE_INDEX());
-    result->AddNode(copy);
+    const bool isOther = isOfAnotherBlock(node, flatIndex);
+    result->SetNode(selection->GetNodeNameAtIndex(i), isOther ? nothingLike(node) : withoutBlock(node));
+    concernsBlock |= !isOther;
   }
-  if (result->GetNumberOfNodes() == 0 && selection->GetNumberOfNodes() > 0)
+  result->SetExpression(expression);
+  if (!concernsBlock && selection->GetNumberOfNodes() > 0)
   {
     throw InvalidInput(
       "the selection has no points or cells of this block: select some, or pass the other "

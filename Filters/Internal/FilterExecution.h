@@ -13,7 +13,9 @@
 #include <vtkSetGet.h>
 #include <vtkVersionMacros.h>
 
+#include <algorithm>
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
 
@@ -29,13 +31,15 @@ inline bool abortRequested(vtkAlgorithm* filter)
 #endif
 }
 
-/// A progress callback for Core that reports to the filter and reads its abort flag.
+/// A progress callback for Core that reports to the filter and reads its abort flag. The filter's
+/// progress never decreases: copies of the callback share the greatest fraction.
 inline ProgressCallback progressOf(vtkAlgorithm* filter)
 {
-  return [filter](double fraction, const char* stage)
+  return [filter, greatest = std::make_shared<double>(0.0)](double fraction, const char* stage)
   {
+    *greatest = std::max(*greatest, fraction);
     filter->SetProgressText(stage);
-    filter->UpdateProgress(fraction);
+    filter->UpdateProgress(*greatest);
     return !abortRequested(filter);
   };
 }

@@ -4,6 +4,7 @@
 #include "Internal/PolyDataConversion.h"
 
 #include <vtkAlgorithm.h>
+#include <vtkDataArray.h>
 #include <vtkDataObject.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -63,6 +64,19 @@ void announceGrid(vtkInformation* output, const std::function<ImageGrid()>& grid
     vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), 0, size[0] - 1, 0, size[1] - 1, 0, size[2] - 1);
   output->Set(vtkDataObject::ORIGIN(), announced.Origin, 3);
   output->Set(vtkDataObject::SPACING(), announced.Spacing, 3);
+}
+
+void announceScalars(vtkInformation* output, vtkDataArray* scalars, int type)
+{
+  if (scalars)
+  {
+    vtkDataObject::SetPointDataActiveScalarInfo(output, type, scalars->GetNumberOfComponents());
+  }
+}
+
+void announceScalars(vtkInformation* output, vtkDataArray* scalars)
+{
+  announceScalars(output, scalars, scalars ? scalars->GetDataType() : VTK_DOUBLE);
 }
 
 void announceGridOver(vtkPolyData* map,

@@ -8,6 +8,7 @@
 #include <functional>
 
 class vtkAlgorithm;
+class vtkDataArray;
 class vtkImageData;
 class vtkInformation;
 class vtkPolyData;
@@ -42,7 +43,16 @@ void updateInput(vtkAlgorithm* filter, int port);
 /// report the same error.
 void announceGrid(vtkInformation* output, const std::function<ImageGrid()>& grid);
 
-/// The same for an image over the square around a flat map; no image if the map is empty.
+/// Tells the filters after @p output which numbers the active scalars of its image will be. VTK's image
+/// filters make their output of that type without a look at the image, and take double without it.
+/// @param scalars an array with the components of those scalars; null if there will be none.
+/// @param type the type of their values.
+void announceScalars(vtkInformation* output, vtkDataArray* scalars, int type);
+/// The same for scalars of the type of @p scalars.
+void announceScalars(vtkInformation* output, vtkDataArray* scalars);
+
+/// The same as announceGrid() for an image over the square around a flat map; no image if the map is
+/// empty.
 void announceGridOver(vtkPolyData* map,
   vtkInformation* output,
   const std::function<ImageGrid(const TextureSquare&)>& grid);

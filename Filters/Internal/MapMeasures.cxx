@@ -133,4 +133,53 @@ void removeEarlierMeasures(vtkPolyData* map)
     });
 }
 
+void removeEarlierReports(vtkFieldData* data)
+{
+  for (const char* name : { "NewtonIterations",
+         "MaxCurvatureError",
+         "LayoutError",
+         "SpreadPoints",
+         "BoundaryIterations",
+         "IntrinsicFlips",
+         "AddedLength",
+         "RepairedFaces",
+         "MovedPoints",
+         "GreatestMove",
+         "FlippedFaces",
+         "BoundaryAnisotropy",
+         "Modulus",
+         "CornerPointIds",
+         "Sites",
+         "PowerDiagrams",
+         "MaxCellAreaError",
+         "CoincidentPoints",
+         "Bijective",
+         "WarmStart",
+         "RefinementRounds",
+         "RefinementRepairs",
+         "FreeOutline",
+         "WeightsInUse",
+         "TransferredPoints",
+         "LostPoints",
+         "RepeatedPoints",
+         "LostCells",
+         "CellsAcrossSeams",
+         "LargestDistance",
+         "Tolerance" })
+  {
+    data->RemoveArray(name);
+  }
+}
+
+void removeEarlierMap(vtkPolyData* map)
+{
+  removeEarlierMeasures(map);
+  removeEarlierReports(map->GetFieldData());
+  map->GetFieldData()->RemoveArray("SurfaceArea"); // that of the larger surface
+  for (const char* name : { "ConformalFactor", "CellArea", "PowerWeight", "FlatPoints" })
+  {
+    map->GetPointData()->RemoveArray(name);
+  }
+}
+
 } // namespace flattening

@@ -35,4 +35,11 @@ void removeLengths(vtkPolyData* map);
 /// points were to have (TargetArea).
 void removeEarlierMeasures(vtkPolyData* map);
 
+/// Removes the reports of Conformal Disk, OMT Area Preserving and Flat Map Transfer on an earlier map.
+void removeEarlierReports(vtkFieldData* data);
+
+/// Removes all that describes an earlier map of the surface or of a larger one: its measures, the arrays
+/// of the conformal and of the area-preserving map, and its reports. SurfacePoints and TCoords stay.
+void removeEarlierMap(vtkPolyData* map);
+
 } // namespace flattening

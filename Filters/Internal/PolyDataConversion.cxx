@@ -93,16 +93,10 @@ TriangleMesh toTriangleMesh(vtkPolyData* data)
   return mesh;
 }
 
-double coordinateStep(vtkPolyData* data)
+double coordinateStep(const Points3& points, int type)
 {
-  std::array<double, 6> bounds;
-  data->GetCellsBounds(bounds.data()); // points that no cell uses do not count
-  double greatest = 0.0;
-  for (const double bound : bounds)
-  {
-    greatest = std::max(greatest, std::abs(bound));
-  }
-  if (data->GetPoints()->GetDataType() == VTK_FLOAT)
+  const double greatest = points.size() > 0 ? points.cwiseAbs().maxCoeff() : 0.0;
+  if (type == VTK_FLOAT)
   {
     const auto coordinate = static_cast<float>(greatest);
     return std::nextafter(coordinate, HUGE_VALF) - coordinate;

@@ -32,9 +32,10 @@ Points3 pointsOf(vtkPolyData* data);
 /// @throws InvalidInput if it has cells other than triangles.
 TriangleMesh toTriangleMesh(vtkPolyData* data);
 
-/// The distance from the greatest coordinate to the next number of the type in which the points are
-/// stored, input units: floating point types store the coordinates of the surface to half of it.
-double coordinateStep(vtkPolyData* data);
+/// The distance from the greatest coordinate to the next number of the type in which points are stored:
+/// floating point types store the coordinates to half of it.
+/// @param type that of VTK, such as VTK_FLOAT.
+double coordinateStep(const Points3& points, int type);
 
 /// The surface in space of a flattened surface: its triangles with the points of its array
 /// SurfacePoints.

@@ -19,7 +19,8 @@ void setRegion(vtkPolyData* output,
   const std::vector<vtkIdType>& cells = {});
 
 /// Does the same with the points at @p positions (n x 2, z = 0), and adds the point arrays SurfacePoints
-/// and TCoords. An array TCoords of @p original is renamed SurfaceTCoords.
+/// and TCoords. An array TCoords of @p original is renamed SurfaceTCoords; if @p original is a flat
+/// map, which has SurfacePoints, TCoords is left out and SurfaceTCoords stays.
 void setFlatRegion(vtkPolyData* output,
   vtkPolyData* original,
   const DerivedMesh& part,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Internal/TextureCoordinates.h"
 
+#include "Internal/PolyDataConversion.h"
+
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -36,13 +38,19 @@ void setTextureCoordinates(vtkPolyData* output, const Points2& positions)
       coordinates->SetTypedComponent(v, k, static_cast<float>(std::clamp(t, 0.0, 1.0)));
     }
   }
-  output->GetPointData()->SetTCoords(coordinates);
+  // SetTCoords() would remove the active array, which the user may need.
+  output->GetPointData()->AddArray(coordinates);
+  output->GetPointData()->SetActiveTCoords(TextureCoordinatesName);
 }
 
 void keepSurfaceTextureCoordinates(vtkPolyData* output)
 {
   vtkPointData* arrays = output->GetPointData();
-  if (vtkDataArray* own = arrays->GetArray(TextureCoordinatesName))
+  if (arrays->HasArray(SurfacePointsName))
+  {
+    arrays->RemoveArray(TextureCoordinatesName); // those of the map
+  }
+  else if (vtkDataArray* own = arrays->GetArray(TextureCoordinatesName))
   {
     const auto copy = vtk::TakeSmartPointer(own->NewInstance());
     copy->ShallowCopy(own);

@@ -28,7 +28,9 @@ TextureSquare textureSquare(const Points2& positions);
 /// array of that name.
 void setTextureCoordinates(vtkPolyData* output, const Points2& positions);
 
-/// Renames the array TCoords of the surface itself, if there is one, to SurfaceTCoords.
+/// Renames the array TCoords of the surface itself, if there is one, to SurfaceTCoords. If the surface
+/// is a flat map already, which the array SurfacePoints tells, TCoords is that of the map: it is
+/// removed, and SurfaceTCoords stays.
 void keepSurfaceTextureCoordinates(vtkPolyData* output);
 
 } // namespace flattening

@@ -34,11 +34,10 @@ bool needsDouble(vtkDataArray* array)
 }
 
 vtkSmartPointer<vtkDataArray> inFloatingPoint(vtkDataArray* array,
-  bool isDouble,
+  int type,
   const ProgressCallback& progress)
 {
-  const auto values =
-    vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(isDouble ? VTK_DOUBLE : VTK_FLOAT));
+  const auto values = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
   const vtkIdType count = array->GetNumberOfTuples();
   values->SetNumberOfComponents(array->GetNumberOfComponents());
   values->SetNumberOfTuples(count);
@@ -71,27 +70,22 @@ void requireVoxels(vtkImageData* volume)
   volume->SetSpacing(lengths);
 }
 
-// Moves a point within the volume to the centre of its voxel.
-void moveToVoxel(vtkImageData* volume, Eigen::RowVector3d& point)
+// The id of the voxel whose centre is nearest to a point in the volume.
+vtkIdType nearestVoxel(vtkImageData* volume, const Eigen::RowVector3d& point)
 {
   double index[3];
   volume->TransformPhysicalPointToContinuousIndex(point.data(), index);
   int voxel[3];
   for (int k = 0; k < 3; ++k)
   {
-    const int low = volume->GetExtent()[2 * k];
-    const int high = volume->GetExtent()[2 * k + 1];
-    if (!(index[k] >= low && index[k] <= high))
-    {
-      return; // a point outside must stay outside
-    }
-    voxel[k] = static_cast<int>(std::lround(index[k]));
+    // VTK takes points just outside for points of the volume.
+    const int* ends = volume->GetExtent() + 2 * k;
+    voxel[k] = std::clamp(static_cast<int>(std::lround(index[k])), ends[0], ends[1]);
   }
-  volume->TransformIndexToPhysicalPoint(voxel, point.data());
+  return volume->ComputePointId(voxel);
 }
 
-// A data set of the points, moved to the centres of @p voxels if these are given.
-vtkSmartPointer<vtkPolyData> pointsOnly(const Points3& points, vtkImageData* voxels)
+vtkSmartPointer<vtkPolyData> pointsOnly(const Points3& points)
 {
   vtkNew<vtkPoints> positions;
   positions->SetDataTypeToDouble();
@@ -99,13 +93,9 @@ vtkSmartPointer<vtkPolyData> pointsOnly(const Points3& points, vtkImageData* vox
   for (Eigen::Index i = 0; i < points.rows(); ++i)
   {
     // A coordinate that is not finite would make VTK look into a cell that does not exist.
-    Eigen::RowVector3d point = points.row(i).allFinite()
-                                 ? Eigen::RowVector3d(points.row(i))
-                                 : Eigen::RowVector3d::Constant(std::numeric_limits<float>::max());
-    if (voxels)
-    {
-      moveToVoxel(voxels, point);
-    }
+    const Eigen::RowVector3d point = points.row(i).allFinite()
+                                       ? Eigen::RowVector3d(points.row(i))
+                                       : Eigen::RowVector3d::Constant(std::numeric_limits<float>::max());
     positions->SetPoint(i, point.data());
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
@@ -114,6 +104,24 @@ vtkSmartPointer<vtkPolyData> pointsOnly(const Points3& points, vtkImageData* vox
 }
 
 } // namespace
+
+std::vector<vtkDataArray*> sampledArrays(vtkImageData* volume)
+{
+  std::vector<vtkDataArray*> arrays;
+  for (int a = 0; a < volume->GetPointData()->GetNumberOfArrays(); ++a)
+  {
+    if (vtkDataArray* array = volume->GetPointData()->GetArray(a); array && array->GetName())
+    {
+      arrays.push_back(array);
+    }
+  }
+  return arrays;
+}
+
+int sampledType(vtkDataArray* array, bool nearest)
+{
+  return nearest && needsDouble(array) ? VTK_DOUBLE : VTK_FLOAT;
+}
 
 VolumeSampling::VolumeSampling(vtkImageData* volume,
   bool nearest,
@@ -129,20 +137,18 @@ VolumeSampling::VolumeSampling(vtkImageData* volume,
   // array, and leave hidden voxels without values that older versions of VTK give them.
   this->Volume->GetPointData()->Initialize();
   this->Volume->GetCellData()->Initialize();
-  const int count = volume->GetPointData()->GetNumberOfArrays();
-  for (int a = 0; a < count; ++a)
+  const std::vector<vtkDataArray*> arrays = sampledArrays(volume);
+  for (vtkDataArray* array : arrays)
   {
-    if (vtkDataArray* array = volume->GetPointData()->GetArray(a); array && array->GetName())
-    {
-      const vtkSmartPointer<vtkDataArray> values = inFloatingPoint(array,
-        nearest && needsDouble(array),
-        subrange(progress, static_cast<double>(a) / count, (a + 1.0) / count));
-      values->SetName(std::to_string(this->Names.size()).c_str());
-      this->Volume->GetPointData()->AddArray(values);
-      this->Names.emplace_back(array->GetName());
-    }
+    const double done = this->Names.size();
+    const double count = arrays.size();
+    const vtkSmartPointer<vtkDataArray> values = inFloatingPoint(
+      array, sampledType(array, nearest), subrange(progress, done / count, (done + 1.0) / count));
+    values->SetName(std::to_string(this->Names.size()).c_str());
+    this->Volume->GetPointData()->AddArray(values);
+    this->Names.emplace_back(array->GetName());
   }
-  if (this->Volume->GetPointData()->GetNumberOfArrays() == 0)
+  if (arrays.empty())
   {
     throw InvalidInput(
       "the volume has no numbers at its points: choose another, or turn its cell arrays "
@@ -178,28 +184,51 @@ std::vector<VolumeSamples> VolumeSampling::at(const Points3& points,
   return samples;
 }
 
+// The volume that VTK interpolates: without arrays if the values of single voxels are taken.
+vtkSmartPointer<vtkImageData> VolumeSampling::probed() const
+{
+  if (!this->Nearest)
+  {
+    return this->Volume;
+  }
+  auto bare = vtkSmartPointer<vtkImageData>::New();
+  bare->CopyStructure(this->Volume);
+  return bare;
+}
+
 // Writes the samples of the points to the tuples from @p first on.
 void VolumeSampling::sample(const Points3& points,
   vtkIdType first,
   std::vector<VolumeSamples>& samples) const
 {
   vtkNew<vtkProbeFilter> probe;
-  // CategoricalData of vtkProbeFilter concerns one array only, the active scalars.
-  probe->SetInputData(pointsOnly(points, this->Nearest ? this->Volume.Get() : nullptr));
-  probe->SetSourceData(this->Volume);
+  probe->SetInputData(pointsOnly(points));
+  probe->SetSourceData(this->probed());
   probe->Update();
   vtkPointData* found = probe->GetOutput()->GetPointData();
   vtkDataArray* valid = found->GetArray(probe->GetValidPointMaskArrayName());
   for (std::size_t a = 0; a < samples.size(); ++a)
   {
+    const std::string name = std::to_string(a);
+    vtkDataArray* voxels = this->Volume->GetPointData()->GetArray(name.c_str());
     vtkDataArray* values = samples[a].Values;
-    values->InsertTuples(first, points.rows(), 0, found->GetArray(std::to_string(a).c_str()));
+    const std::vector<double> none(
+      values->GetNumberOfComponents(), std::numeric_limits<double>::quiet_NaN());
+    if (!this->Nearest)
+    {
+      values->InsertTuples(first, points.rows(), 0, found->GetArray(name.c_str()));
+    }
     for (Eigen::Index i = 0; i < points.rows(); ++i)
     {
-      samples[a].Inside[first + i] = valid->GetTuple1(i) != 0.0;
-      for (int k = 0; !samples[a].Inside[first + i] && k < values->GetNumberOfComponents(); ++k)
+      const bool isInside = valid->GetTuple1(i) != 0.0;
+      samples[a].Inside[first + i] = isInside;
+      if (!isInside)
       {
-        values->SetComponent(first + i, k, std::numeric_limits<double>::quiet_NaN());
+        values->SetTuple(first + i, none.data());
+      }
+      else if (this->Nearest)
+      {
+        values->SetTuple(first + i, nearestVoxel(this->Volume, points.row(i)), voxels);
       }
     }
   }

@@ -25,6 +25,12 @@ struct VolumeSamples
   std::vector<char> Inside;             ///< one flag per point: 1 in the volume
 };
 
+/// The arrays of a volume that are sampled, in order: its numeric point arrays that have a name.
+std::vector<vtkDataArray*> sampledArrays(vtkImageData* volume);
+
+/// The type of the samples of an array, VTK_FLOAT or VTK_DOUBLE.
+int sampledType(vtkDataArray* array, bool nearest);
+
 /// Samples every numeric point array of a volume. It holds copies of the arrays in floating point, as
 /// VTK rounds interpolated integers: in single precision, or in double precision where the values of
 /// voxels may need it, such as labels above 2^24.
@@ -47,6 +53,7 @@ public:
 
 private:
   void sample(const Points3& points, vtkIdType first, std::vector<VolumeSamples>& samples) const;
+  vtkSmartPointer<vtkImageData> probed() const;
 
   vtkSmartPointer<vtkImageData> Volume; ///< its arrays are named by number, as the probe adds an array
                                         ///< whose name may be one of theirs

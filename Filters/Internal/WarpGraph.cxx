@@ -41,12 +41,20 @@ Points3 positionsOf(vtkGraph* graph)
   return positions;
 }
 
-// The edge as a polyline: its two vertices, its own edge points, and new ones where segments are long.
-std::vector<Eigen::Vector3d> polylineOf(vtkGraph* graph,
+// The points of an edge between its ends.
+struct EdgePoints
+{
+  std::vector<Eigen::Vector3d> Positions;
+  std::vector<char> Inserted; // 1 for a new point, 0 for one of the edge points of the input
+};
+
+// The edge points of an edge, and new ones where segments are long.
+// @param insertedBefore the number of points that other edges got.
+EdgePoints pointsBetween(vtkGraph* graph,
   vtkIdType edge,
   const Points3& vertices,
   const WarpRules& rules,
-  WarpCounts& counts)
+  long long insertedBefore)
 {
   std::vector<Eigen::Vector3d> corners{ vertices.row(graph->GetSourceVertex(edge)) };
   for (vtkIdType k = 0; k < graph->GetNumberOfEdgePoints(edge); ++k)
@@ -54,28 +62,32 @@ std::vector<Eigen::Vector3d> polylineOf(vtkGraph* graph,
     corners.emplace_back(graph->GetEdgePoint(edge, k));
   }
   corners.emplace_back(vertices.row(graph->GetTargetVertex(edge)));
-  std::vector<Eigen::Vector3d> line{ corners.front() };
+  EdgePoints between;
+  long long inserted = insertedBefore;
   for (std::size_t k = 0; k + 1 < corners.size(); ++k)
   {
     const int parts = segmentParts(corners[k], corners[k + 1], rules);
-    counts.Inserted += parts - 1;
-    requireRoomFor(counts.Inserted);
+    inserted += parts - 1;
+    requireRoomFor(inserted);
     for (int part = 1; part <= parts; ++part)
     {
       const double share = static_cast<double>(part) / parts;
-      line.emplace_back((1.0 - share) * corners[k] + share * corners[k + 1]);
+      between.Positions.emplace_back((1.0 - share) * corners[k] + share * corners[k + 1]);
+      between.Inserted.push_back(part < parts);
     }
   }
-  return line;
+  between.Positions.pop_back(); // the target
+  between.Inserted.pop_back();
+  return between;
 }
 
-// The x, y, z of the warped points between the ends of an edge.
-std::vector<double> warpedEdgePoints(const std::vector<Eigen::Vector3d>& line, const WarpRules& rules)
+// The x, y, z of the warped edge points. Adds to @p inserted the number of new ones that are kept.
+std::vector<double> warpedEdgePoints(const EdgePoints& edge, const WarpRules& rules, long long& inserted)
 {
-  Points3 between(static_cast<Eigen::Index>(line.size()) - 2, 3);
+  Points3 between(static_cast<Eigen::Index>(edge.Positions.size()), 3);
   for (Eigen::Index k = 0; k < between.rows(); ++k)
   {
-    between.row(k) = line[k + 1];
+    between.row(k) = edge.Positions[k];
   }
   WarpRules silent = rules;
   silent.Progress = {};
@@ -87,6 +99,7 @@ std::vector<double> warpedEdgePoints(const std::vector<Eigen::Vector3d>& line, c
     {
       const auto* x = warped.Positions.row(k).data();
       points.insert(points.end(), x, x + 3);
+      inserted += edge.Inserted[k];
     }
   }
   return points;
@@ -155,7 +168,9 @@ public:
       {
         const vtkIdType id = this->Graph->AddEdge(source, target).Id;
         const std::vector<double> between = warpedEdgePoints(
-          polylineOf(this->Input, e, this->Before, this->Rules, this->Counts), this->Rules);
+          pointsBetween(this->Input, e, this->Before, this->Rules, this->Counts.Inserted),
+          this->Rules,
+          this->Counts.Inserted);
         this->Graph->SetEdgePoints(id, static_cast<vtkIdType>(between.size() / 3), between.data());
         kept.push_back(e);
       }

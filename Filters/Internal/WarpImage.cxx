@@ -201,12 +201,22 @@ void findShownPixels(vtkImageData* input, const WarpedPoints& sources, ShownPixe
   }
 }
 
+// The point array of the image that VTK interpolated to array @p a of @p probed; null for a cell array.
+vtkDataArray* pixelsOf(vtkPointData* image, vtkPointData* probed, int a)
+{
+  if (const char* name = probed->GetArrayName(a))
+  {
+    return image->GetArray(name);
+  }
+  // VTK interpolates an array without a name only if it is active, and activates the result.
+  const int attribute = probed->IsArrayAnAttribute(a);
+  return attribute >= 0 ? image->GetAttribute(attribute) : nullptr;
+}
+
 // Adds an array of the output like @p values, 0 where a pixel shows no point. The values are those of
 // @p pixels, an array of the image, at the nearest pixel; or, without it, the interpolated ones.
-void addPixels(const ShownPixels& shown,
-  vtkDataArray* values,
-  vtkDataArray* pixels,
-  vtkImageData* output)
+// Returns the index of the array.
+int addPixels(const ShownPixels& shown, vtkDataArray* values, vtkDataArray* pixels, vtkImageData* output)
 {
   auto array = vtk::TakeSmartPointer(values->NewInstance());
   array->SetName(values->GetName());
@@ -218,7 +228,7 @@ void addPixels(const ShownPixels& shown,
     pixels ? array->SetTuple(shown.Ids[i], shown.Nearest[i], pixels)
            : array->SetTuple(shown.Ids[i], static_cast<vtkIdType>(i), values);
   }
-  output->GetPointData()->AddArray(array);
+  return output->GetPointData()->AddArray(array);
 }
 
 } // namespace
@@ -238,8 +248,12 @@ long long warpImage(vtkImageData* image,
   {
     if (vtkDataArray* array = values->GetArray(a))
     {
-      vtkDataArray* pixels = input->GetPointData()->GetArray(values->GetArrayName(a));
-      addPixels(shown, array, rules.Nearest ? pixels : nullptr, output);
+      vtkDataArray* pixels = pixelsOf(input->GetPointData(), values, a);
+      const int added = addPixels(shown, array, rules.Nearest ? pixels : nullptr, output);
+      if (pixels && pixels == input->GetPointData()->GetScalars())
+      {
+        output->GetPointData()->SetActiveAttribute(added, vtkDataSetAttributes::SCALARS);
+      }
     }
   }
   std::vector<char> inMap(output->GetNumberOfPoints(), 0);
@@ -248,8 +262,6 @@ long long warpImage(vtkImageData* image,
     inMap[i] = 1;
   }
   output->GetPointData()->AddArray(newArray<vtkUnsignedCharArray>(InMapName, inMap));
-  vtkDataArray* scalars = input->GetPointData()->GetScalars();
-  output->GetPointData()->SetActiveScalars(scalars ? scalars->GetName() : nullptr);
   return shown.Outside;
 }
 

@@ -6,8 +6,8 @@
 
 flatten() does all steps; to_disk(), conformal(), area_preserving(), distortion(), region() and isosurface() do one
 each. read_scan() opens a scan where the patient is.
-They raise FlatteningError where a filter would leave its output empty. The VTK filters themselves are here too,
-vtkSurfaceToDiskFilter and so on, for pipelines.
+They raise FlatteningError where a filter would leave its output empty, and for an empty surface or image. The
+VTK filters themselves are here too, vtkSurfaceToDiskFilter and so on, for pipelines: their output is empty then.
 
 Lengths are in the units of the surface, areas in their squares, angles of settings in degrees.
 """
@@ -23,8 +23,8 @@ except ImportError as error:
     ) from error
 
 from .SurfaceFlatteningFilters import *  # noqa: F401,F403
-from .errors import Cancelled, FlatteningError, FlatteningWarning
-from .functions import Distortion, area_preserving, conformal, distortion, flatten, region, to_disk
+from .errors import Cancelled, FlatteningError, FlatteningWarning, SettingError
+from .functions import Distortion, Region, area_preserving, conformal, distortion, flatten, region, to_disk
 from .volumes import isosurface, read_scan
 
 __all__ = [name for name in dir() if name.startswith("vtk")] + [
@@ -32,6 +32,8 @@ __all__ = [name for name in dir() if name.startswith("vtk")] + [
     "Distortion",
     "FlatteningError",
     "FlatteningWarning",
+    "Region",
+    "SettingError",
     "area_preserving",
     "conformal",
     "distortion",

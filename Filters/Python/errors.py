@@ -6,6 +6,10 @@ class FlatteningError(RuntimeError):
     """A filter could not do what it was asked for; the text is the filter's message, which says what to do."""
 
 
+class SettingError(FlatteningError, ValueError):
+    """A setting cannot have the value that it was given; the text names the setting, the value and what it may be."""
+
+
 class Cancelled(Exception):
     """The callback `abort` has asked for an end."""
 

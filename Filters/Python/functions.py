@@ -9,7 +9,7 @@ from . import SurfaceFlatteningFilters as filters
 from .errors import FlatteningError
 from .meshes import Surface, as_polydata, like
 from .running import Abort, Progress, run
-from .settings import apply, documented, setting_named, shared_settings, unknown_setting
+from .settings import apply_all, documented, setting_named, shared_settings, unknown_setting
 
 if TYPE_CHECKING:
     import numpy
@@ -22,6 +22,18 @@ class Distortion(NamedTuple):
     """The flat map with an array for each measure of its faces and points; the field data have means."""
     table: List[Dict[str, Any]]
     """A row for each region, and one for all, as dict by the names of the columns."""
+
+
+class Region(NamedTuple):
+    """What region() returns."""
+
+    mesh: Any
+    """The flat map of the region and its margin, with the measures in the field data."""
+    table: List[Dict[str, Any]]
+    """A row for each measure, as dict: Measure, OnSurface, its StandardDeviation, OnMap and Unit."""
+    curves: Any
+    """Both diameters and the outline as lines on the map, with the arrays SurfacePoints, Measure and Length; that of the
+    outline is along the edges, with their teeth, and greater than the Perimeter of the table."""
 
 
 # The steps of flatten(): the name in messages, the filter, and the share of the progress, which is the share of the time
@@ -40,11 +52,13 @@ def _made(function: str, filter_class: Any, surface: Any, settings: Dict[str, An
         raise FlatteningError("the surface has no faces: check that its file could be read")
     filter = filter_class()
     filter.SetInputData(surface)
+    named = {}
     for keyword, value in settings.items():
         name = setting_named(filter_class, keyword)
         if name is None:
             raise unknown_setting(function, keyword, (filter_class,))
-        apply(filter, surface, name, value)
+        named[name] = value
+    apply_all(filter, surface, named)
     return filter
 
 
@@ -86,7 +100,7 @@ def area_preserving(flat: Surface, *, progress: Progress = None, abort: Abort = 
 def distortion(flat: Surface, *, progress: Progress = None, abort: Abort = None, **settings: Any) -> Distortion:
     """Measures a flat map against its surface: errors of areas, angles and lengths of each face, region and of all.
 
-    Returns a Distortion: the mesh with arrays and field data, and the table. progress, abort: see flatten().
+    Returns a Distortion: mesh, the map with arrays and field data, and table, a list of a dict for each region. progress, abort: see flatten().
     """
     filter = _made("distortion", filters.vtkDistortionMetrics, as_polydata(flat), settings)
     mesh = like(flat, run(filter, progress, abort))
@@ -94,12 +108,16 @@ def distortion(flat: Surface, *, progress: Progress = None, abort: Abort = None,
 
 
 @documented(filters.vtkFlattenRegion)
-def region(surface: Surface, *, progress: Progress = None, abort: Abort = None, **settings: Any) -> Any:
+def region(surface: Surface, *, progress: Progress = None, abort: Abort = None, **settings: Any) -> Region:
     """Flattens one region of a surface, with a margin, and measures it: label=3 and label_array="Regions", for instance.
 
+    Returns a Region: mesh, the map of the region and its margin; table, a list of a dict for each measure, with its
+    value, standard deviation, value on the map and unit; and curves, the diameters and the outline as lines on the map.
     progress, abort: see flatten().
     """
-    return _applied("region", filters.vtkFlattenRegion, surface, progress, abort, **settings)
+    filter = _made("region", filters.vtkFlattenRegion, as_polydata(surface), settings)
+    mesh = like(surface, run(filter, progress, abort))
+    return Region(mesh, _rows(filter.GetMeasures()), like(surface, filter.GetCurves()))
 
 
 @documented(*(filter_class for _, filter_class, _ in STEPS))
@@ -123,12 +141,15 @@ def flatten(
     abort: is called as often; the work stops if it returns True, and Cancelled is raised.
     to_disk, conformal, area_preserving, distortion: settings of one of the four filters, as a dict. Needed for those
     that two filters have: conformal={"boundary_point": (0, 0, 1)}.
-    All other settings by keyword: cut_mode="Seam", or CutMode="Seam".
+    All other settings by keyword: cut_mode="Seam", or CutMode="Seam". A point, plane, label or array that is given is
+    used: its text below says which switch or mode that sets. With use_hole_point=False beside it, hole_point is not
+    used, and so for all switches; another mode than the one that it needs is an error.
 
     Returns the map as vtkPolyData, or PyVista's PolyData if the surface was one, with z = 0. Its points have the
     arrays of the surface and SurfacePoints, where they are on it; its faces AreaDistortion, AngleDistortion and more;
     its field data means, such as FacesWithin2Percent, and what was repaired. docs/reference.md lists them.
-    Raises FlatteningError with the message of the filter that failed, which says what to do.
+    Raises FlatteningError with the message of the filter that failed, which says what to do, and SettingError, which is
+    one too, if a setting cannot have its value.
     """
     mesh = as_polydata(surface, faces)
     steps = {"to_disk": to_disk, "conformal": conformal, "area_preserving": area_preserving, "distortion": distortion}
@@ -165,9 +186,5 @@ def _settings_of_steps(steps: Dict[str, Any], settings: Dict[str, Any]) -> Dict[
 
 
 def _rows(table: Any) -> List[Dict[str, Any]]:
-    def value(row: int, column: int) -> Any:
-        variant = table.GetValue(row, column)
-        return variant.ToString() if variant.IsString() else variant.ToDouble()
-
-    columns = range(table.GetNumberOfColumns())
-    return [{table.GetColumnName(c): value(r, c) for c in columns} for r in range(table.GetNumberOfRows())]
+    columns = {table.GetColumnName(c): table.GetColumn(c) for c in range(table.GetNumberOfColumns())}
+    return [{name: column.GetValue(row) for name, column in columns.items()} for row in range(table.GetNumberOfRows())]

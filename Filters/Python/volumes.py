@@ -6,7 +6,9 @@ from __future__ import annotations
 import sys
 from typing import Any, Optional
 
+from .errors import FlatteningError, SettingError
 from .running import Abort, Progress, run
+from .settings import set_number
 from .SurfaceFlatteningFilters import vtkVolumeToSurface
 
 
@@ -51,24 +53,28 @@ def isosurface(
     progress, abort: see flatten().
     Returns a vtkPolyData, or a PyVista PolyData if the image was of PyVista, in mm, in patient space or otherwise in
     the coordinates of the image. Its field data have the isovalue (Isovalue) and what it makes of the voxels.
-    Raises FlatteningError with the filter's message if there is no such surface.
+    Raises FlatteningError with the filter's message if there is no such surface, and for an image without voxels.
     """
     if not (hasattr(image, "IsA") and image.IsA("vtkImageData")):
         raise TypeError(f"this is a {type(image).__name__}, not an image: give a vtkImageData or a PyVista ImageData")
     modes = {"all": vtkVolumeToSurface.AllComponents, "largest": vtkVolumeToSurface.LargestComponent}
     if component.lower() not in modes:
-        raise ValueError(f"component is {component!r}: it must be All or Largest")
-    if padding < 0:
-        raise ValueError(f"padding is {padding}: it must be 0 or more")
+        raise SettingError(f"component is {component!r}: it must be All or Largest")
+    if image.GetNumberOfPoints() == 0:
+        raise FlatteningError("the image has no voxels: check that its file could be read")
     surface = vtkVolumeToSurface()
     surface.SetInputData(image)
     surface.SetComponentMode(modes[component.lower()])
-    surface.SetMargin(padding)
-    surface.SetPatientSpace(patient_space)
-    for name, value in (("Isovalue", isovalue), ("Smoothing", smoothing_mm), ("Air", background)):
+    set_number(surface, "Margin", padding, "padding")
+    set_number(surface, "PatientSpace", patient_space)
+    for name, keyword, value in (
+        ("Isovalue", "isovalue", isovalue),
+        ("Smoothing", "smoothing_mm", smoothing_mm),
+        ("Air", "background", background),
+    ):
         getattr(surface, f"SetAutomatic{name}")(value is None)
         if value is not None:
-            getattr(surface, f"Set{name}")(value)
+            set_number(surface, name, value, keyword)
     result = run(surface, progress, abort)
     pyvista = sys.modules.get("pyvista")
     return pyvista.wrap(result) if pyvista and isinstance(image, pyvista.DataSet) else result

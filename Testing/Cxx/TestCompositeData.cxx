@@ -401,6 +401,55 @@ TEST(CompositeData, SelectionOfABlock)
   EXPECT_EQ(found[3], nullptr);
 }
 
+// The same points are selected in a block as in the same data alone, by any expression.
+TEST(CompositeData, ASelectionKeepsItsExpression)
+{
+  const auto left = cap(1.2, 400);
+  const auto right = cap(2.0, 600);
+  const auto pointsOf = [](vtkIdType first, vtkIdType last)
+  {
+    vtkNew<vtkIdTypeArray> ids;
+    for (vtkIdType i = first; i < last; ++i)
+    {
+      ids->InsertNextValue(i);
+    }
+    auto node = vtkSmartPointer<vtkSelectionNode>::New();
+    node->SetFieldType(vtkSelectionNode::POINT);
+    node->SetContentType(vtkSelectionNode::INDICES);
+    node->SetSelectionList(ids);
+    node->GetProperties()->Set(vtkSelectionNode::COMPOSITE_INDEX(), 1); // left: the root is 0
+    return node;
+  };
+  vtkNew<vtkSelection> selection;
+  selection->SetNode("a", pointsOf(0, 50));
+  selection->SetNode("b", pointsOf(20, 30));
+
+  vtkNew<vtkAreaWeights> weights;
+  weights->SetWeightsFrom(vtkAreaWeights::SELECTION);
+  weights->SetFactor(2.0);
+  weights->SetInputDataObject(0, blocks(left, nullptr, right));
+  weights->SetInputDataObject(1, selection);
+  const auto selected = [&weights](const std::string& expression, std::size_t leaf)
+  {
+    vtkSelection::SafeDownCast(weights->GetInputDataObject(1, 0))->SetExpression(expression);
+    weights->Modified();
+    weights->Update();
+    vtkDataObject* found = leaves(weights->GetOutputDataObject(0))[leaf];
+    return found ? figure(found, "RegionPoints") : -1.0;
+  };
+  const auto inLeft = static_cast<double>(left->GetNumberOfPoints());
+  ErrorLog errors(weights);
+  EXPECT_EQ(selected("!a", 0), inLeft - 50.0);
+  ASSERT_EQ(errors.messages().size(), 1u); // no point of the other block is in a
+  EXPECT_NE(errors.messages().front().find("block \"right\": the regions cover the whole surface"),
+    std::string::npos)
+    << errors.messages().front();
+  EXPECT_EQ(selected("a&!b", 0), 40.0);
+  EXPECT_EQ(selected("a&!b", 3), -1.0) << "nothing is selected in this block";
+  EXPECT_EQ(selected("a&b", 0), 10.0);
+  EXPECT_EQ(selected("a&b", 3), -1.0);
+}
+
 // Over all blocks progress runs once from 0 to 1.
 TEST(CompositeData, ProgressAndAbort)
 {

@@ -289,6 +289,43 @@ TEST(ConformalDiskFilter, WarnsOfFlippedFaces)
   EXPECT_NE(observer->GetWarningMessage().find("are flipped"), std::string::npos);
 }
 
+// A long finger with slivers that no untangling repairs, and with a toothed boundary. A rectangle is
+// proposed only if the boundary is as long as that of a strip of more than 13 to 1.
+TEST(ConformalDiskFilter, ProposesARectangleForStripsOnly)
+{
+  const auto warnings = [](double depthOfTeeth, double lowest, double highest)
+  {
+    const RevolutionMesh finger = ringMesh(capsule(30.0), 1000);
+    TriangleMesh mesh = samples::withRandomSlivers(finger.Mesh, 2000, 1e-6, 1);
+    for (int v = finger.FirstBoundaryVertex; v < finger.Mesh.vertexCount(); v += 2)
+    {
+      mesh.Vertices(v, 2) += std::copysign(depthOfTeeth, mesh.Vertices(v, 2));
+    }
+    vtkNew<vtkConformalDiskFilter> filter;
+    filter->SetInputData(polyDataOf(mesh));
+    std::string all;
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(&all);
+    command->SetCallback([](vtkObject*, unsigned long, void* text, void* message)
+      { *static_cast<std::string*>(text) += static_cast<const char*>(message); });
+    filter->AddObserver(vtkCommand::WarningEvent, command);
+    filter->Update();
+    EXPECT_GT(figure(filter->GetOutput(), "FlippedFaces"), 0.0);
+    EXPECT_GT(figure(filter->GetOutput(), "SpreadPoints"), 1000.0);
+    EXPECT_GT(figure(filter->GetOutput(), "BoundaryAnisotropy"), lowest);
+    EXPECT_LT(figure(filter->GetOutput(), "BoundaryAnisotropy"), highest);
+    return all;
+  };
+  const std::string ofFinger = warnings(4.0, 0.2, 0.9);
+  EXPECT_NE(ofFinger.find("smooth the surface more, or fill its narrow parts"), std::string::npos)
+    << ofFinger;
+  EXPECT_EQ(ofFinger.find("Rectangle"), std::string::npos) << ofFinger;
+  const std::string ofStrip = warnings(8.0, 0.05, 0.2);
+  EXPECT_NE(
+    ofStrip.find("set Domain to Rectangle, as the surface is long and narrow"), std::string::npos)
+    << ofStrip;
+}
+
 TEST(ConformalDiskFilter, NearestPointsGoToTheCentreAndToAngleZero)
 {
   vtkNew<vtkConformalDiskFilter> filter;

@@ -10,6 +10,7 @@
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkIntArray.h>
@@ -189,6 +190,53 @@ TEST_F(FlatMapImage, ImageFiltersSeeThePixels)
     filter->SetSize(100);
     filter->SetPixelLength(length);
     expectGridPassedOn(filter->GetOutputPort(), "InMap");
+  }
+}
+
+TEST_F(FlatMapImage, ImageFiltersSeeTheValues)
+{
+  vtkNew<vtkFloatArray> single;
+  single->DeepCopy(Map->GetPointData()->GetArray("Linear"));
+  single->SetName("Single");
+  vtkNew<vtkPolyData> map;
+  map->ShallowCopy(Map);
+  map->GetPointData()->AddArray(single);
+  vtkNew<vtkFlatMapImage> filter;
+  filter->SetInputData(map);
+  filter->SetSize(50);
+  for (const char* scalars : { "Linear", "Single", "Side", "SurfacePoints" })
+  {
+    SCOPED_TRACE(scalars);
+    map->GetPointData()->SetActiveScalars(scalars);
+    map->Modified();
+    expectScalarsPassedOn(filter->GetOutputPort());
+  }
+}
+
+// A cell array of the name of a point array has the name with "Cell" as often as it takes.
+TEST_F(FlatMapImage, NoArrayReplacesAnother)
+{
+  vtkNew<vtkPolyData> map;
+  map->ShallowCopy(Map);
+  vtkNew<vtkIntArray> taken;
+  taken->SetName("SideCell");
+  taken->SetNumberOfTuples(map->GetNumberOfPoints());
+  taken->Fill(7);
+  map->GetPointData()->AddArray(taken);
+  vtkNew<vtkFlatMapImage> filter;
+  filter->SetInputData(map);
+  filter->SetSize(50);
+  filter->Update();
+  vtkPointData* pixels = filter->GetOutput()->GetPointData();
+  ASSERT_TRUE(pixels->HasArray("SideCellCell"));
+  for (vtkIdType i = 0; i < pixels->GetNumberOfTuples(); ++i)
+  {
+    if (pixels->GetArray("InMap")->GetTuple1(i) == 1)
+    {
+      ASSERT_EQ(pixels->GetArray("SideCell")->GetTuple1(i), 7.0);
+      ASSERT_EQ(pixels->GetArray("SideCellCell")->GetTuple1(i),
+        std::fmod(pixels->GetArray("CellId")->GetTuple1(i), 2.0));
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 #include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
+#include <vtkIntArray.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -218,6 +219,25 @@ TEST_F(FlatMapSlab, ImageFiltersSeeThePixelsOfTheStack)
   EXPECT_EQ(slab->GetStack()->GetSpacing()[2], 0.5);
 }
 
+TEST_F(FlatMapSlab, ImageFiltersSeeTheValuesOfTheStack)
+{
+  vtkNew<vtkFlatMapSlab> slab;
+  connect(slab);
+  setDepths(slab, { 0.5, 1.0 });
+  slab->SetStackSize(30);
+  const auto shorts =
+    volumeOf<vtkShortArray>("Ramp", [](double x, double y, double) { return x + 100.0 * y; });
+  for (const bool isNearest : { false, true })
+  {
+    for (vtkDataObject* volume : { Distance.Get(), static_cast<vtkDataObject*>(shorts) })
+    {
+      slab->SetNearestVoxel(isNearest);
+      slab->SetInputDataObject(1, volume);
+      expectScalarsPassedOn(slab->GetOutputPort(1));
+    }
+  }
+}
+
 // The stack has more pixels than are sampled at once.
 TEST_F(FlatMapSlab, ALargeStackIsSampledInParts)
 {
@@ -292,6 +312,45 @@ TEST_F(FlatMapSlab, IntegersAreInterpolatedAndLabelsAreNot)
   slab->Update();
   EXPECT_EQ(slab->GetOutput()->GetPointData()->GetArray("LabelSlab")->GetTuple1(7), large);
   EXPECT_EQ(slab->GetStack()->GetPointData()->GetArray("Label")->GetTuple1(8 * 16 + 8), large);
+}
+
+// With this spacing and origin, the centres of voxels are rounded, and VTK interpolates there.
+TEST_F(FlatMapSlab, LabelsAreThoseOfVoxelsAtAnySpacing)
+{
+  const auto label = [](double x, double y, double z)
+  { return std::fmod(std::abs(x + y + z), 2.0) < 0.5 ? 1017.0 : 2000.0; }; // neighbours all differ
+  const auto volume = volumeOf<vtkIntArray>("Label", label);
+  constexpr double voxel = 0.7;
+  volume->SetSpacing(voxel, voxel, voxel);
+  volume->SetOrigin(-voxel * HalfSide, -voxel * HalfSide, -voxel * HalfSide);
+  vtkNew<vtkFlatMapSlab> slab;
+  connect(slab);
+  slab->SetVolumeData(volume);
+  slab->NearestVoxelOn();
+  setDepths(slab, { 0.0 });
+  slab->SetStackSize(40);
+  slab->Update();
+  vtkDataArray* found = slab->GetOutput()->GetPointData()->GetArray("LabelSlab");
+  vtkDataArray* surface = slab->GetOutput()->GetPointData()->GetArray("SurfacePoints");
+  for (vtkIdType i = 0; i < found->GetNumberOfTuples(); ++i)
+  {
+    double index[3];
+    bool isClear = true; // whether one voxel is nearer than all others by more than rounding
+    for (int k = 0; k < 3; ++k)
+    {
+      const double exact = surface->GetComponent(i, k) / voxel;
+      index[k] = std::round(exact);
+      isClear &= std::abs(exact - index[k]) < 0.5 - 1e-9;
+    }
+    ASSERT_TRUE(!isClear || found->GetTuple1(i) == label(index[0], index[1], index[2]))
+      << found->GetTuple1(i);
+  }
+  vtkDataArray* stack = slab->GetStack()->GetPointData()->GetArray("Label");
+  for (vtkIdType i = 0; i < stack->GetNumberOfTuples(); ++i)
+  {
+    const double value = stack->GetTuple1(i);
+    ASSERT_TRUE(value == 1017.0 || value == 2000.0 || std::isnan(value)) << value;
+  }
 }
 
 TEST_F(FlatMapSlab, EmptyInputGivesEmptyOutputs)

@@ -2,16 +2,25 @@
 #include "../Core/Support/SampleSurfaces.h"
 #include "FilterTest.h"
 
+#include <vtkConformalDiskFilter.h>
+#include <vtkDistortionMetrics.h>
 #include <vtkFlatMapTransfer.h>
+#include <vtkOMTAreaPreservingFilter.h>
+#include <vtkSurfaceToDiskFilter.h>
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
+#include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkTestErrorObserver.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -119,6 +128,152 @@ TEST(FlatMapTransferFilter, BringsTheOriginalPointsIntoThePlane)
   {
     EXPECT_EQ(output->GetCellData()->GetScalars()->GetTuple1(c), 3 * cellIds->GetTuple1(c));
   }
+}
+
+// The longest side of the triangles.
+double longestSide(vtkPolyData* data)
+{
+  double longest = 0.0;
+  for (vtkIdType c = 0; c < data->GetNumberOfCells(); ++c)
+  {
+    vtkNew<vtkIdList> ids;
+    data->GetCellPoints(c, ids);
+    for (int k = 0; k < 3; ++k)
+    {
+      double a[3];
+      double b[3];
+      data->GetPoint(ids->GetId(k), a);
+      data->GetPoint(ids->GetId((k + 1) % 3), b);
+      longest = std::max(longest, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
+    }
+  }
+  return longest;
+}
+
+// The default disk of a closed surface has a seam. The triangles that the seam does not cut lie beside
+// it, and none reaches from one bank to the other.
+TEST(FlatMapTransferFilter, ClosedSurfaceThatWasOpenedAlongASeam)
+{
+  TriangleMesh ellipsoid = sphere(4);
+  ellipsoid.Vertices.col(0) *= 2.0;
+  ellipsoid.Vertices.col(1) *= 1.3;
+  const auto input = polyDataOf(ellipsoid);
+  vtkNew<vtkSurfaceToDiskFilter> disk;
+  disk->SetInputData(input);
+  vtkNew<vtkConformalDiskFilter> conformal;
+  conformal->SetInputConnection(disk->GetOutputPort());
+  vtkNew<vtkOMTAreaPreservingFilter> flat;
+  flat->SetInputConnection(conformal->GetOutputPort());
+  vtkNew<vtkFlatMapTransfer> filter;
+  filter->SetInputConnection(flat->GetOutputPort());
+  filter->SetOriginalData(input);
+  vtkNew<vtkDistortionMetrics> metrics;
+  metrics->SetInputConnection(filter->GetOutputPort());
+  metrics->Update();
+  vtkPolyData* output = filter->GetOutput();
+  const double cells = ellipsoid.faceCount();
+  ASSERT_GT(figure(output, "SeamLength"), 1.0);
+  EXPECT_EQ(figure(output, "LostPoints"), 0);
+  EXPECT_EQ(figure(output, "LostCells"), figure(output, "CellsAcrossSeams"));
+  EXPECT_LT(figure(output, "LostCells"), 0.1 * cells);
+  EXPECT_EQ(output->GetNumberOfCells(), cells - figure(output, "LostCells"));
+  EXPECT_GT(figure(output, "RepeatedPoints"), 0);
+  EXPECT_GE(output->GetNumberOfPoints(), ellipsoid.vertexCount() + figure(output, "RepeatedPoints"));
+  EXPECT_EQ(figure(output, "FlippedFaces"), 0);
+  EXPECT_LE(longestSide(output), 1.1 * longestSide(vtkPolyData::SafeDownCast(flat->GetOutput())));
+  const double area = figure(output, "SurfaceArea");
+  EXPECT_GT(area, 0.9 * totalArea(ellipsoid));
+  vtkDataObject* measured = metrics->GetOutputDataObject(0);
+  EXPECT_NEAR(figure(measured, "SurfaceArea"), area, 1e-9 * area);
+  EXPECT_NEAR(figure(measured, "FlatArea"), area, 0.005 * area);
+  EXPECT_GT(figure(measured, "FacesWithin2Percent"), 95.0);
+}
+
+TEST(FlatMapTransferFilter, RemeshedSurfaceThatWasOpenedAlongASeam)
+{
+  TriangleMesh ellipsoid = sphere(3);
+  ellipsoid.Vertices.col(0) *= 2.0;
+  const auto input = polyDataOf(ellipsoid);
+  vtkNew<vtkSurfaceToDiskFilter> disk;
+  disk->SetInputData(input);
+  disk->RemeshOn();
+  disk->SetCutModeToSeam();
+  vtkNew<vtkConformalDiskFilter> conformal;
+  conformal->SetInputConnection(disk->GetOutputPort());
+  vtkNew<vtkOMTAreaPreservingFilter> flat;
+  flat->SetInputConnection(conformal->GetOutputPort());
+  vtkNew<vtkFlatMapTransfer> filter;
+  filter->SetInputConnection(flat->GetOutputPort());
+  filter->SetOriginalData(input);
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  const double edges = figure(output, "SeamLength") / longestSide(input);
+  EXPECT_GT(figure(output, "CellsAcrossSeams"), edges);
+  EXPECT_LT(figure(output, "CellsAcrossSeams"), 6.0 * edges);
+  EXPECT_LT(figure(output, "LostCells"), figure(output, "CellsAcrossSeams") + 10);
+  EXPECT_LT(figure(output, "FlippedFaces"), 0.01 * ellipsoid.faceCount());
+  EXPECT_LT(longestSide(output), 1.5 * longestSide(vtkPolyData::SafeDownCast(flat->GetOutput())));
+}
+
+TEST(FlatMapTransferFilter, HasNoMeasuresOfTheFlattenedSurface)
+{
+  const TriangleMesh sheet = moved(square(10), 0, 0, 5);
+  const auto flat = doubled(sheet);
+  for (const char* name : { "CornerPointIds", "Bijective", "MaxCellAreaError", "FreeOutline" })
+  {
+    vtkNew<vtkIntArray> array;
+    array->SetName(name);
+    array->InsertNextValue(1);
+    flat->GetFieldData()->AddArray(array);
+  }
+  vtkNew<vtkDistortionMetrics> metrics;
+  metrics->SetInputData(flat);
+  metrics->MeasureLengthsOn();
+  metrics->Update();
+  vtkDataObject* measured = metrics->GetOutputDataObject(0);
+  ASSERT_NEAR(figure(measured, "FlatArea"), 4.0, 1e-12);
+  vtkNew<vtkFlatMapTransfer> filter;
+  filter->SetInputDataObject(0, measured);
+  filter->SetOriginalData(original());
+  filter->Update();
+  const std::vector<std::string> expected = { "CellsAcrossSeams",
+    "FlippedFaces",
+    "LargestDistance",
+    "LostCells",
+    "LostPoints",
+    "RepeatedPoints",
+    "SurfaceArea",
+    "Tolerance",
+    "TransferredPoints" };
+  std::vector<std::string> names;
+  vtkFieldData* data = filter->GetOutput()->GetFieldData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    names.emplace_back(data->GetArrayName(i));
+  }
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(names, expected);
+  EXPECT_NEAR(figure(filter->GetOutput(), "SurfaceArea"), 1.0, 1e-12);
+}
+
+TEST(FlatMapTransferFilter, WarnsOfFlippedTriangles)
+{
+  const TriangleMesh sheet = square(7);
+  const auto flat = doubled(sheet);
+  vtkNew<vtkFlatMapTransfer> filter;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::WarningEvent, observer);
+  filter->SetInputData(flat);
+  filter->SetOriginalData(polyDataOf(sheet));
+  filter->Update();
+  EXPECT_FALSE(observer->GetWarning());
+  flat->GetPoints()->SetPoint(9, 1.0, 1.0, 0.0); // one point far over its neighbours
+  flat->GetPoints()->Modified();
+  flat->Modified();
+  filter->Update();
+  EXPECT_GT(figure(filter->GetOutput(), "FlippedFaces"), 0);
+  ASSERT_TRUE(observer->GetWarning());
+  EXPECT_NE(observer->GetWarningMessage().find("flipped on the map"), std::string::npos);
 }
 
 TEST(FlatMapTransferFilter, EmptyInputGivesEmptyOutput)

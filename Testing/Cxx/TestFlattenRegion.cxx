@@ -22,6 +22,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <cmath>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -223,6 +224,16 @@ TEST(FlattenRegion, OfAFlatMapMeansTheSurfaceInSpace)
     figure(ofMap->GetOutput(), "GreatestDiameter"), figure(ofSurface->GetOutput(), "GreatestDiameter"));
 }
 
+std::set<std::string> fieldArrays(vtkDataObject* data)
+{
+  std::set<std::string> names;
+  for (int a = 0; a < data->GetFieldData()->GetNumberOfArrays(); ++a)
+  {
+    names.insert(data->GetFieldData()->GetArrayName(a));
+  }
+  return names;
+}
+
 // The map of the region keeps the areas of the surface, whatever those of the map before were to be, and
 // has none of its measures.
 TEST(FlattenRegion, ForgetsTheMapBefore)
@@ -255,6 +266,16 @@ TEST(FlattenRegion, ForgetsTheMapBefore)
   EXPECT_FALSE(region->GetOutput()->GetCellData()->HasArray("AngleDistortion"));
   EXPECT_FALSE(region->GetOutput()->GetFieldData()->HasArray("MeanLocalLengthError"));
   EXPECT_FALSE(region->GetOutput()->GetFieldData()->HasArray("FacesWithin2Percent"));
+  EXPECT_TRUE(fieldArrays(ofMap->GetOutput()).count("WarmStart"));
+  vtkNew<vtkFlattenRegion> ofSurface;
+  ofSurface->SetInputData(0, input);
+  useLabels(ofSurface);
+  ofSurface->Update();
+  for (int port = 0; port < 3; ++port)
+  {
+    EXPECT_EQ(
+      fieldArrays(region->GetOutputDataObject(port)), fieldArrays(ofSurface->GetOutputDataObject(port)));
+  }
   // Nor has another map of the same surface.
   omt->SetInputConnection(ofMap->GetOutputPort());
   ofMap->SetInputConnection(conformal->GetOutputPort());

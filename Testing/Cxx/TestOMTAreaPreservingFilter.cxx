@@ -15,6 +15,7 @@
 #include <vtkNew.h>
 #include <vtkPlaneSource.h>
 #include <vtkPointData.h>
+#include <vtkTestErrorObserver.h>
 #include <vtkTriangle.h>
 #include <vtkTriangleFilter.h>
 
@@ -684,6 +685,36 @@ TEST(OMTAreaPreservingFilter, ARectangleStaysARectangle)
   transport->Update();
   output->GetBounds(bounds);
   EXPECT_NEAR(bounds[3], 1.0, 1e-12);
+}
+
+// A hexagon in a circle of its area: the map is 1 - 3 sqrt(3) / (2 pi) = 17.3 percent too small.
+TEST(OMTAreaPreservingFilter, WarnsOfWhatACoarseOutlineCutsOff)
+{
+  TriangleMesh hexagon;
+  hexagon.Vertices = Points3::Zero(7, 3);
+  hexagon.Faces.resize(6, 3);
+  for (int k = 0; k < 6; ++k)
+  {
+    hexagon.Vertices.row(k + 1) << 5.0 * std::cos(k * Pi / 3.0), 5.0 * std::sin(k * Pi / 3.0), 0.0;
+    hexagon.Faces.row(k) << 0, k + 1, (k + 1) % 6 + 1;
+  }
+  vtkNew<vtkConformalDiskFilter> conformal;
+  conformal->SetInputData(polyDataOf(hexagon));
+  vtkNew<vtkOMTAreaPreservingFilter> omt;
+  omt->SetInputConnection(conformal->GetOutputPort());
+  vtkNew<vtkTest::ErrorObserver> warnings;
+  omt->AddObserver(vtkCommand::WarningEvent, warnings);
+  omt->Update();
+  const std::string warning = warnings->GetWarningMessage();
+  const std::size_t place = warning.find("multiply them by ");
+  EXPECT_NE(warning.find("encloses 17.3"), std::string::npos) << warning;
+  ASSERT_NE(place, std::string::npos) << warning;
+  EXPECT_NEAR(std::stod(warning.substr(place + 17)), 2.0 * Pi / (3.0 * std::sqrt(3.0)), 1e-4);
+
+  omt->SetInputData(conformalHemisphere(2000));
+  warnings->Clear();
+  omt->Update();
+  EXPECT_FALSE(warnings->GetWarning()) << warnings->GetWarningMessage();
 }
 
 } // namespace

@@ -224,6 +224,31 @@ TEST(PlanarWarpFilter, GraphsKeepIdsAndData)
   EXPECT_EQ(undirected->GetEdgeData()->GetArray("Load")->GetTuple1(0), 6.0);
 }
 
+// An edge that leaves the mesh at both ends: the points inserted outside are not in the output.
+TEST(PlanarWarpFilter, GraphsCountTheInsertedPointsThatAreKept)
+{
+  const auto graph = network<vtkMutableUndirectedGraph>(1.9);
+  const double beyond[] = { 0.1, 3.0, 0.0, 1.9, 3.0, 0.0 };
+  graph->SetEdgePoints(0, 2, beyond); // 2.5 in nine parts, 1.8 in six, 2.5 in nine
+  const double within[] = { 0.6, 0.5, 0.0 };
+  graph->SetEdgePoints(1, 1, within); // 0.5 in two parts, twice
+  vtkNew<vtkPlanarWarp> filter;
+  filter->SetInputData(doubled());
+  filter->SetCarriedData(graph);
+  filter->SetMaximumSegmentLength(0.3);
+  filter->Update();
+  auto* inMesh = vtkGraph::SafeDownCast(filter->GetOutputDataObject(0));
+  EXPECT_EQ(inMesh->GetNumberOfEdgePoints(0), 2); // at y = 0.5 + 2.5 / 9
+  EXPECT_EQ(inMesh->GetNumberOfEdgePoints(1), 3);
+  EXPECT_EQ(figure(inMesh, "InsertedPoints"), 2 + 2);
+
+  filter->SetOutsidePointsToLeaveUnmoved();
+  filter->Update();
+  auto* all = vtkGraph::SafeDownCast(filter->GetOutputDataObject(0));
+  EXPECT_EQ(all->GetNumberOfEdgePoints(0), 8 + 1 + 5 + 1 + 8);
+  EXPECT_EQ(figure(all, "InsertedPoints"), 8 + 5 + 8 + 2);
+}
+
 TEST(PlanarWarpFilter, APointOfAnyFiniteDistanceIsOutside)
 {
   vtkNew<vtkPlanarWarp> filter;

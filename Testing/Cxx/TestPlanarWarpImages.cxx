@@ -96,6 +96,43 @@ TEST(PlanarWarpImages, ImageFiltersSeeThePixels)
   }
 }
 
+TEST(PlanarWarpImages, ImageFiltersSeeTheValues)
+{
+  for (const char* scalars : { "Ramp", "Label" })
+  {
+    SCOPED_TRACE(scalars);
+    const auto image = picture();
+    image->GetPointData()->SetActiveScalars(scalars);
+    vtkNew<vtkPlanarWarp> filter;
+    filter->SetInputData(deformed(plane(40), bend));
+    filter->SetCarriedData(image);
+    filter->SetImageSize(20, 15);
+    expectScalarsPassedOn(filter->GetOutputPort());
+  }
+}
+
+TEST(PlanarWarpImages, ScalarsNeedNoName)
+{
+  const auto image = picture();
+  vtkNew<vtkIntArray> label;
+  label->DeepCopy(image->GetPointData()->GetArray("Label"));
+  label->SetName(nullptr);
+  image->GetPointData()->SetScalars(label);
+  vtkNew<vtkPlanarWarp> filter;
+  filter->SetInputData(deformed(plane(40), bend));
+  filter->SetCarriedData(image);
+  filter->SetImageSize(200, 150);
+  filter->NearestPixelOn();
+  filter->Update();
+  vtkPointData* pixels = vtkImageData::SafeDownCast(filter->GetOutputDataObject(0))->GetPointData();
+  vtkDataArray* labels = pixels->GetScalars();
+  ASSERT_NE(labels, nullptr);
+  for (vtkIdType i = 0; i < labels->GetNumberOfTuples(); ++i)
+  {
+    ASSERT_EQ(labels->GetTuple1(i), pixels->GetArray("Label")->GetTuple1(i));
+  }
+}
+
 TEST(PlanarWarpImages, AnImageAroundTheMeshIsLeftUnmoved)
 {
   // The mesh covers the left half of the picture and is deformed within it.

@@ -3,6 +3,7 @@
 /// any report leaves the outputs empty without an error, and the filter gives the same as ever when it
 /// runs again.
 #include "FilterTest.h"
+#include "Internal/FilterExecution.h"
 #include "IsoSurface.h"
 #include "PlanarWarpSamples.h"
 
@@ -114,6 +115,22 @@ TEST(Progress, OtherMethods)
   rectangle->SetInputConnection(disk->GetOutputPort());
   rectangle->SetDomain(vtkConformalDiskFilter::RECTANGLE);
   expectProgress(rectangle, 4);
+}
+
+// Core makes steps again. Parts of the progress are copies of its callback.
+TEST(Progress, OfAFilterNeverDecreases)
+{
+  vtkNew<vtkMeshSaliency> filter;
+  const flattening::ProgressCallback progress = flattening::progressOf(filter);
+  const flattening::ProgressCallback part = flattening::subrange(progress, 0.0, 0.5);
+  EXPECT_TRUE(progress(0.4, "first"));
+  EXPECT_TRUE(part(0.2, "second"));
+  EXPECT_EQ(filter->GetProgress(), 0.4);
+  EXPECT_STREQ(filter->GetProgressText(), "second");
+  EXPECT_TRUE(part(1.0, "third"));
+  EXPECT_EQ(filter->GetProgress(), 0.5);
+  filter->SetAbortExecute(1);
+  EXPECT_FALSE(part(0.0, "fourth"));
 }
 
 // Nothing where there are neither points nor rows.

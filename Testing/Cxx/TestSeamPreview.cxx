@@ -84,6 +84,26 @@ TEST(SeamPreview, LegsAreGeodesics)
   EXPECT_EQ(preview->GetOutput()->GetCellData()->GetArray("Leg")->GetTuple1(0), 0.0);
 }
 
+TEST(SeamPreview, OnlyPointsOfTrianglesArePassed)
+{
+  const auto surface = sphere(0.0);
+  const std::vector<std::array<double, 3>> picked{ { Radius, 0, 0 }, { 0, Radius, 0 } };
+  const std::vector<double> expected = lengths(previewOn(surface, picked)->GetOutput());
+  vtkNew<vtkPoints> points;
+  points->DeepCopy(surface->GetPoints());
+  for (const std::array<double, 3>& x : picked)
+  {
+    points->InsertNextPoint(1.001 * x[0], 1.001 * x[1], 1.001 * x[2]);
+  }
+  vtkNew<vtkPolyData> withMore;
+  withMore->SetPoints(points);
+  withMore->SetPolys(surface->GetPolys());
+  const auto preview = previewOn(withMore, { { 1.001 * Radius, 0, 0 }, { 0, 1.001 * Radius, 0 } });
+  const std::vector<double> found = lengths(preview->GetOutput());
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0], expected[0]);
+}
+
 TEST(SeamPreview, BetweenComponentsItIsAStraightLineWithoutAnError)
 {
   vtkNew<vtkAppendPolyData> two;

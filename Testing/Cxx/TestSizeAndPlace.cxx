@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The size of a surface and its distance from the origin do not change its flat map.
 #include "../Core/Support/RandomNumbers.h"
+#include "../Core/Support/SampleSurfaces.h"
 #include "FilterTest.h"
 
 #include <vtkConformalDiskFilter.h>
@@ -8,8 +9,10 @@
 #include <vtkOMTAreaPreservingFilter.h>
 #include <vtkSurfaceToDiskFilter.h>
 
+#include <vtkDoubleArray.h>
 #include <vtkNew.h>
 #include <vtkPlaneSource.h>
+#include <vtkPointData.h>
 #include <vtkSphereSource.h>
 #include <vtkTestErrorObserver.h>
 
@@ -221,6 +224,83 @@ TEST(SizeAndPlace, CoarseCoordinatesAreAWarning)
       observer->GetWarningMessage().find("in steps of 0.0078125,") != std::string::npos, isCoarse)
       << observer->GetWarningMessage();
   }
+}
+
+// A rectangle in which a triangle has no area: a point lies on the middle of the opposite side.
+TriangleMesh rectangleWithANeedle()
+{
+  TriangleMesh mesh = samples::rectangleGrid(11, 11, 2.0);
+  const auto needle = mesh.Faces.row(110);
+  mesh.Vertices.row(needle[0]) = 0.5 * (mesh.Vertices.row(needle[1]) + mesh.Vertices.row(needle[2]));
+  return mesh;
+}
+
+// At the scale s of the surface, the factors stay as they are for a map with the area of the surface,
+// and have the summand -log s for a map to the unit disk. Powers of two make the maps equal bit for bit.
+TEST(SizeAndPlace, ConformalFactorAndAddedLengthHaveTheUnitsOfTheInput)
+{
+  const TriangleMesh mesh = rectangleWithANeedle();
+  for (int method = 0; method < 3; ++method)
+  {
+    for (const int normalization :
+      { vtkConformalDiskFilter::SURFACE_AREA, vtkConformalDiskFilter::UNIT_DOMAIN })
+    {
+      vtkNew<vtkConformalDiskFilter> filter;
+      filter->SetMethod(method);
+      filter->SetNormalizeTo(normalization);
+      filter->SetInputData(polyDataOf(mesh));
+      filter->Update();
+      vtkNew<vtkDoubleArray> expected;
+      expected->DeepCopy(filter->GetOutput()->GetPointData()->GetArray("ConformalFactor"));
+      const double added = figure(filter->GetOutput(), "AddedLength");
+      EXPECT_GT(added, 0.0);
+      for (const int exponent : { -40, -33, -31, 31, 33, 40 })
+      {
+        SCOPED_TRACE(exponent);
+        const double scale = std::ldexp(1.0, exponent);
+        const double summand =
+          normalization == vtkConformalDiskFilter::UNIT_DOMAIN ? -std::log(scale) : 0.0;
+        TriangleMesh other = mesh;
+        other.Vertices *= scale;
+        filter->SetInputData(polyDataOf(other));
+        filter->Update();
+        vtkDataArray* found = filter->GetOutput()->GetPointData()->GetArray("ConformalFactor");
+        for (vtkIdType i = 0; i < found->GetNumberOfTuples(); ++i)
+        {
+          ASSERT_NEAR(found->GetTuple1(i), expected->GetTuple1(i) + summand, 1e-9);
+        }
+        EXPECT_NEAR(figure(filter->GetOutput(), "AddedLength") / scale, added, 1e-9 * added);
+      }
+    }
+  }
+}
+
+// Of the coordinates that are stored in coarse steps, only those of the disk count: a vertex that the
+// filter drops may lie anywhere.
+TEST(SizeAndPlace, CoordinatesOfDroppedCellsAreNoWarning)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetThetaResolution(30);
+  source->SetPhiResolution(30);
+  source->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
+  source->Update();
+  vtkPolyData* ball = source->GetOutput();
+  const vtkIdType far = ball->GetPoints()->InsertNextPoint(3e6, 0.0, 0.0);
+  vtkNew<vtkCellArray> vertex;
+  vertex->InsertNextCell(1, &far);
+  vtkNew<vtkPolyData> input;
+  input->SetPoints(ball->GetPoints());
+  input->SetPolys(ball->GetPolys());
+  input->SetVerts(vertex);
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  filter->SetInputData(input);
+  filter->SetCutModeToSeam();
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::WarningEvent, observer);
+  filter->Update();
+  EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 1000);
+  EXPECT_EQ(figure(filter->GetOutput(), "DroppedCells"), 1);
+  EXPECT_FALSE(observer->GetWarning()) << observer->GetWarningMessage();
 }
 
 } // namespace

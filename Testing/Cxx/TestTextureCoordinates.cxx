@@ -4,9 +4,11 @@
 
 #include <vtkConformalDiskFilter.h>
 #include <vtkFlatMapTransfer.h>
+#include <vtkFlattenRegion.h>
 #include <vtkOMTAreaPreservingFilter.h>
 
 #include <vtkFloatArray.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
@@ -102,6 +104,65 @@ TEST(TextureCoordinates, ThoseOfTheSurfaceAreKeptUnderAnotherName)
   }
   EXPECT_EQ(std::string(bump->GetPointData()->GetTCoords()->GetName()), "TCoords")
     << "the input was changed";
+}
+
+// The map of a map has two arrays TCoords before it: that of the map is not the surface's.
+TEST(TextureCoordinates, ThoseOfTheSurfaceOutliveASecondMap)
+{
+  const auto bump = photographedBump();
+  vtkNew<vtkIntArray> label;
+  label->SetName("Label");
+  for (vtkIdType i = 0; i < bump->GetNumberOfPoints(); ++i)
+  {
+    label->InsertNextValue(std::hypot(bump->GetPoint(i)[0], bump->GetPoint(i)[1]) < 0.5 ? 1 : 0);
+  }
+  bump->GetPointData()->AddArray(label);
+  vtkNew<vtkConformalDiskFilter> conformal;
+  vtkNew<vtkFlattenRegion> region;
+  region->SetInputConnection(conformal->GetOutputPort());
+  region->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Label");
+  region->SetLabel(1);
+  vtkNew<vtkConformalDiskFilter> again;
+  again->SetInputConnection(conformal->GetOutputPort());
+  conformal->SetInputData(bump);
+  region->Update();
+  again->Update();
+  EXPECT_LT(textureError(region->GetOutput()), 1e-7);
+  EXPECT_LT(textureError(again->GetOutput()), 1e-7);
+  vtkDataArray* ids = region->GetOutput()->GetPointData()->GetArray("vtkOriginalPointIds");
+  vtkDataArray* own = region->GetOutput()->GetPointData()->GetArray("SurfaceTCoords");
+  ASSERT_NE(own, nullptr);
+  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+  {
+    ASSERT_TRUE(ids->GetTuple1(i) < 0 || own->GetComponent(i, 0) == ids->GetTuple1(i));
+  }
+  own = again->GetOutput()->GetPointData()->GetArray("SurfaceTCoords");
+  ASSERT_NE(own, nullptr);
+  for (vtkIdType i = 0; i < bump->GetNumberOfPoints(); ++i)
+  {
+    ASSERT_EQ(own->GetComponent(i, 0), static_cast<double>(i));
+  }
+
+  vtkNew<vtkPolyData> plain; // a surface without texture coordinates has none on the second map
+  plain->ShallowCopy(bump);
+  plain->GetPointData()->RemoveArray("TCoords");
+  conformal->SetInputData(plain);
+  region->Update();
+  EXPECT_FALSE(region->GetOutput()->GetPointData()->HasArray("SurfaceTCoords"));
+}
+
+// Active texture coordinates of another name, as of ParaView's Texture Map to Sphere, stay an array.
+TEST(TextureCoordinates, ThoseOfAnotherNameStay)
+{
+  const auto bump = photographedBump();
+  bump->GetPointData()->GetTCoords()->SetName("Texture Coordinates");
+  vtkNew<vtkConformalDiskFilter> conformal;
+  conformal->SetInputData(bump);
+  conformal->Update();
+  EXPECT_LT(textureError(conformal->GetOutput()), 1e-7);
+  vtkDataArray* own = conformal->GetOutput()->GetPointData()->GetArray("Texture Coordinates");
+  ASSERT_NE(own, nullptr);
+  EXPECT_EQ(own->GetComponent(7, 0), 7.0);
 }
 
 } // namespace

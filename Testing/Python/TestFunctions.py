@@ -78,13 +78,27 @@ assert coordinates(measured.mesh) == coordinates(flat)
 assert 1 - 1e-3 < area(flat) / area(disk) < 1, (area(flat), area(disk))
 assert [row["Region"] for row in measured.table] == ["Total"]
 assert measured.table[0]["Faces"] == flat.GetNumberOfCells()
+for column, kind in (("RegionId", int), ("Faces", int), ("FlippedFaces", int), ("Region", str), ("SurfaceArea", float)):
+    assert type(measured.table[0][column]) is kind, column
 by_region = surfaceflattening.distortion(measured.mesh, region_array="Label").table
 assert len(by_region) == 3, by_region
 assert abs(sum(row["SurfaceArea"] for row in by_region[:-1]) / by_region[-1]["SurfaceArea"] - 1) < 1e-9
 unit = surfaceflattening.flatten(surface, cut_mode="Seam", normalize_to="Unit Domain")
 assert abs(max(abs(c) for point in coordinates(unit) for c in point) - 1) < 1e-3
 one = surfaceflattening.region(surface, label_array="Label", label=1)
-assert 0.1 < one.GetNumberOfPoints() / surface.GetNumberOfPoints() < 0.9
+assert 0.1 < one.mesh.GetNumberOfPoints() / surface.GetNumberOfPoints() < 0.9
+# The measures are those of the field data. The curves have their lengths, but for the outline with its teeth.
+measures = {row["Measure"]: row for row in one.table}
+assert list(measures) == ["Area", "GreatestDiameter", "ExtentAcross", "Perimeter"]
+for name, row in measures.items():
+    assert row["OnSurface"] == one.mesh.GetFieldData().GetArray(name).GetValue(0), name
+    assert 0 < row["StandardDeviation"] < 0.1 * row["OnSurface"] and row["OnMap"] > 0 and type(row["Unit"]) is str, row
+names, lengths = (one.curves.GetCellData().GetAbstractArray(name) for name in ("Measure", "Length"))
+drawn = {names.GetValue(i): lengths.GetValue(i) for i in range(one.curves.GetNumberOfCells())}
+assert list(drawn) == list(measures)[1:] and one.curves.GetPointData().HasArray("SurfacePoints")
+for name in ("GreatestDiameter", "ExtentAcross"):
+    assert abs(drawn[name] / measures[name]["OnSurface"] - 1) < 1e-9, drawn
+assert drawn["Perimeter"] > measures["Perimeter"]["OnSurface"]
 
 # Arrays in place of a mesh.
 try:
@@ -115,20 +129,24 @@ volume.GetPointData().SetScalars(values)
 skin = surfaceflattening.isosurface(volume, 12, smoothing_mm=0)
 assert abs(area(skin) / (4 * 3.14159265 * 64) - 1) < 0.03, area(skin)
 assert "between" in raised(surfaceflattening.FlatteningError, surfaceflattening.isosurface, volume, 99)
+assert "no voxels" in raised(surfaceflattening.FlatteningError, surfaceflattening.isosurface, vtkImageData())
 assert "not an image" in raised(TypeError, surfaceflattening.isosurface, surface, 1)
 
 # Errors are exceptions with the message of the filter alone.
 text = raised(surfaceflattening.FlatteningError, surfaceflattening.flatten, surface, cut_mode="Plane", plane_normal=(0, 0, 0))
 assert "normal" in text and "0x" not in text and "vtk" not in text and "\n" not in text, text
-assert "no faces" in raised(surfaceflattening.FlatteningError, surfaceflattening.flatten, vtkPolyData())
+for function in (surfaceflattening.flatten, *(getattr(surfaceflattening, name) for name, *_ in STEPS), surfaceflattening.region):
+    assert "no faces" in raised(surfaceflattening.FlatteningError, function, vtkPolyData()), function.__name__
 assert "vtkUnstructuredGrid" in raised(TypeError, surfaceflattening.flatten, vtkUnstructuredGrid())
 assert "str" in raised(TypeError, surfaceflattening.flatten, "brain.vtp")
 assert "did you mean cut_mode" in raised(TypeError, surfaceflattening.flatten, surface, cutmod="Seam")
-assert "one of Automatic, Hole" in raised(ValueError, surfaceflattening.to_disk, surface, cut_mode="Sem")
+assert "one of Automatic, Hole" in raised(surfaceflattening.SettingError, surfaceflattening.to_disk, surface, cut_mode="Sem")
 assert "say which" in raised(TypeError, surfaceflattening.flatten, surface, boundary_point=(0, 0, 1))
-assert "no array Labels: it has" in raised(ValueError, surfaceflattening.to_disk, surface, region_of_interest="Labels")
+text = raised(surfaceflattening.SettingError, surfaceflattening.to_disk, surface, region_of_interest="Labels")
+assert "no array Labels: it has" in text, text
 shown = surfaceflattening.flatten(surface, cut_mode="Seam", conformal={"tolerance": 1e-10})
 assert shown.GetNumberOfPoints() == flat.GetNumberOfPoints()
+
 
 # The documented defaults may be given.
 for _, filter_class, _ in (*STEPS, ("region", surfaceflattening.vtkFlattenRegion, 1)):
@@ -137,7 +155,7 @@ for _, filter_class, _ in (*STEPS, ("region", surfaceflattening.vtkFlattenRegion
 assert coordinates(surfaceflattening.to_disk(surface, cut_mode="Seam", seam_lines=None)) == coordinates(disk)
 assert coordinates(surfaceflattening.conformal(disk, domain=None)) == coordinates(surfaceflattening.conformal(disk))
 region_defaults = {"label_array": "Label", "label": 1, "selection": None}
-assert coordinates(surfaceflattening.region(surface, **region_defaults)) == coordinates(one)
+assert coordinates(surfaceflattening.region(surface, **region_defaults).mesh) == coordinates(one.mesh)
 
 # Warnings are Python's, and name the line of the caller.
 for function in (surfaceflattening.flatten, surfaceflattening.to_disk):

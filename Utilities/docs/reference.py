@@ -28,8 +28,9 @@ This page lists every filter with its parameters, the arrays that it adds and it
 test compares the two. [glossary.md](glossary.md) explains the words, [numbers.md](numbers.md) says which values are
 good.
 
-A parameter is listed as **label in ParaView** (`name in scripts`, its values and default). In C++ the setter of a
-parameter is `Set` and this name, unless another is given. *Advanced* parameters are shown by the gear of the panel.
+A parameter is listed as **label in ParaView** (`name in scripts`, its values and default). Where pvpython has a name
+of its own, the second name is that of C++ and of [Python without ParaView](python.md). In C++ the setter of a parameter
+is `Set` and this name, unless another is given. *Advanced* parameters are shown by the gear of the panel.
 Arrays that are not listed are kept as they are. Lengths and areas are in units of the surface.
 """
 
@@ -106,9 +107,20 @@ def setter_of(setting):
     return [f"C++ `{command}`"]
 
 
+def pvpython_name(setting):
+    """The name of the attribute in paraview.simple, which ParaView makes of the label."""
+    return re.sub(r"\W", "", label_of(setting), flags=re.ASCII)
+
+
+def names_of(setting):
+    """The names of a parameter in scripts, in words."""
+    name, in_pvpython = setting.get("name"), pvpython_name(setting)
+    return f"`{name}`" if name == in_pvpython else f"`{in_pvpython}` in pvpython, `{name}` elsewhere"
+
+
 def parameter(setting):
     values, default = values_of(setting)
-    facts = [f"`{setting.get('name')}`", *setter_of(setting), values]
+    facts = [names_of(setting), *setter_of(setting), values]
     if default:
         facts.append(f"default {default}")
     if setting.get("panel_visibility") == "advanced":

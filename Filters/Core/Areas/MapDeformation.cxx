@@ -8,6 +8,7 @@
 #include "Untangling/MapUntangling.h"
 #include "Untangling/TargetTriangles.h"
 
+#include <iterator>
 #include <utility>
 
 namespace flattening
@@ -58,6 +59,7 @@ bool MapDeformation::deform(DomainMap& map,
   const int faces = this->Surface.faceCount();
   const int most = request.MayFlip ? this->countFlipped(map) + static_cast<int>(MostNewlyFlipped * faces)
                                    : static_cast<int>(MostFlipped * faces);
+  constexpr double smooth = 0.7; // of the progress
   const DomainMap deformed = smoothlyDeformed(this->Terms,
     this->Dofs,
     map,
@@ -65,12 +67,15 @@ bool MapDeformation::deform(DomainMap& map,
     request.Shapes,
     request.AreaWeight,
     request.Fineness,
-    subrange(progress, 0.0, 0.7));
+    subrange(progress, 0.0, smooth));
+  double end = smooth;
   for (const double share : DeformationShares)
   {
+    const double begin = end;
+    end += (1.0 - smooth) / std::size(DeformationShares);
     DomainMap next = this->Dofs.between(map, deformed, share);
     if (this->countFlipped(next) <= most &&
-        (request.MayFlip || this->untangle(map, next, targets, subrange(progress, 0.7, 1.0))))
+        (request.MayFlip || this->untangle(map, next, targets, subrange(progress, begin, end))))
     {
       map = std::move(next);
       return true;

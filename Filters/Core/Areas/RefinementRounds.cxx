@@ -227,17 +227,19 @@ double RefinementRounds::distortion(const DomainMap& map) const
 
 void RefinementRounds::balance(DomainMap& map, double tolerance, const ProgressCallback& progress)
 {
+  constexpr double deformations = 0.5; // of the progress; the rest is for steps of the whole mesh
+  const ProgressCallback rest = subrange(progress, deformations, 1.0);
   const double first = this->imbalance(map);
   double now = first;
   for (int k = 0; k < MostBalances && now >= tolerance; ++k)
   {
-    const double begin = static_cast<double>(k) / MostBalances;
-    const ProgressCallback part = subrange(progress, begin, begin + 1.0 / MostBalances);
+    const double begin = deformations * k / MostBalances;
+    const ProgressCallback part = subrange(progress, begin, begin + deformations / MostBalances);
     const DomainMap before = map;
     const double wrong = this->wrongFaces(map).Share;
     if (!this->deform(map, DeformationEnergy::Shapes::OfMap, BalancingAreaWeight, part))
     {
-      this->descend(map, progress);
+      this->descend(map, rest);
       return;
     }
     // Near a hole a deformation bends thin faces. Where no rounds follow that set them right, the share
@@ -254,7 +256,7 @@ void RefinementRounds::balance(DomainMap& map, double tolerance, const ProgressC
   if (now >= std::max(tolerance, RegionTolerance) && now > LeastBalanceShare * first)
   {
     // Small area weights make regions that are smaller than the squares of a deformation.
-    this->descend(map, progress);
+    this->descend(map, rest);
   }
 }
 

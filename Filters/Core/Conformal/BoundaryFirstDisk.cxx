@@ -176,9 +176,8 @@ ConformalDiskMap boundaryFirstDisk(const TriangleMesh& mesh,
 {
   ConformalDiskMap map;
   map.MaxCurvatureError = map.LayoutError = std::numeric_limits<double>::quiet_NaN();
-  report(progress, 0.0, "Intrinsic Delaunay triangulation");
   IntrinsicTriangulation triangulation(mesh);
-  map.Flips = triangulation.flipToDelaunay();
+  map.Flips = triangulation.flipToDelaunay(subrange(progress, 0.0, 0.2));
   map.AddedLength = triangulation.addedLength();
   report(progress, 0.2, LaplacianStage);
   const CherrierEquation equation(triangulation, loop, subrange(progress, 0.2, 0.4));
@@ -193,12 +192,12 @@ ConformalDiskMap boundaryFirstDisk(const TriangleMesh& mesh,
     cotangentWeights(triangulation, none), WeightSymmetry::Symmetric, loop, angles, centring, extension);
   report(extension, 1.0, "");
   const double area = faceAreas(mesh.Vertices, mesh.Faces).sum();
-  map.SpreadVertices = spreadProtrusions(triangulation,
-    none,
-    logFactorsOf(equation, lengths, loop, disk),
-    0.5 * std::log(EIGEN_PI / area),
-    disk,
-    mesh.vertexCount());
+  const double logMeanFactor = 0.5 * std::log(EIGEN_PI / area);
+  const IntrinsicTriangulation::Factors factors = logFactorsOf(equation, lengths, loop, disk);
+  const ComplexVector conformal = disk;
+  map.SpreadVertices =
+    spreadProtrusions(triangulation, none, factors, logMeanFactor, disk, mesh.vertexCount());
+  disk = spreadAlongCircle(triangulation, factors, logMeanFactor, mesh.Faces, conformal, disk);
   map.Positions = pointsOf(disk);
   return map;
 }

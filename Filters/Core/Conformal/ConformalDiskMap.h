@@ -19,7 +19,7 @@ struct ConformalDiskMap
   double AddedLength = 0.0; ///< length added to every edge to open degenerate faces, mostly 0
   int NewtonIterations = 0;
   int BoundaryIterations = 0;  ///< of ConformalMethod::BoundaryFirst
-  int Flips = 0;               ///< number of intrinsic edge flips
+  long long Flips = 0;         ///< number of intrinsic edge flips
   int SpreadVertices = 0;      ///< vertices moved apart in protrusions (see spreadProtrusions)
   UntanglingReport Untangling; ///< of the surface's faces, not the intrinsic ones
 };

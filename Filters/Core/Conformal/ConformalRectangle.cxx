@@ -162,13 +162,12 @@ ConformalRectangleMap conformalRectangleMap(const TriangleMesh& mesh,
   result.Corners = options.Corners.empty() ? rectangleCorners(mesh, loop) : options.Corners;
   requireCorners(result.Corners, loop);
 
-  report(progress, 0.0, "Intrinsic Delaunay triangulation");
   const int n = mesh.vertexCount();
   IntrinsicTriangulation t(mesh);
   map.AddedLength = t.addedLength();
-  map.Flips += t.flipToDelaunay();
+  map.Flips += t.flipToDelaunay(subrange(progress, 0.0, 0.1));
   Eigen::VectorXd targets = flatAngleSums(t);
-  map.Flips += t.flipDoubleToDelaunay();
+  map.Flips += t.flipDoubleToDelaunay(subrange(progress, 0.05, 0.1));
   targets(result.Corners).setConstant(0.5 * EIGEN_PI);
   std::vector<char> fixed(n, 0);
   fixed[result.Corners[0]] = 1; // for the scale; its angle follows from all others

@@ -24,8 +24,10 @@ constexpr double LogScaleOfProtrusions = -11.512925464970229;
 // k = sqrt(1 + p^2 / 4) - p / 2: about a quarter for p = 4. A greater power spreads more, by weights
 // that differ more.
 constexpr double WeightPower = 4.0;
-// The weights at this depth, in logarithms of the scale, are the smallest: exp(WeightPower * DeepestPoint)
-// is 1e-174, far from where doubles underflow.
+// That k: the share of the scale's fall that is left.
+const double FallOfSpread = std::sqrt(1.0 + 0.25 * WeightPower * WeightPower) - 0.5 * WeightPower;
+// The weights at this depth, in logarithms of the scale, are the smallest: exp(WeightPower *
+// DeepestPoint) is 1e-174, far from where doubles underflow.
 constexpr double DeepestPoint = -100.0;
 // Logarithm of the scale, relative to where protrusions begin, up to which vertices may move: 20 times
 // the scale there. The effect of a spread protrusion falls with the square of the scale: it is less than
@@ -56,8 +58,8 @@ public:
     }
     for (int v = 0; v < t.vertexCount(); ++v)
     {
-      this->Depth[v] = std::max(DeepestPoint,
-        static_cast<double>(logFactors[v]) - logMeanFactor - LogScaleOfProtrusions);
+      this->Depth[v] = std::max(
+        DeepestPoint, static_cast<double>(logFactors[v]) - logMeanFactor - LogScaleOfProtrusions);
     }
   }
 
@@ -72,18 +74,29 @@ public:
     return count;
   }
 
+  // Moves the vertices of the boundary's protrusions apart along the unit circle. Returns whether there
+  // are any.
+  bool spreadCircle(const IntrinsicTriangulation::Factors& logFactors, ComplexVector& disk) const
+  {
+    const std::vector<std::vector<int>> runs = this->boundaryRuns();
+    for (const std::vector<int>& run : runs)
+    {
+      this->spreadRun(run, logFactors, disk);
+    }
+    return !runs.empty();
+  }
+
   void spread(const IntrinsicTriangulation::Factors& metric, ComplexVector& disk) const
   {
     std::vector<NeighbourWeight> weights = cotangentWeights(this->Triangulation, metric);
     for (NeighbourWeight& w : weights)
     {
-      const double depth = std::min(this->Depth[w.From], 0.0) + std::min(this->Depth[w.To], 0.0);
-      w.Weight *= std::exp(0.5 * WeightPower * depth);
+      w.Weight *= std::exp(WeightPower * this->depthOfEdge(w.From, w.To));
     }
     std::vector<char> fixed = this->Fixed;
     for (std::size_t v = 0; v < fixed.size(); ++v)
     {
-      fixed[v] |= this->Depth[v] > NeckDepth;
+      fixed[v] |= this->stays(static_cast<int>(v));
     }
     ComplexVector spread = disk;
     WeightedMeans(weights, WeightSymmetry::Symmetric, fixed).extend(spread);
@@ -97,6 +110,68 @@ public:
   }
 
 private:
+  bool stays(int v) const { return this->Depth[v] > NeckDepth; }
+
+  // Runs of boundary edges, each from one vertex that stays to the next, that have vertices of
+  // protrusions between.
+  std::vector<std::vector<int>> boundaryRuns() const
+  {
+    const auto& boundary = this->Triangulation.boundaryEdges();
+    std::vector<std::vector<int>> runs;
+    for (int first = 0; first < static_cast<int>(boundary.size()); ++first)
+    {
+      if (boundary[first].Origin < 0 || !this->stays(boundary[first].Origin))
+      {
+        continue;
+      }
+      std::vector<int> run{ first };
+      bool isProtrusion = false;
+      int b = boundary[first].Next;
+      for (; !this->stays(boundary[b].Origin); b = boundary[b].Next)
+      {
+        isProtrusion |= this->Depth[boundary[b].Origin] < 0.0;
+        run.push_back(b);
+      }
+      if (isProtrusion && b != first)
+      {
+        runs.push_back(run);
+      }
+    }
+    return runs;
+  }
+
+  // The angle of a run stays; its edges take shares of it by lengths that fall about a quarter as fast
+  // in the protrusions as on the map.
+  void spreadRun(const std::vector<int>& run,
+    const IntrinsicTriangulation::Factors& logFactors,
+    ComplexVector& disk) const
+  {
+    const IntrinsicTriangulation& t = this->Triangulation;
+    const auto& boundary = t.boundaryEdges();
+    std::vector<double> ends{ 0.0 }; // of the edges, by the new lengths up to them
+    for (const int b : run)
+    {
+      const int from = boundary[b].Origin;
+      const int to = t.tipOfBoundaryEdge(b);
+      const long double logLength = boundary[b].LogLength + 0.5L * (logFactors[from] + logFactors[to]);
+      ends.push_back(ends.back() + std::exp(static_cast<double>(logLength) -
+                                            (1.0 - FallOfSpread) * this->depthOfEdge(from, to)));
+    }
+    const std::complex<double> begin = disk[boundary[run.front()].Origin];
+    double angle = std::arg(disk[t.tipOfBoundaryEdge(run.back())] / begin);
+    angle += angle < 0.0 ? 2.0 * EIGEN_PI : 0.0;
+    for (std::size_t k = 1; k < run.size(); ++k)
+    {
+      disk[boundary[run[k]].Origin] = begin * std::polar(1.0, angle * ends[k] / ends.back());
+    }
+  }
+
+  // The mean depth of its ends, 0 for one outside of the protrusions.
+  double depthOfEdge(int from, int to) const
+  {
+    return 0.5 * (std::min(this->Depth[from], 0.0) + std::min(this->Depth[to], 0.0));
+  }
+
   // Number of flipped faces with a vertex that is not fixed.
   int flippedFaces(const std::vector<char>& fixed, const ComplexVector& disk) const
   {
@@ -135,6 +210,25 @@ int spreadProtrusions(const IntrinsicTriangulation& t,
     protrusions.spread(metric, positions);
   }
   return protrusions.countAmong(given);
+}
+
+ComplexVector spreadAlongCircle(const IntrinsicTriangulation& t,
+  const IntrinsicTriangulation::Factors& logFactors,
+  double logMeanFactor,
+  const FaceMatrix& faces,
+  const ComplexVector& conformal,
+  const ComplexVector& spread)
+{
+  const Protrusions protrusions(t, logFactors, logMeanFactor);
+  ComplexVector alongCircle = conformal;
+  if (!protrusions.spreadCircle(logFactors, alongCircle))
+  {
+    return spread;
+  }
+  protrusions.spread(IntrinsicTriangulation::Factors::Zero(t.vertexCount()), alongCircle);
+  const bool isBetter =
+    countFlippedFaces(pointsOf(alongCircle), faces) <= countFlippedFaces(pointsOf(spread), faces);
+  return isBetter ? alongCircle : spread;
 }
 
 } // namespace flattening

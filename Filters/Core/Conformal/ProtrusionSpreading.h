@@ -20,9 +20,10 @@ namespace flattening
 /// To this end, vertices move to the weighted means of their neighbours. The weights are cotangent
 /// weights, multiplied in the protrusions by the fourth power of the scale relative to 1e-5 of the mean.
 /// Vertices whose scale is more than 20 times the one at which protrusions begin stay, unless the move
-/// would then flip a triangle; in that case all inner vertices move. Boundary vertices always stay. The
-/// move flips no triangle of @p triangulation (see WeightedMeans). In the protrusions the map is no
-/// longer conformal, but in doubles it could not be conformal there anyway.
+/// would then flip a triangle; in that case all inner vertices move. Boundary vertices stay: see
+/// spreadAlongCircle(). The move flips no triangle of @p triangulation (see WeightedMeans).
+/// In the protrusions the map is no longer conformal, but in doubles it could not be conformal there
+/// anyway.
 /// @param metric         factors in whose metric the cotangents are measured: @p logFactors if they make
 ///                       the triangulation flat to rounding, otherwise zeros, as triangles may
 ///                       degenerate
@@ -39,5 +40,22 @@ int spreadProtrusions(const IntrinsicTriangulation& triangulation,
   double logMeanFactor,
   ComplexVector& positions,
   int given);
+
+/// The map in which protrusions at the boundary are spread, too: the vertices of a part that hangs on
+/// the rest by a narrow neck of the boundary would else share a few positions on the circle. Between two
+/// boundary vertices that stay, the edges share the arc by lengths that fall about a quarter as fast in
+/// the protrusions as on the conformal map; the inner vertices follow as in spreadProtrusions().
+/// @param triangulation  whose boundary is that of the surface
+/// @param faces          of the surface (m x 3)
+/// @param conformal      the map to the unit circle before anything was spread
+/// @param spread         the result of spreadProtrusions(), which is returned if no boundary vertex is
+/// in
+///                       a protrusion, or if fewer of its faces are flipped
+ComplexVector spreadAlongCircle(const IntrinsicTriangulation& triangulation,
+  const IntrinsicTriangulation::Factors& logFactors,
+  double logMeanFactor,
+  const FaceMatrix& faces,
+  const ComplexVector& conformal,
+  const ComplexVector& spread);
 
 } // namespace flattening

@@ -119,11 +119,12 @@ std::vector<int> sharpCorners(const BoundaryCurve& curve, int count, double wind
 
 // Indices into the loop of its four sharpest corners, ascending; fewer if it does not turn so often.
 // Where two corners are closer than the first chords, shorter ones part them, and count if they see four
-// corners and no more: of noise there would be many.
+// corners and no more: of noise there would be many. The shortest are a quarter of an edge long, so that
+// they part the ends of a single edge.
 std::vector<int> sharpestCorners(const BoundaryCurve& curve, int count)
 {
   std::vector<int> corners = sharpCorners(curve, count, curve.length() / FirstWindows);
-  for (int windows = 2 * FirstWindows; corners.size() < 4 && windows <= count; windows *= 2)
+  for (int windows = 2 * FirstWindows; corners.size() < 4 && windows <= 4 * count; windows *= 2)
   {
     const std::vector<int> close = sharpCorners(curve, count, curve.length() / windows);
     corners = close.size() == 4 ? close : corners;

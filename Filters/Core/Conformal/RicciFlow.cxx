@@ -21,6 +21,9 @@ namespace
 // after some evaluations of that kind. A guard: flows that end well, on strips of needles, had two.
 constexpr long long MostFlipsPerHalfedge = 5;
 constexpr int MostExcessiveFlips = 8;
+constexpr const char* EndlessFlips =
+  "the Ricci flow flips edges without an end, as the surface has triangles that are nearly degenerate: "
+  "remesh the surface (Surface To Disk, Remesh)";
 // Relative residual of a step's linear system. A choice: with more, steps lose their direction; with
 // less, each takes more iterations of conjugate gradients without fewer steps.
 constexpr double LinearTolerance = 1e-2;
@@ -164,6 +167,10 @@ public:
               << " degenerate triangles: remesh the surface (Surface To Disk, Remesh)";
       throw RicciFlowStopped(message.str(), this->Result.NewtonIterations);
     }
+    if (this->IsExcessive)
+    {
+      throw RicciFlowStopped(EndlessFlips, this->Result.NewtonIterations);
+    }
     this->Result.Order = this->System.vertexOrder(this->Solver.order());
     return this->Result;
   }
@@ -202,14 +209,13 @@ private:
 
   void evaluate()
   {
-    const int flips = this->Triangulation.flipToDelaunay(this->Result.LogFactors);
+    const long long flips = this->Triangulation.flipToDelaunay(this->Result.LogFactors);
     this->Result.Flips += flips;
-    this->ExcessiveFlips += flips > MostFlipsPerHalfedge * this->Triangulation.halfedgeCount();
+    this->IsExcessive = flips > MostFlipsPerHalfedge * this->Triangulation.halfedgeCount();
+    this->ExcessiveFlips += this->IsExcessive;
     if (this->ExcessiveFlips > MostExcessiveFlips)
     {
-      throw ConvergenceError(
-        "the Ricci flow flips edges without an end, as the surface has triangles that are nearly "
-        "degenerate: remesh the surface (Surface To Disk, Remesh)");
+      throw ConvergenceError(EndlessFlips);
     }
     this->System.evaluate(this->Result.LogFactors);
   }
@@ -286,7 +292,7 @@ private:
   {
     try
     {
-      for (int k = 0; k < MostLocalSteps && this->System.error() > OutlierTolerance; ++k)
+      for (int k = 0; k<MostLocalSteps&& this->System.error()> OutlierTolerance; ++k)
       {
         this->step({});
       }
@@ -351,7 +357,8 @@ private:
   std::vector<char> Settled;
   CurvatureSystem System;
   LaggedCholeskySolver Solver;
-  int ExcessiveFlips = 0; // evaluations that flip too many edges
+  int ExcessiveFlips = 0;   // evaluations that flip too many edges
+  bool IsExcessive = false; // whether the last one does, so that it may not be Delaunay
   RicciFlowResult Result;
 };
 

@@ -37,7 +37,7 @@ struct RicciFlowResult
   /// triangulation, gets the flat length l_ij exp((u_i + u_j) / 2).
   IntrinsicTriangulation::Factors LogFactors;
   int NewtonIterations = 0;
-  int Flips = 0;
+  long long Flips = 0;
   double MaxCurvatureError = 0.0; ///< radians
   /// The vertices in the order in which the last Hessian was eliminated, which serves for the layout,
   /// too; empty if there is none.

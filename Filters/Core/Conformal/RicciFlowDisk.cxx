@@ -48,10 +48,12 @@ struct IntrinsicSurface
   Points3 Points;
 };
 
-IntrinsicSurface intrinsicSurface(const TriangleMesh& mesh, int& flips)
+IntrinsicSurface intrinsicSurface(const TriangleMesh& mesh,
+  long long& flips,
+  const ProgressCallback& progress)
 {
   IntrinsicSurface surface{ IntrinsicTriangulation(mesh), mesh.Vertices };
-  flips += surface.Triangulation.flipToDelaunay();
+  flips += surface.Triangulation.flipToDelaunay(subrange(progress, 0.0, 0.1));
   return surface;
 }
 
@@ -227,15 +229,14 @@ ConformalDiskMap ricciFlowDisk(const TriangleMesh& mesh,
 {
   const int n = mesh.vertexCount();
   ConformalDiskMap map;
-  report(progress, 0.0, "Intrinsic Delaunay triangulation");
-  IntrinsicSurface surface = intrinsicSurface(mesh, map.Flips);
+  IntrinsicSurface surface = intrinsicSurface(mesh, map.Flips, progress);
   map.AddedLength = surface.Triangulation.addedLength();
   std::vector<int> candidates = verticesForInfinity(surface.Triangulation);
   TriangleMesh fine = mesh;
   for (int round = 0; candidates.empty() && round < MostSubdivisions; ++round)
   {
     fine = subdivided(fine);
-    surface = intrinsicSurface(fine, map.Flips);
+    surface = intrinsicSurface(fine, map.Flips, progress);
     candidates = verticesForInfinity(surface.Triangulation);
   }
   HalfPlaneMap half = mapToHalfPlane(surface, candidates, options, map, subrange(progress, 0.1, 0.9));
@@ -271,8 +272,13 @@ ConformalDiskMap ricciFlowDisk(const TriangleMesh& mesh,
   }
   map.LogFactors = logFactors.head(n).cast<double>();
   const double area = faceAreas(mesh.Vertices, mesh.Faces).sum();
-  map.SpreadVertices = spreadProtrusions(
-    half.Triangulation, logFactors, logFactors, 0.5 * std::log(EIGEN_PI / area), disk, n);
+  const double logMeanFactor = 0.5 * std::log(EIGEN_PI / area);
+  const ComplexVector conformal = disk;
+  map.SpreadVertices =
+    spreadProtrusions(half.Triangulation, logFactors, logFactors, logMeanFactor, disk, n);
+  // The triangulation of the flow may have inner vertices on its boundary.
+  disk =
+    spreadAlongCircle(surface.Triangulation, logFactors, logMeanFactor, fine.Faces, conformal, disk);
   map.Positions = pointsOf(firstOf(disk, n));
   return map;
 }

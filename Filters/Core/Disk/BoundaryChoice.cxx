@@ -6,10 +6,26 @@
 #include "Repair/HoleFilling.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace flattening
 {
+namespace
+{
+
+// The area of a circle as long as the longest loop that is filled unasked, as a share of the surface's
+// area. A convention: longer loops are errors, as a patch there would be a large part of the surface.
+constexpr double FilledAreaShare = 0.05;
+
+// The length of the circle around a share of the surface's area, squared.
+double squaredCircle(const TriangleMesh& mesh, double share)
+{
+  constexpr double pi = 3.14159265358979323846;
+  return 4.0 * pi * share * faceAreas(mesh.Vertices, mesh.Faces).sum();
+}
+
+} // namespace
 
 int chooseBoundary(const Points3& vertices,
   const std::vector<std::vector<int>>& loops,
@@ -48,11 +64,18 @@ int chooseBoundary(const Points3& vertices,
   return chosen;
 }
 
-bool isPuncture(const TriangleMesh& mesh, const std::vector<int>& loop, double areaFraction)
+double longestFilledUnasked(const TriangleMesh& mesh)
 {
-  constexpr double pi = 3.14159265358979323846;
+  return std::sqrt(squaredCircle(mesh, FilledAreaShare));
+}
+
+bool isPuncture(const TriangleMesh& mesh,
+  const std::vector<int>& loop,
+  double areaFraction,
+  double longestFilled)
+{
   const double length = loopLength(mesh.Vertices, loop);
-  return length * length < 4.0 * pi * areaFraction * faceAreas(mesh.Vertices, mesh.Faces).sum();
+  return length <= longestFilled && length * length < squaredCircle(mesh, areaFraction);
 }
 
 Eigen::Vector3d centreOfLoop(const Points3& vertices, const std::vector<int>& loop)

@@ -30,9 +30,16 @@ int chooseBoundary(const Points3& vertices,
   const std::vector<std::vector<int>>& loops,
   const BoundaryChoice& choice);
 
+/// The length of the longest loop that is filled unless a limit is asked for, input units.
+double longestFilledUnasked(const TriangleMesh& mesh);
+
 /// Whether a loop is a puncture: shorter than a circle around the share @p areaFraction (0 to 1) of the
-/// surface's area. So short a loop has too few edges to become the boundary of the flat disk.
-bool isPuncture(const TriangleMesh& mesh, const std::vector<int>& loop, double areaFraction);
+/// surface's area, and no longer than @p longestFilled (input units). So short a loop has too few edges to
+/// become the boundary of the flat disk.
+bool isPuncture(const TriangleMesh& mesh,
+  const std::vector<int>& loop,
+  double areaFraction,
+  double longestFilled);
 
 /// The mean of the loop's vertices, input units.
 Eigen::Vector3d centreOfLoop(const Points3& vertices, const std::vector<int>& loop);

@@ -96,8 +96,10 @@ private:
   {
     if (this->Options.Centre)
     {
-      const SurfacePoint nearest = pickOnSurface(
-        this->Closed, ClosestPointTree(this->Closed), *this->Options.Centre, "the hole's point");
+      const SurfacePoint nearest = pickOnSurface(ClosestPointTree(this->Closed),
+        boxDiagonal(this->Closed),
+        *this->Options.Centre,
+        "the hole's point");
       this->Centre = nearest.Position;
       this->CentreFace = nearest.Face;
     }

@@ -41,8 +41,12 @@ public:
   SeamOpenedSurface cut(const ProgressCallback& progress)
   {
     report(progress, 0.0, "placing the seam");
-    this->Points =
-      insertWayPoints(this->Seams, this->Original, this->Topology, this->Options, this->edgesWanted());
+    this->Points = insertWayPoints(this->Seams,
+      this->Original,
+      this->Topology,
+      this->Options,
+      this->edgesWanted(),
+      subrange(progress, 0.0, 0.1));
     this->refineAlongSeam(subrange(progress, 0.1, 0.5));
     for (const SeamPath& path : this->Points.Paths)
     {

@@ -28,7 +28,8 @@ bool isDisk(const TriangleMesh& soup)
 
 std::vector<char> pointsKeptApart(const TriangleMesh& soup, const SurfaceToDiskOptions& options)
 {
-  return isDisk(soup) ? std::vector<char>(soup.vertexCount(), 1) : options.Banks;
+  return options.MergeTolerance == 0.0 && isDisk(soup) ? std::vector<char>(soup.vertexCount(), 1)
+                                                       : options.Banks;
 }
 
 bool passesUnchanged(const TriangleMesh& soup, const SurfaceToDiskOptions& options)

@@ -14,7 +14,8 @@ namespace flattening
 bool isDisk(const TriangleMesh& soup);
 
 /// One flag per point: not 0 where a point must not be merged with those that coincide with it. All are
-/// set on a disk, as merging its points would close its seams; elsewhere those of @p options.Banks.
+/// set on a disk for which no merge tolerance is asked, as merging its points would close its seams;
+/// elsewhere those of @p options.Banks.
 /// Empty if every point may be merged.
 std::vector<char> pointsKeptApart(const TriangleMesh& soup, const SurfaceToDiskOptions& options);
 

@@ -26,6 +26,8 @@ using Face = EditableSurface::Face;
 // between closer points would go down to rounding.
 constexpr double SmallestStep = 1e-6;
 
+constexpr const char* PlacingStage = "placing the seam";
+
 SurfacePoint cornerOf(const TriangleMesh& mesh, int face, int vertex)
 {
   SurfacePoint point{ face, mesh.Vertices.row(vertex), { 0.0, 0.0, 0.0 } };
@@ -68,6 +70,7 @@ public:
     , Topology(topology)
     , Options(options)
     , EdgesWanted(edgesWanted)
+    , Diagonal(boxDiagonal(original))
   {
     std::size_t begin = 0;
     for (const int start : options.PathStarts)
@@ -78,10 +81,10 @@ public:
     this->Points.Paths.push_back({ begin, options.Points.size() });
   }
 
-  SeamWayPoints insert()
+  SeamWayPoints insert(const ProgressCallback& progress)
   {
     requirePaths(this->Options);
-    std::vector<SurfacePoint> picked = this->pickPoints();
+    std::vector<SurfacePoint> picked = this->pickPoints(subrange(progress, 0.0, 0.5));
     if (!this->Topology.BoundaryLoops.empty())
     {
       for (const SeamPath& path : this->Points.Paths)
@@ -96,7 +99,8 @@ public:
       }
     }
     const double length = this->lengthThrough(picked);
-    this->insertPicked(picked, length / static_cast<double>(this->EdgesWanted));
+    this->insertPicked(
+      picked, length / static_cast<double>(this->EdgesWanted), subrange(progress, 0.5, 1.0));
     for (const SeamPath& path : this->Points.Paths)
     {
       this->requireDistinct(path);
@@ -106,9 +110,9 @@ public:
 
 private:
   // The points on the surface. Leaves points out where they are denser than the edges.
-  std::vector<SurfacePoint> pickPoints()
+  std::vector<SurfacePoint> pickPoints(const ProgressCallback& progress)
   {
-    const ClosestPointTree projection(this->Original);
+    const ClosestPointTree projection(this->Original, atFraction(progress, 0.0, PlacingStage));
     std::vector<SurfacePoint> picked;
     std::vector<char> areShared; // per point that is kept: whether it must be
     std::vector<SeamPath> paths;
@@ -117,8 +121,9 @@ private:
       const std::size_t begin = picked.size();
       for (std::size_t i = path.Begin; i < path.End; ++i)
       {
-        SurfacePoint point = pickOnSurface(this->Original,
-          projection,
+        report(progress, static_cast<double>(i) / this->Options.Points.size(), PlacingStage);
+        SurfacePoint point = pickOnSurface(projection,
+          this->Diagonal,
           this->Options.Points[i],
           "point " + std::to_string(i + 1) + " of the seam");
         const bool isShared = !this->Options.AreDense || this->isEndOfAPath(i);
@@ -148,7 +153,9 @@ private:
   }
 
   // Makes the points vertices. Consecutive dense points that fall on the same vertex become one.
-  void insertPicked(const std::vector<SurfacePoint>& picked, double longestEdge)
+  void insertPicked(const std::vector<SurfacePoint>& picked,
+    double longestEdge,
+    const ProgressCallback& progress)
   {
     std::vector<std::size_t> onBoundary;
     std::vector<Vertex>& vertices = this->Points.Vertices;
@@ -157,6 +164,7 @@ private:
       const std::size_t begin = vertices.size();
       for (std::size_t i = path.Begin; i < path.End; ++i)
       {
+        report(progress, static_cast<double>(i) / picked.size(), PlacingStage);
         const Vertex v = insertPoint(this->Surface, picked[i], longestEdge);
         if (!this->Options.AreDense || vertices.size() == begin || vertices.back() != v)
         {
@@ -185,16 +193,13 @@ private:
   // The sum of the distances between consecutive points, which must be apart from each other.
   double lengthThrough(const std::vector<SurfacePoint>& picked) const
   {
-    const double diagonal =
-      (this->Original.Vertices.colwise().maxCoeff() - this->Original.Vertices.colwise().minCoeff())
-        .norm();
     double length = 0.0;
     for (const SeamPath& path : this->Points.Paths)
     {
       for (std::size_t i = path.Begin; i + 1 < path.End; ++i)
       {
         const double step = (picked[i + 1].Position - picked[i].Position).norm();
-        if (!(step > SmallestStep * diagonal))
+        if (!(step > SmallestStep * this->Diagonal))
         {
           throw InvalidInput(coincidence(i, i + 1));
         }
@@ -279,6 +284,7 @@ private:
   const MeshTopology& Topology;
   const GeodesicSeamOptions& Options;
   const std::size_t EdgesWanted;
+  const double Diagonal;
   SeamWayPoints Points;
 };
 
@@ -306,9 +312,10 @@ SeamWayPoints insertWayPoints(SeamInsertion& seams,
   const TriangleMesh& original,
   const MeshTopology& topology,
   const GeodesicSeamOptions& options,
-  std::size_t edgesWanted)
+  std::size_t edgesWanted,
+  const ProgressCallback& progress)
 {
-  return WayPointInserter(seams.surface(), original, topology, options, edgesWanted).insert();
+  return WayPointInserter(seams.surface(), original, topology, options, edgesWanted).insert(progress);
 }
 
 } // namespace flattening

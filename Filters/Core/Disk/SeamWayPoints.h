@@ -2,6 +2,7 @@
 /// The points that a user gives for a seam, as vertices of the surface.
 #pragma once
 
+#include "Base/Progress.h"
 #include "Disk/SeamInsertion.h"
 #include "Mesh/TriangleMesh.h"
 
@@ -48,13 +49,14 @@ struct SeamWayPoints
 };
 
 /// Makes the points vertices, in faces small enough for seams of @p edgesWanted edges together. Ends of
-/// paths near the boundary move onto it.
+/// paths near the boundary move onto it. Reports for each point.
 /// @param original  the mesh of the seams before anything is inserted, with its topology
-/// @throws as cutGeodesicSeam for points that make no seam.
+/// @throws as cutGeodesicSeam for points that make no seam; Cancelled.
 SeamWayPoints insertWayPoints(SeamInsertion& seams,
   const TriangleMesh& original,
   const MeshTopology& topology,
   const GeodesicSeamOptions& options,
-  std::size_t edgesWanted);
+  std::size_t edgesWanted,
+  const ProgressCallback& progress = {});
 
 } // namespace flattening

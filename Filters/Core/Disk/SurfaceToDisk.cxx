@@ -20,7 +20,6 @@
 #include "Repair/HoleFilling.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -29,9 +28,8 @@ namespace flattening
 namespace
 {
 
-// The area of a circle as long as the longest loop that is filled unasked, as a share of the surface's
-// area. A convention: longer loops are errors, as a patch there would be a large part of the surface.
-constexpr double FilledAreaShare = 0.05;
+constexpr const char* RemedyForTube =
+  "set Cut to Seam, which cuts a tube open from one boundary to the other; ";
 constexpr int RemeshIterations = 3; // a convention, as in CGAL's examples
 
 // Counts pairs of intersecting faces. The two sides of a seam coincide, so their vertices are joined
@@ -241,9 +239,12 @@ private:
     this->Report.Genus = topology.Genus;
     std::vector<std::vector<int>>& loops = topology.BoundaryLoops;
     const int kept = this->boundaryKept(loops);
-    const std::vector<int> ends =
-      kept >= 0 && this->seamOpensTube() ? endsOfTube(this->mesh().Vertices, loops) : std::vector<int>();
-    if (!ends.empty())
+    const double limit = this->fillLengthLimit();
+    const std::vector<int> ends = kept >= 0 && this->seamMayOpenTube()
+                                    ? endsOfTube(this->mesh().Vertices, loops)
+                                    : std::vector<int>();
+    const bool opensTube = !ends.empty() && this->Options.Cut == CutMode::Seam;
+    if (opensTube)
     {
       this->Ends.Ends = OpenEnds::Kind::Two;
       loops.erase(loops.begin() + std::max(ends[0], ends[1]));
@@ -252,7 +253,7 @@ private:
     else if (kept >= 0)
     {
       if (this->BorderOfLabel < 0 &&
-          isPuncture(this->mesh(), loops[kept], this->Options.Hole.AreaFraction))
+          isPuncture(this->mesh(), loops[kept], this->Options.Hole.AreaFraction, limit))
       {
         this->Ends.Puncture = centreOfLoop(this->mesh().Vertices, loops[kept]);
       }
@@ -264,7 +265,8 @@ private:
     }
     if (!loops.empty())
     {
-      FilledSurface filled = fillHoles(this->mesh(), loops, { this->fillLengthLimit() }, progress);
+      const char* remedy = opensTube || ends.empty() ? "" : RemedyForTube;
+      FilledSurface filled = fillHoles(this->mesh(), loops, limit, progress, remedy);
       this->Report.FilledHoles = filled.FilledHoles;
       this->Report.FilledArea = filled.FilledArea;
       this->Pierced |= filled.IntersectingPatches > 0;
@@ -274,17 +276,17 @@ private:
 
   // The cut graph of handles that are kept needs a surface with one boundary at most: the second end of
   // such a tube is filled.
-  bool seamOpensTube() const
+  bool seamMayOpenTube() const
   {
-    return this->Options.Cut == CutMode::Seam && this->Options.SeamPoints.empty() &&
+    return this->Options.Cut != CutMode::Plane && this->Options.Cut != CutMode::Label &&
+           this->Options.SeamPoints.empty() &&
            (this->Report.Genus == 0 || this->Options.Handles == HandleMode::Remove);
   }
 
   double fillLengthLimit() const
   {
-    constexpr double pi = 3.14159265358979323846;
     return this->Options.FillLengthLimit > 0.0 ? this->Options.FillLengthLimit
-                                               : std::sqrt(4.0 * pi * FilledAreaShare * this->area());
+                                               : longestFilledUnasked(this->mesh());
   }
 
   void requireHandlesWanted() const

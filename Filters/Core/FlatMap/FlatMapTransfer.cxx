@@ -2,19 +2,19 @@
 #include "FlatMap/FlatMapTransfer.h"
 
 #include "Base/Errors.h"
+#include "FlatMap/SeamBanks.h"
+#include "FlatMap/SurfaceBoundary.h"
 #include "Mesh/ClosestPointWalk.h"
 #include "Mesh/MeshMeasures.h"
-#include "Mesh/MeshTopology.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
+#include <optional>
 #include <sstream>
 #include <string>
-#include <utility>
 
 namespace flattening
 {
@@ -72,22 +72,9 @@ public:
     , Map(map)
     , Normals(vertexNormals(target))
     , Walk(flattened.Surface)
+    , Boundary(flattened.Surface)
     , MeanEdge(meanEdgeLength(flattened.Surface))
   {
-    const TriangleMesh& surface = flattened.Surface;
-    for (const std::vector<int>& loop :
-      analyseTopology(surface.Faces, surface.vertexCount()).BoundaryLoops)
-    {
-      for (std::size_t i = 0; i < loop.size(); ++i)
-      {
-        this->BoundaryEdges.insert(std::minmax(loop[i], loop[(i + 1) % loop.size()]));
-      }
-    }
-    this->OnBoundary.assign(surface.vertexCount(), 0);
-    for (const auto& [a, b] : this->BoundaryEdges)
-    {
-      this->OnBoundary[a] = this->OnBoundary[b] = 1;
-    }
     map.Tolerance = map.Tolerance > 0.0 ? map.Tolerance : 0.5 * this->MeanEdge;
     map.Positions = Points2::Zero(target.vertexCount(), 2);
     map.Survived.assign(target.vertexCount(), 0);
@@ -97,49 +84,42 @@ public:
   void projectAll(const ProgressCallback& progress);
   void walkFromNeighbours(const ProgressCallback& progress);
   void place();
+  void placeTheFaces(const ProgressCallback& progress);
 
 private:
   Eigen::Vector3d point(int v) const { return this->Target.Vertices.row(v); }
-  bool accepts(int v, const SurfacePoint& at) const;
-  bool isBeyondBoundary(int v, const SurfacePoint& at) const;
+  bool accepts(int v, const SurfacePoint& at, SurfaceBoundary::Part end) const;
+  bool isBeyondBoundary(int v, const SurfacePoint& at, SurfaceBoundary::Part end) const;
 
   const FlattenedSurface& Flattened;
   const TriangleMesh& Target;
   TransferredMap& Map;
   Points3 Normals;
   ClosestPointWalk Walk;
+  std::optional<ClosestPointTree> Tree;
+  SurfaceBoundary Boundary;
   double MeanEdge;
-  std::set<std::pair<int, int>> BoundaryEdges;
-  std::vector<char> OnBoundary;
 };
 
-bool MapTransfer::isBeyondBoundary(int v, const SurfacePoint& at) const
+// @param end the parts of the boundary, from this one on, at which the surface ends for the search: Seam
+// for a walk, which does not cross a seam; Border for a search that has seen all banks.
+bool MapTransfer::isBeyondBoundary(int v, const SurfacePoint& at, SurfaceBoundary::Part end) const
 {
-  std::vector<int> corners;
-  for (int k = 0; k < 3; ++k)
-  {
-    if (at.Weights[k] > 0.0)
-    {
-      corners.push_back(this->Flattened.Surface.Faces(at.Face, k));
-    }
-  }
-  const bool onEdge =
-    (corners.size() == 2 && this->BoundaryEdges.count(std::minmax(corners[0], corners[1])) > 0) ||
-    (corners.size() == 1 && this->OnBoundary[corners[0]]);
   const Eigen::Vector3d offset = this->point(v) - at.Position;
   const Eigen::Vector3d normal = this->Walk.normal(at);
-  return onEdge && (offset - normal.dot(offset) * normal).norm() > BeyondBoundary * this->MeanEdge;
+  return this->Boundary.partAt(at) >= end &&
+         (offset - normal.dot(offset) * normal).norm() > BeyondBoundary * this->MeanEdge;
 }
 
-bool MapTransfer::accepts(int v, const SurfacePoint& at) const
+bool MapTransfer::accepts(int v, const SurfacePoint& at, SurfaceBoundary::Part end) const
 {
   return (at.Position - this->point(v)).norm() <= this->Map.Tolerance &&
-         this->Normals.row(v).dot(this->Walk.normal(at)) > 0.0 && !this->isBeyondBoundary(v, at);
+         this->Normals.row(v).dot(this->Walk.normal(at)) > 0.0 && !this->isBeyondBoundary(v, at, end);
 }
 
 void MapTransfer::projectAll(const ProgressCallback& progress)
 {
-  const ClosestPointTree projection(this->Flattened.Surface, subrange(progress, 0.0, 0.4));
+  this->Tree.emplace(this->Flattened.Surface, subrange(progress, 0.0, 0.4));
   const int vertexCount = this->Target.vertexCount();
   std::vector<double> agreement(vertexCount, 0.0);
   for (int begin = 0; begin < vertexCount; begin += Batch)
@@ -150,7 +130,7 @@ void MapTransfer::projectAll(const ProgressCallback& progress)
       [&](int v)
       {
         SurfacePoint& at = this->Map.Places[v];
-        at = projection.closest(this->point(v));
+        at = this->Tree->closest(this->point(v));
         if ((at.Position - this->point(v)).norm() <= this->Map.Tolerance)
         {
           agreement[v] = this->Normals.row(v).dot(this->Walk.normal(at));
@@ -165,7 +145,8 @@ void MapTransfer::projectAll(const ProgressCallback& progress)
   }
   tbb::parallel_for(0,
     this->Target.vertexCount(),
-    [this](int v) { this->Map.Survived[v] = this->accepts(v, this->Map.Places[v]); });
+    [this](int v)
+    { this->Map.Survived[v] = this->accepts(v, this->Map.Places[v], SurfaceBoundary::Part::Border); });
 }
 
 void MapTransfer::walkFromNeighbours(const ProgressCallback& progress)
@@ -188,7 +169,7 @@ void MapTransfer::walkFromNeighbours(const ProgressCallback& progress)
           if (this->Map.Survived[lost] == 0 && this->Map.Survived[near] == 1 && open[near])
           {
             const SurfacePoint at = this->Walk.closest(this->point(lost), this->Map.Places[near].Face);
-            if (this->accepts(lost, at))
+            if (this->accepts(lost, at, SurfaceBoundary::Part::Seam))
             {
               this->Map.Places[lost] = at;
               this->Map.Survived[lost] = 2; // so that the order within the round does not matter
@@ -231,6 +212,14 @@ void MapTransfer::place()
   }
 }
 
+void MapTransfer::placeTheFaces(const ProgressCallback& progress)
+{
+  const PlaceSearch search{
+    *this->Tree, this->Walk, this->Boundary, this->Normals, BeyondBoundary * this->MeanEdge
+  };
+  placeFaces(this->Flattened, this->Target, search, this->Map, progress);
+}
+
 } // namespace
 
 TransferredMap transferFlatMap(const FlattenedSurface& flattened,
@@ -255,6 +244,7 @@ TransferredMap transferFlatMap(const FlattenedSurface& flattened,
   }
   report(progress, 0.9, TransferStage);
   transfer.place();
+  transfer.placeTheFaces(subrange(progress, 0.9, 1.0));
   report(progress, 1.0, TransferStage);
   return map;
 }

@@ -4,6 +4,7 @@
 
 #include "Base/Progress.h"
 #include "Mesh/ClosestPointTree.h"
+#include "Mesh/DerivedMesh.h"
 #include "Mesh/TriangleMesh.h"
 
 #include <vector>
@@ -24,6 +25,12 @@ struct TransferredMap
   std::vector<SurfacePoint> Places; ///< nearest points on the flattened surface; undefined if lost
   double Tolerance = 0.0;           ///< the tolerance that was used, input units
   double LargestDistance = 0.0;     ///< greatest distance of a survivor from its place, input units
+
+  DerivedMesh Part;         ///< the faces that lie on the map; vertices on a seam once for each bank
+  Points2 PartPositions;    ///< flat position of each vertex of Part
+  int KeptVertices = 0;     ///< vertices of the target that Part has
+  int RepeatedVertices = 0; ///< vertices of the target that Part has more than once
+  int FacesAcrossSeams = 0; ///< faces left out because a seam runs through them
 };
 
 /// Gives every vertex of @p target, e.g. the surface before it was repaired and remeshed, the flat
@@ -33,6 +40,11 @@ struct TransferredMap
 /// hole or a part that was cut off). Then the nearest point is searched again by walking over the
 /// flattened surface from the places of the neighbours of the vertex; if that fails, too, the vertex is
 /// lost. The whole target may be oriented opposite to the flattened surface.
+///
+/// The flattened surface may have been cut open along seams, whose banks lie at the same place in space
+/// (SurfaceBoundary). A face then lies on the bank of its centroid, and takes the positions that its
+/// corners have there; a face through which a seam runs has no place in one piece and is left out. A
+/// face is also left out if one of its vertices is lost.
 /// @param tolerance greatest distance, input units, >= 0; 0: half of the mean edge length of the
 /// flattened surface.
 /// @throws InvalidInput if a coordinate is not finite, the sizes do not fit, or no vertex survives.

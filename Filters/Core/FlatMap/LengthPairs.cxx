@@ -25,6 +25,12 @@ constexpr const char* GlobalStage = "Measuring global lengths";
 // The rings of mris_flatten, whose users quote the error of the distances within them.
 constexpr int Rings = 7;
 
+// The greatest number of vertices within the rings of a source whose distances are all measured. Rings
+// without a vertex of hundreds of edges have about 170, and hardly ever more than 300. Through such a
+// vertex they have much of the surface, and around it the time of a search grows with the square of the
+// number of edges.
+constexpr std::size_t MostInRings = 1000;
+
 // Of so many sources one is left where the radius reaches over the whole surface.
 constexpr double WidestStride = 16.0;
 
@@ -84,9 +90,10 @@ LengthPairs::LengthPairs(const TriangleMesh& surface, const Points2& flat)
   , SearchesOfThreads(
       [this]
       {
-        return Searches{
-          GeodesicSearch(this->Closed), GeodesicSearch(this->Open), MapPathSearch(this->Paper)
-        };
+        return Searches{ GeodesicSearch(this->Closed),
+          GeodesicSearch(this->Open),
+          MapPathSearch(this->Paper),
+          std::vector<char>(this->Surface.vertexCount(), 0) };
       })
 {
 }
@@ -187,12 +194,13 @@ LocalLengths LengthPairs::localLengthsOf(int source,
       lengths.Vertices.push_back(other.Vertex);
     }
   }
-  this->addWithinMap(source,
-    this->Closed.HasClosedSeams ? searches.Open.within(radius, source, check) : near,
-    searches.Map,
-    check,
-    lengths.WithinMap);
-  this->addRings(source, searches.Open, check, lengths.Rings);
+  const std::vector<ReachedVertex> nearOnOpen =
+    this->Closed.HasClosedSeams ? searches.Open.within(radius, source, check) : near;
+  this->addWithinMap(source, nearOnOpen, searches.Map, check, lengths.WithinMap);
+  for (const ReachedVertex& other : this->inRings(source, nearOnOpen, searches, check))
+  {
+    this->add(other, this->straight(source, other), 1.0, lengths.Rings);
+  }
   return lengths;
 }
 
@@ -200,10 +208,12 @@ LocalLengths LengthPairs::localLengthsOf(int source,
 // surface, or no area.
 bool LengthPairs::addStraight(int source, const ReachedVertex& other, SourceLengths& lengths) const
 {
-  return this->add(other,
-    (this->Flat.row(other.Vertex) - this->Flat.row(source)).norm(),
-    this->Areas[other.Vertex],
-    lengths);
+  return this->add(other, this->straight(source, other), this->Areas[other.Vertex], lengths);
+}
+
+double LengthPairs::straight(int source, const ReachedVertex& other) const
+{
+  return (this->Flat.row(other.Vertex) - this->Flat.row(source)).norm();
 }
 
 void LengthPairs::addWithinMap(int source,
@@ -222,25 +232,38 @@ void LengthPairs::addWithinMap(int source,
   }
 }
 
-void LengthPairs::addRings(int source,
-  GeodesicSearch& search,
-  const GeodesicSearch::Checkpoint& check,
-  SourceLengths& lengths) const
+// The others of the pairs in Rings. @p near are the vertices within the radius.
+std::vector<ReachedVertex> LengthPairs::inRings(int source,
+  const std::vector<ReachedVertex>& near,
+  Searches& searches,
+  const GeodesicSearch::Checkpoint& check) const
 {
-  const std::vector<int> others = this->ringsAround(source);
-  const std::vector<double> distances = search.to(others, source, check);
+  std::vector<int> others = this->ringsAround(source, searches.IsFound);
+  std::vector<ReachedVertex> reached;
+  if (others.size() > MostInRings)
+  {
+    std::sort(others.begin(), others.end());
+    std::copy_if(near.begin(),
+      near.end(),
+      std::back_inserter(reached),
+      [&others](const ReachedVertex& other)
+      { return std::binary_search(others.begin(), others.end(), other.Vertex); });
+    return reached;
+  }
+  const std::vector<double> distances = searches.Open.to(others, source, check);
   for (std::size_t i = 0; i < others.size(); ++i)
   {
-    const double straight = (this->Flat.row(others[i]) - this->Flat.row(source)).norm();
-    this->add({ others[i], distances[i] }, straight, 1.0, lengths);
+    reached.push_back({ others[i], distances[i] });
   }
+  return reached;
 }
 
-// The vertices that are no more than Rings edges away, by the number of edges.
-std::vector<int> LengthPairs::ringsAround(int source) const
+// The vertices that are no more than Rings edges away, by the number of edges. @p isFound has a 0 for
+// every vertex, before and after.
+std::vector<int> LengthPairs::ringsAround(int source, std::vector<char>& isFound) const
 {
   std::vector<int> found{ source };
-  std::vector<int> sorted{ source };
+  isFound[source] = 1;
   std::size_t begin = 0;
   for (int ring = 0; ring < Rings; ++ring)
   {
@@ -253,16 +276,19 @@ std::vector<int> LengthPairs::ringsAround(int source) const
         for (const int next : { nextHalfedge(h), previousHalfedge(h) })
         {
           const int vertex = this->Open.Origin[next];
-          const auto place = std::lower_bound(sorted.begin(), sorted.end(), vertex);
-          if (place == sorted.end() || *place != vertex)
+          if (!isFound[vertex])
           {
-            sorted.insert(place, vertex);
+            isFound[vertex] = 1;
             found.push_back(vertex);
           }
         }
       }
     }
     begin = end;
+  }
+  for (const int vertex : found)
+  {
+    isFound[vertex] = 0;
   }
   return found;
 }

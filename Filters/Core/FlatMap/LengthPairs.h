@@ -38,10 +38,12 @@ public:
   LengthPairs(const TriangleMesh& surface, const Points2& flat);
 
   /// The lengths of the sources to the vertices no farther than @p radius on the surface, and to those
-  /// within seven rings of edges. Up to @p samples vertices are sources: as many as that where the
-  /// radius reaches over a small part of the surface, down to a sixteenth where it reaches over all of
-  /// it, but at least 2. A source takes as much longer as its radius reaches over more, and what is
-  /// measured over most of the surface differs less from source to source.
+  /// within seven rings of edges. Where a vertex of hundreds of edges brings more than 1000 vertices
+  /// into the rings of a source, only those of them no farther than @p radius count. Up to @p samples
+  /// vertices are sources: as many as that where the radius reaches over a small part of the surface,
+  /// down to a sixteenth where it reaches over all of it, but at least 2. A source takes as much longer
+  /// as its radius reaches over more, and what is measured over most of the surface differs less from
+  /// source to source.
   /// @param samples  at least 2
   /// @param radius   input units, > 0
   /// @throws InvalidInput if the lengths do not fit into memory; Cancelled.
@@ -58,6 +60,7 @@ private:
     GeodesicSearch Closed;
     GeodesicSearch Open;
     MapPathSearch Map;
+    std::vector<char> IsFound; // per vertex; used by ringsAround()
   };
   using SourceTask = std::function<void(std::size_t, Searches&, const GeodesicSearch::Checkpoint&)>;
 
@@ -76,11 +79,12 @@ private:
     MapPathSearch& map,
     const GeodesicSearch::Checkpoint& check,
     SourceLengths& lengths) const;
-  void addRings(int source,
-    GeodesicSearch& search,
-    const GeodesicSearch::Checkpoint& check,
-    SourceLengths& lengths) const;
-  std::vector<int> ringsAround(int source) const;
+  std::vector<ReachedVertex> inRings(int source,
+    const std::vector<ReachedVertex>& near,
+    Searches& searches,
+    const GeodesicSearch::Checkpoint& check) const;
+  std::vector<int> ringsAround(int source, std::vector<char>& isFound) const;
+  double straight(int source, const ReachedVertex& other) const;
   bool add(const ReachedVertex& other, double onMap, double weight, SourceLengths& lengths) const;
 
   const TriangleMesh& Surface;

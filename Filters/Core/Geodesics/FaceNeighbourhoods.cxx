@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Geodesics/FaceNeighbourhoods.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <queue>
+#include <unordered_set>
+#include <utility>
 
 namespace flattening
 {
@@ -22,21 +26,24 @@ double squaredDistance(const SurfaceMesh& mesh, Face face, const Kernel::Point_3
 
 Face partAt(const EditableSurface& surface, int originalFace, const Kernel::Point_3& point)
 {
-  Face nearest = SurfaceMesh::null_face();
-  double distance = HUGE_VAL;
-  for (const Face face : surface.mesh().faces())
+  const SurfaceMesh& mesh = surface.mesh();
+  // The part that kept the number; the others are connected to it.
+  std::vector<Face> parts{ Face(static_cast<SurfaceMesh::size_type>(originalFace)) };
+  std::unordered_set<std::size_t> found{ parts.front().idx() };
+  std::pair<double, Face> nearest(HUGE_VAL, SurfaceMesh::null_face());
+  for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    if (surface.origin(face) == originalFace)
+    nearest = std::min(nearest, { squaredDistance(mesh, parts[i], point), parts[i] });
+    for (const Face next : mesh.faces_around_face(mesh.halfedge(parts[i])))
     {
-      const double d = squaredDistance(surface.mesh(), face, point);
-      if (d < distance)
+      if (next != SurfaceMesh::null_face() && surface.origin(next) == originalFace &&
+          found.insert(next.idx()).second)
       {
-        distance = d;
-        nearest = face;
+        parts.push_back(next);
       }
     }
   }
-  return nearest;
+  return nearest.second;
 }
 
 std::vector<Face> facesInBall(const SurfaceMesh& mesh,

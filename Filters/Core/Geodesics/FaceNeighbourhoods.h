@@ -14,7 +14,8 @@ double squaredDistance(const SurfaceMesh& mesh,
   SurfaceMesh::Face_index face,
   const Kernel::Point_3& point);
 
-/// The part of an original face that is nearest to @p point; null if the surface has no part of it.
+/// The part of an original face that is nearest to @p point; of equally near ones that with the least
+/// number. Precondition: faces have been split, but no part of that face has been removed.
 SurfaceMesh::Face_index partAt(const EditableSurface& surface,
   int originalFace,
   const Kernel::Point_3& point);

@@ -141,8 +141,7 @@ Eigen::VectorXd distancesByHeat(const TriangleMesh& mesh,
   TriangleMesh unit = mesh;
   unit.Vertices *= std::ldexp(1.0, -exponent);
   IntrinsicTriangulation surface(unit);
-  report(progress, 0.1, DistanceStage);
-  surface.flipToDelaunay();
+  surface.flipToDelaunay(subrange(progress, 0.1, 0.2));
   report(progress, 0.2, DistanceStage);
   const HeatFaces faces(surface);
   report(progress, 0.3, DistanceStage);

@@ -48,7 +48,8 @@ enum class Paths
 class GeodesicSearch
 {
 public:
-  /// Called now and then during a search, in its thread. An exception of it ends the search.
+  /// Called during a search, in its thread, at the latest after some thousandths of a second. An
+  /// exception of it ends the search.
   using Checkpoint = std::function<void()>;
 
   /// Several searches may share the @p faces, each in its own thread; the faces must outlive them.

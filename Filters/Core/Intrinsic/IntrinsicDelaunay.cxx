@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The flips that make an IntrinsicTriangulation Delaunay.
+#include "Base/Errors.h"
+#include "Base/Progress.h"
 #include "Intrinsic/IntrinsicMetrics.h"
 #include "Intrinsic/IntrinsicTriangulation.h"
 #include "Mesh/Halfedges.h"
@@ -11,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace flattening
@@ -22,10 +25,22 @@ using intrinsic::ConformalMetric;
 using intrinsic::DoubledMetric;
 using intrinsic::FlatMetric;
 
+constexpr const char* DelaunayStage = "Intrinsic Delaunay triangulation";
+
 // A guard: an edge whose opposite angles have cosines of a larger sum is Delaunay, although the quick
 // cosines are not exact. Their errors are far smaller, unless a side is 1e-13 times as long as the
 // others.
 constexpr double CertainlyDelaunay = 1e-3;
+// Flips for each half-edge after which a surface counts as one that cannot be made Delaunay. A guard:
+// the flips of a metric end by themselves but for rounding. Strips of n points on either side whose
+// triangles are fans need n / 8.
+constexpr long long MostFlipsOfMetric = 1000;
+// The same for conformal factors, which later steps of a flow change again.
+constexpr long long MostFlipsOfFactors = 10;
+// Bounds of small surfaces are greater by this.
+constexpr long long FlipsOfSmallSurfaces = 1000;
+// Flips between two reports: about ten milliseconds.
+constexpr long long FlipsPerReport = 50000;
 
 } // namespace
 
@@ -43,15 +58,19 @@ public:
   {
   }
 
-  // Returns the number of flips.
-  int run()
+  // Flips until no edge violates the condition, or until there were more than @p mostPerHalfedge flips
+  // for each half-edge. Returns whether none violates it.
+  bool run(long long mostPerHalfedge, const ProgressCallback& progress)
   {
     this->pushInnerEdges();
     this->pushBoundaryEdges();
-    // Delaunay flips end by themselves; the bound only guards against rounding on degenerate metrics.
-    const long long bound = 10LL * this->Surface.halfedgeCount() + 1000;
-    while (!this->Stack.empty() && this->Flips < bound)
+    const long long most = mostPerHalfedge * this->Surface.halfedgeCount() + FlipsOfSmallSurfaces;
+    while (!this->Stack.empty() && this->Flips < most)
     {
+      if (this->Flips % FlipsPerReport == 0)
+      {
+        report(progress, 0.0, DelaunayStage);
+      }
       const int side = this->Stack.back();
       this->Stack.pop_back();
       this->mark(side) = 0;
@@ -65,8 +84,22 @@ public:
       }
     }
     this->Surface.closeGaps();
-    return static_cast<int>(this->Flips);
+    return this->Stack.empty();
   }
+
+  // As run(), for a metric of the surface. Returns the number of flips. @throws ConvergenceError
+  long long runToTheEnd(const ProgressCallback& progress)
+  {
+    if (!this->run(MostFlipsOfMetric, progress))
+    {
+      throw ConvergenceError("the triangulation could not be made Delaunay after " +
+                             std::to_string(this->Flips) +
+                             " flips of edges: remesh the surface (Surface To Disk, Remesh)");
+    }
+    return this->Flips;
+  }
+
+  long long flips() const { return this->Flips; }
 
 private:
   char& mark(int side) { return side >= 0 ? this->Queued[side] : this->BoundaryQueued[-1 - side]; }
@@ -229,23 +262,25 @@ long double IntrinsicTriangulation::otherDiagonal(int h) const
   return unit + std::log((c - d).norm());
 }
 
-int IntrinsicTriangulation::flipToDelaunay()
+long long IntrinsicTriangulation::flipToDelaunay(const ProgressCallback& progress)
 {
   const FlatMetric metric{ *this, [this](int h) { return this->otherDiagonal(h); } };
-  return DelaunayFlips<FlatMetric>(*this, metric).run();
+  return DelaunayFlips<FlatMetric>(*this, metric).runToTheEnd(progress);
 }
 
-int IntrinsicTriangulation::flipDoubleToDelaunay()
+long long IntrinsicTriangulation::flipDoubleToDelaunay(const ProgressCallback& progress)
 {
   const Factors none = Factors::Zero(this->VertexCount);
   const DoubledMetric metric{ { *this, none }, [this](int h) { return this->otherDiagonal(h); } };
-  return DelaunayFlips<DoubledMetric>(*this, metric).run();
+  return DelaunayFlips<DoubledMetric>(*this, metric).runToTheEnd(progress);
 }
 
-int IntrinsicTriangulation::flipToDelaunay(const Factors& u)
+long long IntrinsicTriangulation::flipToDelaunay(const Factors& u)
 {
   const ConformalMetric metric{ *this, u };
-  return DelaunayFlips<ConformalMetric>(*this, metric).run();
+  DelaunayFlips<ConformalMetric> flips(*this, metric);
+  flips.run(MostFlipsOfFactors, {});
+  return flips.flips();
 }
 
 } // namespace flattening

@@ -2,6 +2,7 @@
 /// A triangulated surface that is known by its edge lengths only and whose edges may be flipped.
 #pragma once
 
+#include "Base/Progress.h"
 #include "Intrinsic/SymmetricTrapezoid.h"
 #include "Intrinsic/TriangleAngles.h"
 #include "Mesh/Halfedges.h"
@@ -89,18 +90,22 @@ public:
   SymmetricTrapezoid scaledTrapezoid(int b, const Factors& u) const;
 
   /// Flips inner edges until the triangulation is Delaunay in its own flat metric, which it keeps.
-  /// Returns the number of flips.
-  int flipToDelaunay();
+  /// Returns the number of flips: about as many as edges for isosurfaces, the square of the number of
+  /// vertices for long strips of fans.
+  /// @throws ConvergenceError after 1000 flips for each half-edge; Cancelled.
+  long long flipToDelaunay(const ProgressCallback& progress = {});
 
   /// Does the same for the triangulation together with its mirror image: where an angle opposite to the
   /// boundary is obtuse, mirror cells result.
-  int flipDoubleToDelaunay();
+  /// @throws ConvergenceError after 1000 flips for each half-edge; Cancelled.
+  long long flipDoubleToDelaunay(const ProgressCallback& progress = {});
 
   /// Flips edges until the triangulation, with its mirror image, is Delaunay at conformal factors @p u,
   /// keeping the *discrete conformal class* (lengths change by Ptolemy's relation: Springborn,
   /// Schroeder, Pinkall 2008; Gu, Luo, Sun, Wu 2018). The scaled lengths then satisfy every triangle
-  /// inequality, except next to edges at infinity.
-  int flipToDelaunay(const Factors& u);
+  /// inequality, except next to edges at infinity. Ends after 10 flips for each half-edge, as more are a
+  /// sign of factors that a flow should not keep. Returns the number of flips.
+  long long flipToDelaunay(const Factors& u);
 
   /// An edge between the vertex at infinity and one of its neighbours.
   struct Spoke

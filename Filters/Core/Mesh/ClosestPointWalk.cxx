@@ -128,9 +128,11 @@ SurfacePoint ClosestPointWalk::closest(const Eigen::Vector3d& point, int startFa
                                                    : k;
     const int vertex = this->Mesh.Faces(centre, k);
     const int second = this->Mesh.Faces(centre, other);
-    for (const int face : this->Around[vertex])
+    const auto hasCorner = [this](int face, int corner)
+    { return (this->Mesh.Faces.row(face).array() == corner).any(); };
+    for (const int face : this->Around.aroundEither(vertex, second))
     {
-      if (face == centre || (second != vertex && !(this->Mesh.Faces.row(face).array() == second).any()))
+      if (face == centre || !hasCorner(face, vertex) || !hasCorner(face, second))
       {
         continue;
       }

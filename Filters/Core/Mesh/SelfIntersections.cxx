@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/SelfIntersections.h"
 
+#include "Base/InterruptibleCall.h"
 #include "Mesh/EditableSurface.h"
 
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
@@ -21,7 +22,8 @@
 #include <atomic>
 #include <cstddef>
 #include <limits>
-#include <thread>
+#include <memory>
+#include <utility>
 
 namespace flattening
 {
@@ -33,12 +35,6 @@ using PairsOfThreads = tbb::enumerable_thread_specific<Pairs>;
 
 // Below as many boxes, comparing them all is faster than dividing them. Results do not depend on it.
 constexpr std::ptrdiff_t Cutoff = 1000;
-// The number of pairs of boxes after which the calling thread reports: often enough for an abort to be
-// noticed at once, and too seldom to cost time.
-constexpr int PairsPerReport = 4096;
-
-constexpr const char* SearchStage = "looking for self-intersections";
-
 Pairs sorted(const PairsOfThreads& found)
 {
   Pairs pairs;
@@ -96,15 +92,33 @@ std::vector<PlacedTriangle> placedFaces(const TriangleMesh& mesh)
   return triangles;
 }
 
-// Calls back with the indices of all pairs of triangles that intersect, in any order and from several
-// threads.
-template <typename Visit>
-void visitIntersectingPairs(const std::vector<PlacedTriangle>& triangles,
-  const ProgressCallback& progress,
-  const Visit& visit)
+// What is found is added by several threads, in any order.
+struct PairList
+{
+  void add(int i, int j) { this->Pairs.local().push_back(std::minmax(i, j)); }
+  PairsOfThreads Pairs;
+};
+
+struct PairCount
+{
+  void add(int, int) { ++this->Count; }
+  std::atomic<std::size_t> Count{ 0 };
+};
+
+template <typename Found>
+struct PairSearch
+{
+  std::vector<PlacedTriangle> Triangles;
+  Found Result;
+  std::atomic<bool> IsAborted{ false };
+};
+
+// Adds the indices of all pairs of triangles that intersect. @throws Cancelled if the search is aborted.
+template <typename Found>
+void findIntersectingPairs(PairSearch<Found>& search)
 {
   using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
-  report(progress, 0.0, SearchStage);
+  const std::vector<PlacedTriangle>& triangles = search.Triangles;
   std::vector<Box> boxes;
   std::vector<const Box*> pointers; // sorted instead of the boxes themselves: half the time
   boxes.reserve(triangles.size());
@@ -119,24 +133,86 @@ void visitIntersectingPairs(const std::vector<PlacedTriangle>& triangles,
       pointers.push_back(&boxes.back());
     }
   }
-  int calls = 0; // of the calling thread
-  const std::thread::id caller = std::this_thread::get_id();
   CGAL::box_self_intersection_d<CGAL::Parallel_tag>(
     pointers.begin(),
     pointers.end(),
     [&](const Box* a, const Box* b)
     {
-      if (std::this_thread::get_id() == caller && ++calls % PairsPerReport == 0)
+      if (search.IsAborted)
       {
-        report(progress, 0.0, SearchStage);
+        throw Cancelled();
       }
       if (intersect(triangles[a->info()], triangles[b->info()]))
       {
-        visit(a->info(), b->info());
+        search.Result.add(a->info(), b->info());
       }
     },
     Cutoff);
 }
+
+// The search when it is over. An abort returns at once, and all threads of the search see it.
+template <typename Found>
+std::shared_ptr<PairSearch<Found>> intersectionSearch(std::vector<PlacedTriangle> triangles,
+  const ProgressCallback& progress)
+{
+  const auto search = std::make_shared<PairSearch<Found>>();
+  search->Triangles = std::move(triangles);
+  try
+  {
+    callInterruptibly(
+      [search] { findIntersectingPairs(*search); }, progress, 0.0, "looking for self-intersections");
+  }
+  catch (const Cancelled&)
+  {
+    search->IsAborted = true;
+    throw;
+  }
+  return search;
+}
+
+// Triangles that are found by their boxes.
+class TriangleBoxes
+{
+public:
+  explicit TriangleBoxes(const std::vector<PlacedTriangle>& triangles)
+    : Tree(values(triangles))
+  {
+  }
+
+  // Calls back with the index of each triangle whose box overlaps or touches that of this one. Returns
+  // their number.
+  template <typename Visit>
+  std::size_t query(const PlacedTriangle& triangle, const Visit& visit) const
+  {
+    return this->Tree.query(boost::geometry::index::intersects(boxOf(triangle)),
+      boost::make_function_output_iterator([&visit](const Value& value) { visit(value.second); }));
+  }
+
+private:
+  using Corner = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
+  using Box = boost::geometry::model::box<Corner>;
+  using Value = std::pair<Box, int>;
+
+  static Box boxOf(const PlacedTriangle& triangle)
+  {
+    const Eigen::AlignedBox3d box = triangle.box();
+    const Eigen::Vector3d& low = box.min();
+    const Eigen::Vector3d& high = box.max();
+    return { { low.x(), low.y(), low.z() }, { high.x(), high.y(), high.z() } };
+  }
+
+  static std::vector<Value> values(const std::vector<PlacedTriangle>& triangles)
+  {
+    std::vector<Value> values;
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+    {
+      values.emplace_back(boxOf(triangles[i]), static_cast<int>(i));
+    }
+    return values;
+  }
+
+  boost::geometry::index::rtree<Value, boost::geometry::index::linear<16>> Tree;
+};
 
 } // namespace
 
@@ -179,22 +255,7 @@ std::optional<Pairs> fewOverlappingBoxes(const std::vector<PlacedTriangle>& some
   const std::vector<PlacedTriangle>& all,
   std::size_t most)
 {
-  using Corner = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
-  using Value = std::pair<boost::geometry::model::box<Corner>, int>;
-  const auto boxOf = [](const PlacedTriangle& triangle)
-  {
-    const Eigen::AlignedBox3d box = triangle.box();
-    const Eigen::Vector3d& low = box.min();
-    const Eigen::Vector3d& high = box.max();
-    return boost::geometry::model::box<Corner>(
-      { low.x(), low.y(), low.z() }, { high.x(), high.y(), high.z() });
-  };
-  std::vector<Value> values;
-  for (std::size_t i = 0; i < some.size(); ++i)
-  {
-    values.emplace_back(boxOf(some[i]), static_cast<int>(i));
-  }
-  const boost::geometry::index::rtree<Value, boost::geometry::index::linear<16>> tree(values);
+  const TriangleBoxes tree(some);
   PairsOfThreads found;
   std::atomic<std::size_t> count(0);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, all.size()),
@@ -203,27 +264,39 @@ std::optional<Pairs> fewOverlappingBoxes(const std::vector<PlacedTriangle>& some
       Pairs& pairs = found.local();
       for (std::size_t j = range.begin(); j < range.end() && count <= most; ++j)
       {
-        count += tree.query(boost::geometry::index::intersects(boxOf(all[j])),
-          boost::make_function_output_iterator(
-            [&](const Value& value) { pairs.emplace_back(value.second, static_cast<int>(j)); }));
+        count += tree.query(all[j], [&](int i) { pairs.emplace_back(i, static_cast<int>(j)); });
       }
     });
   return count <= most ? std::optional<Pairs>(sorted(found)) : std::nullopt;
 }
 
+std::size_t countOverlappingBoxes(const std::vector<PlacedTriangle>& some,
+  const std::vector<PlacedTriangle>& all,
+  const std::function<bool(int, int)>& counts)
+{
+  const TriangleBoxes tree(some);
+  std::atomic<std::size_t> count(0);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, all.size()),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      std::size_t inRange = 0;
+      for (std::size_t j = range.begin(); j < range.end(); ++j)
+      {
+        tree.query(all[j], [&](int i) { inRange += counts(i, static_cast<int>(j)) ? 1 : 0; });
+      }
+      count += inRange;
+    });
+  return count;
+}
+
 Pairs intersectingPairs(const std::vector<PlacedTriangle>& triangles, const ProgressCallback& progress)
 {
-  PairsOfThreads found;
-  visitIntersectingPairs(
-    triangles, progress, [&](int i, int j) { found.local().push_back(std::minmax(i, j)); });
-  return sorted(found);
+  return sorted(intersectionSearch<PairList>(triangles, progress)->Result.Pairs);
 }
 
 std::size_t countSelfIntersections(const TriangleMesh& mesh, const ProgressCallback& progress)
 {
-  std::atomic<std::size_t> count(0);
-  visitIntersectingPairs(placedFaces(mesh), progress, [&](int, int) { ++count; });
-  return count;
+  return intersectionSearch<PairCount>(placedFaces(mesh), progress)->Result.Count;
 }
 
 std::vector<int> intersectionsPerGroup(const TriangleMesh& mesh,

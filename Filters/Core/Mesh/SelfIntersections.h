@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -50,9 +51,16 @@ std::optional<std::vector<std::pair<int, int>>> fewOverlappingBoxes(
   const std::vector<PlacedTriangle>& all,
   std::size_t most);
 
+/// The number of pairs (i in @p some, j in @p all) of triangles whose boxes overlap or touch and for
+/// which
+/// @p counts returns true, in any order and in several threads.
+std::size_t countOverlappingBoxes(const std::vector<PlacedTriangle>& some,
+  const std::vector<PlacedTriangle>& all,
+  const std::function<bool(int, int)>& counts);
+
 /// The number of pairs of faces that intersect, the ones that CGAL's self_intersections finds. They are
-/// not kept: ten thousand faces can have fifty million. A face that has a vertex twice intersects nothing.
-/// Precondition: no other face is without area.
+/// not kept: ten thousand faces can have fifty million. A face that has a vertex twice intersects
+/// nothing. Precondition: no other face is without area.
 std::size_t countSelfIntersections(const TriangleMesh& mesh, const ProgressCallback& progress = {});
 
 /// For each group of faces of @p mesh the number of pairs of a face in it and any other face of the mesh

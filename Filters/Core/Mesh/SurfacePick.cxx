@@ -16,8 +16,13 @@ constexpr double GreatestShareOfDiagonal = 0.05;
 
 } // namespace
 
-SurfacePoint pickOnSurface(const TriangleMesh& mesh,
-  const ClosestPointTree& surface,
+double boxDiagonal(const TriangleMesh& mesh)
+{
+  return (mesh.Vertices.colwise().maxCoeff() - mesh.Vertices.colwise().minCoeff()).norm();
+}
+
+SurfacePoint pickOnSurface(const ClosestPointTree& surface,
+  double diagonal,
   const Eigen::Vector3d& picked,
   const std::string& what)
 {
@@ -27,8 +32,6 @@ SurfacePoint pickOnSurface(const TriangleMesh& mesh,
   }
   const SurfacePoint nearest = surface.closest(picked);
   const double distance = (nearest.Position - picked).norm();
-  const double diagonal =
-    (mesh.Vertices.colwise().maxCoeff() - mesh.Vertices.colwise().minCoeff()).norm();
   if (!(distance <= GreatestShareOfDiagonal * diagonal))
   {
     std::ostringstream message;

@@ -12,12 +12,16 @@
 namespace flattening
 {
 
+/// The diagonal of the bounding box of the vertices, input units.
+double boxDiagonal(const TriangleMesh& mesh);
+
 /// The point of the surface nearest to @p picked (input units).
+/// @param diagonal of the surface (boxDiagonal)
 /// @param what names the point in messages, such as "the hole's point".
 /// @throws InvalidInput if a coordinate is not finite or the surface is farther away than 5 % of the
 /// diagonal of its bounding box: then the point was meant for another surface or never set.
-SurfacePoint pickOnSurface(const TriangleMesh& mesh,
-  const ClosestPointTree& surface,
+SurfacePoint pickOnSurface(const ClosestPointTree& surface,
+  double diagonal,
   const Eigen::Vector3d& picked,
   const std::string& what);
 

@@ -31,6 +31,15 @@ public:
     return { rows + this->Starts[vertex], rows + this->Starts[vertex + 1] };
   }
 
+  /// The faces around that one of two vertices which has fewer. All faces with both vertices are among
+  /// them.
+  Range aroundEither(int a, int b) const
+  {
+    const Range aroundA = (*this)[a];
+    const Range aroundB = (*this)[b];
+    return aroundB.size() < aroundA.size() ? aroundB : aroundA;
+  }
+
 private:
   std::vector<int> Starts; // where the part of each vertex begins in Rows, and the end
   std::vector<int> Rows;

@@ -80,13 +80,12 @@ int countIntersections(const MeshOnSurface& surface,
 {
   const std::vector<PlacedTriangle> first = placed(surface, some);
   const std::vector<PlacedTriangle> second = placed(surface, near);
-  int count = 0;
-  for (const auto& [i, j] : overlappingBoxes(first, second))
+  const auto counts = [&](int i, int j)
   {
     const bool again = near[j] <= some[i] && std::binary_search(some.begin(), some.end(), near[j]);
-    count += !again && intersect(first[i], second[j]);
-  }
-  return count;
+    return !again && intersect(first[i], second[j]);
+  };
+  return static_cast<int>(countOverlappingBoxes(first, second, counts));
 }
 
 std::vector<Vertex> verticesAround(const MeshOnSurface& surface, const FacePair& pair, int edges)

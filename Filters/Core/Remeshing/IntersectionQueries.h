@@ -16,6 +16,11 @@ namespace flattening
 using FacePair = std::pair<MeshOnSurface::Face, MeshOnSurface::Face>;
 using FacePairs = std::vector<FacePair>;
 
+/// Pairs that are near more faces than this are left as they are: a guard. Work on one pair grows with
+/// the square of the faces near it, and is a few seconds for so many. Twice as many as are near pairs
+/// beside a vertex of three hundred faces.
+constexpr std::size_t MostNearOnePair = 10000;
+
 PlacedTriangle placed(const CornerTriangle& triangle);
 
 /// Whether the two faces intersect.

@@ -4,6 +4,8 @@
 #include "Mesh/SliverThresholds.h"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 namespace flattening
@@ -20,6 +22,8 @@ constexpr int LargestRegion = 4;
 // Rounds of smoothing for each edge of that distance. Every round carries a change on by one edge at
 // least: with fewer than one round, vertices at a pair would not feel the region's rim.
 constexpr int RoundsPerEdge = 4;
+
+constexpr const char* SmoothingStage = "smoothing where faces intersect";
 
 // The inner vertices at most so many edges away from a pair, ascending.
 std::vector<Vertex> innerVerticesAround(const MeshOnSurface& surface, const FacePair& pair, int edges)
@@ -109,12 +113,17 @@ private:
   std::vector<Face> Faces;
 };
 
-// Returns the pairs that are left.
-FacePairs smoothRegions(MeshOnSurface& surface, const FacePairs& pairs, int size, double leastSine)
+// Returns the pairs that are left; nothing if too many faces are near them.
+std::optional<FacePairs> smoothRegions(MeshOnSurface& surface,
+  const FacePairs& pairs,
+  int size,
+  double leastSine,
+  const ProgressCallback& progress)
 {
   std::vector<std::vector<Vertex>> surroundings;
   for (const FacePair& pair : pairs)
   {
+    report(progress, 0.0, SmoothingStage);
     surroundings.push_back(innerVerticesAround(surface, pair, size + 1));
     if (surroundings.back().empty())
     {
@@ -124,28 +133,38 @@ FacePairs smoothRegions(MeshOnSurface& surface, const FacePairs& pairs, int size
   const auto near = facesNear(surface, surroundings);
   if (!near)
   {
-    return pairs;
+    return std::nullopt;
   }
   for (std::size_t i = 0; i < pairs.size(); ++i)
   {
-    if (intersect(surface, pairs[i]))
+    report(progress, static_cast<double>(i) / pairs.size(), SmoothingStage);
+    if ((*near)[i].size() <= MostNearOnePair && intersect(surface, pairs[i]))
     {
       RegionSmoother(surface, innerVerticesAround(surface, pairs[i], size))
         .smooth((*near)[i], RoundsPerEdge * size, leastSine);
     }
   }
-  return intersectingFaces(surface, unitedFaces(*near));
+  return intersectingFaces(surface, unitedFaces(*near), atFraction(progress, 1.0, SmoothingStage));
 }
 
 } // namespace
 
-FacePairs smoothIntersections(MeshOnSurface& surface, FacePairs pairs)
+FacePairs smoothIntersections(MeshOnSurface& surface, FacePairs pairs, const ProgressCallback& progress)
 {
+  constexpr double Steps = LargestRegion * std::size(slivers::SmoothedSines);
+  int done = 0;
   for (const double leastSine : slivers::SmoothedSines)
   {
     for (int size = 1; size <= LargestRegion && !pairs.empty(); ++size)
     {
-      pairs = smoothRegions(surface, pairs, size, leastSine);
+      const ProgressCallback part = subrange(progress, done / Steps, (done + 1) / Steps);
+      std::optional<FacePairs> left = smoothRegions(surface, pairs, size, leastSine, part);
+      ++done;
+      if (!left)
+      {
+        break; // and more faces are near to larger regions
+      }
+      pairs = std::move(*left);
     }
   }
   return pairs;

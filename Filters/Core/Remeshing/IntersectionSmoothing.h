@@ -11,6 +11,9 @@ namespace flattening
 /// means of their neighbours, several times over, which draws in a fold that passes through another. A
 /// move is kept only if fewer faces intersect afterwards and no angle is smaller than 5 degrees or, in a
 /// second attempt, 1 degree, unless it was before. Returns the pairs that are left.
-FacePairs smoothIntersections(MeshOnSurface& surface, FacePairs pairs);
+/// Reports for each pair.
+FacePairs smoothIntersections(MeshOnSurface& surface,
+  FacePairs pairs,
+  const ProgressCallback& progress = {});
 
 } // namespace flattening

@@ -153,7 +153,8 @@ bool PairSeparation::changeAround(Face face)
 
 int removeSelfIntersections(MeshOnSurface& surface, const ProgressCallback& progress)
 {
-  report(progress, 0.0, "removing self-intersections");
+  const char* stage = "removing self-intersections";
+  report(progress, 0.0, stage);
   FacePairs pairs = intersectingFaces(surface, subrange(progress, 0.0, 0.5));
   if (static_cast<double>(pairs.size()) > LargestPairShare * surface.mesh().number_of_faces())
   {
@@ -161,11 +162,13 @@ int removeSelfIntersections(MeshOnSurface& surface, const ProgressCallback& prog
   }
   for (int round = 0; !pairs.empty() && round < Rounds; ++round)
   {
-    report(progress, 0.5 + 0.5 * round / Rounds, "removing self-intersections");
+    const ProgressCallback part =
+      subrange(progress, 0.5 + 0.25 * round / Rounds, 0.5 + 0.25 * (round + 1) / Rounds);
     bool changed = false;
     std::vector<std::vector<Vertex>> around;
     for (const FacePair& pair : pairs)
     {
+      report(part, 0.0, stage);
       around.push_back(verticesAround(surface, pair, 1)); // those that may move
     }
     const auto near = facesNear(surface, around);
@@ -175,15 +178,19 @@ int removeSelfIntersections(MeshOnSurface& surface, const ProgressCallback& prog
     }
     for (std::size_t i = 0; i < pairs.size(); ++i)
     {
-      changed |= PairSeparation(surface, (*near)[i]).separate(pairs[i]);
+      report(part, static_cast<double>(i) / pairs.size(), stage);
+      changed |=
+        (*near)[i].size() <= MostNearOnePair && PairSeparation(surface, (*near)[i]).separate(pairs[i]);
     }
-    pairs = intersectingFaces(surface, unitedFaces(*near)); // faces that moved are still among these
+    // Faces that moved are still among these.
+    pairs = intersectingFaces(surface, unitedFaces(*near), atFraction(part, 1.0, stage));
     if (!changed)
     {
       break;
     }
   }
-  return static_cast<int>(smoothIntersections(surface, std::move(pairs)).size());
+  return static_cast<int>(
+    smoothIntersections(surface, std::move(pairs), subrange(progress, 0.75, 1.0)).size());
 }
 
 DerivedMesh conditionFaces(const TriangleMesh& mesh, double degrees, const ProgressCallback& progress)

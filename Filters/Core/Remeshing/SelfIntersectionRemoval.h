@@ -13,7 +13,8 @@ namespace flattening
 /// on the old surface or off it, until no faces intersect or nothing helps. Every change lowers the
 /// number of intersecting pairs and makes no angle smaller than 10 degrees, unless it was before. Then
 /// smooths the surface around the pairs that are left (smoothIntersections). Changes nothing where too
-/// many faces intersect, or are near those that do (facesNear). Returns the number of pairs left.
+/// many faces intersect, or are near those that do (facesNear, MostNearOnePair). Reports for each pair.
+/// Returns the number of pairs left.
 int removeSelfIntersections(MeshOnSurface& surface, const ProgressCallback& progress = {});
 
 /// Repairs the faces of a surface without remeshing it: opens angles below @p degrees (removeSlivers; 0:

@@ -7,8 +7,10 @@
 #include "Mesh/HoleTriangulation.h"
 #include "Mesh/MeshMeasures.h"
 #include "Mesh/SelfIntersections.h"
+#include "Repair/FaceList.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <numeric>
 #include <sstream>
@@ -23,6 +25,8 @@ namespace
 using Vertex = EditableSurface::Vertex;
 using Halfedge = EditableSurface::Halfedge;
 using Face = EditableSurface::Face;
+
+constexpr const char* FillingStage = "filling holes";
 
 // Joins a new vertex in the middle to the whole loop, which fits whatever edges exist already.
 void coverWithFan(EditableSurface& surface, Halfedge border, const std::vector<Vertex>& loop)
@@ -123,6 +127,72 @@ void fillHole(EditableSurface& surface, Halfedge border, Patch kind)
   }
 }
 
+// What covers a hole, apart from the surface. Corners are vertices of the surface or, numbered from its
+// vertex count on, added ones.
+struct HolePatch
+{
+  std::vector<Triangle> Faces;
+  std::vector<Eigen::RowVector3d> Vertices; ///< the added ones
+  std::vector<Origin> Origins;              ///< of these
+};
+
+// The elements that were added last, when the surface already had so many faces and vertices.
+HolePatch lastPatch(EditableSurface& surface,
+  std::size_t faces,
+  std::size_t vertices,
+  int originalVertices)
+{
+  const SurfaceMesh& mesh = surface.mesh();
+  const int shift = static_cast<int>(vertices) - originalVertices;
+  HolePatch patch;
+  for (std::size_t f = faces; f < mesh.number_of_faces(); ++f)
+  {
+    Triangle& corners = patch.Faces.emplace_back();
+    auto corner = corners.begin();
+    for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(Face(f))))
+    {
+      const auto number = static_cast<int>(v.idx());
+      *corner++ = number < originalVertices ? number : number - shift;
+    }
+  }
+  for (std::size_t v = vertices; v < mesh.number_of_vertices(); ++v)
+  {
+    const Kernel::Point_3& p = mesh.point(Vertex(v));
+    patch.Vertices.emplace_back(p.x(), p.y(), p.z());
+    patch.Origins.push_back(surface.origin(Vertex(v)));
+  }
+  return patch;
+}
+
+// Makes patches of this kind for the holes that are chosen; those of the others stay as they are.
+void makePatches(const TriangleMesh& mesh,
+  const std::vector<std::vector<int>>& loops,
+  const std::vector<char>& chosen,
+  Patch kind,
+  std::vector<HolePatch>& patches,
+  const ProgressCallback& progress)
+{
+  EditableSurface surface(mesh);
+  for (std::size_t hole = 0; hole < loops.size(); ++hole)
+  {
+    if (!chosen[hole])
+    {
+      continue;
+    }
+    report(progress, static_cast<double>(hole) / loops.size(), FillingStage);
+    const std::size_t faces = surface.mesh().number_of_faces();
+    const std::size_t vertices = surface.mesh().number_of_vertices();
+    const int vertex = loops[hole].front();
+    const auto border = CGAL::is_border(Vertex(vertex), surface.mesh());
+    if (!border)
+    {
+      throw InvalidInput("vertex " + std::to_string(vertex) + " is not on the boundary");
+    }
+    fillHole(surface, *border, kind);
+    patches[hole] = lastPatch(surface, faces, vertices, mesh.vertexCount());
+  }
+}
+
 struct PatchedSurface
 {
   DerivedMesh Surface;
@@ -135,33 +205,60 @@ struct PatchedSurface
   }
 };
 
-PatchedSurface patched(const TriangleMesh& mesh,
-  const std::vector<std::vector<int>>& loops,
-  const std::vector<Patch>& kinds,
-  const ProgressCallback& progress)
+// The surface with the patches, one after the other.
+PatchedSurface patched(const TriangleMesh& mesh, const std::vector<HolePatch>& patches)
 {
-  EditableSurface surface(mesh);
   PatchedSurface result;
-  for (std::size_t hole = 0; hole < loops.size(); ++hole)
+  result.Surface.Mesh = mesh;
+  Points3& points = result.Surface.Mesh.Vertices;
+  FaceMatrix& corners = result.Surface.Mesh.Faces;
+  std::vector<int>& origins = result.Surface.Faces;
+  std::vector<Origin> vertices;
+  for (int v = 0; v < mesh.vertexCount(); ++v)
   {
-    report(progress, static_cast<double>(hole) / loops.size(), "filling holes");
-    const auto faces = static_cast<int>(surface.mesh().number_of_faces());
-    const int vertex = loops[hole].front();
-    const auto border = CGAL::is_border(Vertex(vertex), surface.mesh());
-    if (!border)
-    {
-      throw InvalidInput("vertex " + std::to_string(vertex) + " is not on the boundary");
-    }
-    fillHole(surface, *border, kinds[hole]);
-    std::vector<int>& patch = result.Patches.emplace_back(surface.mesh().number_of_faces() - faces);
-    std::iota(patch.begin(), patch.end(), faces);
+    vertices.push_back({ { v, 1.0 } });
   }
-  result.Surface = surface.derived();
+  origins.resize(mesh.faceCount());
+  std::iota(origins.begin(), origins.end(), 0);
+  std::size_t faceCount = origins.size();
+  std::size_t vertexCount = vertices.size();
+  for (const HolePatch& patch : patches)
+  {
+    faceCount += patch.Faces.size();
+    vertexCount += patch.Vertices.size();
+  }
+  corners.conservativeResize(static_cast<Eigen::Index>(faceCount), 3);
+  points.conservativeResize(static_cast<Eigen::Index>(vertexCount), 3);
+  for (const HolePatch& patch : patches)
+  {
+    const int shift = static_cast<int>(vertices.size()) - mesh.vertexCount();
+    std::vector<int>& faces = result.Patches.emplace_back();
+    for (const Triangle& face : patch.Faces)
+    {
+      const auto f = static_cast<int>(origins.size());
+      for (int k = 0; k < 3; ++k)
+      {
+        corners(f, k) = face[k] < mesh.vertexCount() ? face[k] : face[k] + shift;
+      }
+      faces.push_back(f);
+      origins.push_back(-1);
+    }
+    for (std::size_t i = 0; i < patch.Vertices.size(); ++i)
+    {
+      points.row(static_cast<Eigen::Index>(vertices.size())) = patch.Vertices[i];
+      vertices.push_back(patch.Origins[i]);
+    }
+  }
+  result.Surface.Vertices = originMatrix(
+    vertices, mesh.vertexCount(), [](const Origin& origin) -> const Origin& { return origin; });
   return result;
 }
 
 // The error message says where a loop that is too long lies.
-void requireShort(const TriangleMesh& mesh, const std::vector<int>& loop, double limit)
+void requireShort(const TriangleMesh& mesh,
+  const std::vector<int>& loop,
+  double limit,
+  const std::string& remedy)
 {
   const double length = loopLength(mesh.Vertices, loop);
   if (length > limit)
@@ -172,9 +269,10 @@ void requireShort(const TriangleMesh& mesh, const std::vector<int>& loop, double
       centre += mesh.Vertices.row(v) / static_cast<double>(loop.size());
     }
     std::ostringstream message; // lengths of any order of magnitude
-    message << "the hole around (" << centre[0] << ", " << centre[1] << ", " << centre[2] << ") is "
-            << length << " long, more than the limit of " << limit
-            << " for holes that are filled: raise the limit, or cut that part off with Clip";
+    message
+      << "the hole around (" << centre[0] << ", " << centre[1] << ", " << centre[2] << ") is " << length
+      << " long, more than the limit of " << limit << " for holes that are filled: " << remedy
+      << "raise Fill Length Limit; or, where the surface leaves the scan, cut that part off with Clip";
     throw InvalidInput(message.str());
   }
 }
@@ -184,15 +282,18 @@ void requireShort(const TriangleMesh& mesh, const std::vector<int>& loop, double
 FilledSurface fillHoles(const TriangleMesh& mesh,
   const std::vector<std::vector<int>>& loops,
   double longestLoop,
-  const ProgressCallback& progress)
+  const ProgressCallback& progress,
+  const std::string& remedy)
 {
   for (const std::vector<int>& loop : loops)
   {
-    requireShort(mesh, loop, longestLoop);
+    requireShort(mesh, loop, longestLoop, remedy);
   }
   const int holes = static_cast<int>(loops.size());
-  std::vector<Patch> kinds(holes, Patch::Refined);
-  PatchedSurface filled = patched(mesh, loops, kinds, subrange(progress, 0.0, 0.4));
+  std::vector<HolePatch> patches(holes);
+  const std::vector<char> all(holes, 1);
+  makePatches(mesh, loops, all, Patch::Refined, patches, subrange(progress, 0.0, 0.4));
+  PatchedSurface filled = patched(mesh, patches);
   std::vector<int> fewest = filled.intersections();
 
   const auto intersects = [](int count) { return count > 0; };
@@ -203,23 +304,20 @@ FilledSurface fillHoles(const TriangleMesh& mesh,
     {
       break;
     }
-    report(progress, done, "filling holes");
-    done += 0.15;
-    std::vector<Patch> tried = kinds;
-    for (int hole = 0; hole < holes; ++hole)
-    {
-      tried[hole] = intersects(fewest[hole]) ? kind : kinds[hole];
-    }
-    const std::vector<int> counts = patched(mesh, loops, tried, {}).intersections();
+    std::vector<char> chosen(holes);
+    std::transform(fewest.begin(), fewest.end(), chosen.begin(), intersects);
+    std::vector<HolePatch> tried = patches;
+    makePatches(mesh, loops, chosen, kind, tried, subrange(progress, done, done + 0.2));
+    done += 0.2;
+    const std::vector<int> counts = patched(mesh, tried).intersections();
     for (int hole = 0; hole < holes; ++hole)
     {
       if (counts[hole] < fewest[hole])
       {
-        kinds[hole] = tried[hole];
-        fewest[hole] = counts[hole];
+        patches[hole] = std::move(tried[hole]);
       }
     }
-    filled = patched(mesh, loops, kinds, {});
+    filled = patched(mesh, patches);
     fewest = filled.intersections();
   }
 

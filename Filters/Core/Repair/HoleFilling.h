@@ -6,6 +6,7 @@
 #include "Mesh/DerivedMesh.h"
 
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace flattening
@@ -28,10 +29,12 @@ struct FilledSurface
 /// stays. Old vertices and faces stay, in their order. The faces of patches have the origin -1, their
 /// vertices are made of the loop's vertices.
 /// @param longestLoop input units, > 0. Default: no limit.
+/// @param remedy what the message about a longer loop advises first.
 /// @throws InvalidInput if a loop is longer.
 FilledSurface fillHoles(const TriangleMesh& mesh,
   const std::vector<std::vector<int>>& loops,
   double longestLoop = std::numeric_limits<double>::infinity(),
-  const ProgressCallback& progress = {});
+  const ProgressCallback& progress = {},
+  const std::string& remedy = {});
 
 } // namespace flattening

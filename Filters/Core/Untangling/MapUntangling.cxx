@@ -18,6 +18,9 @@ constexpr double LeastWork = 5e4;
 // Most sweeps over all flipped faces in which single vertices move: a guard, for sweeps end as soon as
 // one does not help.
 constexpr int MostSweeps = 10;
+// Faces of a sweep from one report to the next: a choice. A face takes a ten-thousandth of a second at
+// most.
+constexpr std::size_t FacesPerReport = 256;
 
 std::vector<int> flippedFaces(const UntanglingMesh& mesh)
 {
@@ -33,10 +36,17 @@ std::vector<int> flippedFaces(const UntanglingMesh& mesh)
 }
 
 // Moves single vertices, in sweeps over the flipped faces, as long as that untangles more faces.
-void moveSingleVertices(UntanglingMesh& mesh)
+void moveSingleVertices(UntanglingMesh& mesh, const ProgressCallback& progress)
 {
-  const auto isUntangled = [&mesh](int f)
-  { return mesh.safelyPositive(f) || untangleByOneVertex(mesh, f); };
+  std::size_t seen = 0;
+  const auto isUntangled = [&](int f)
+  {
+    if (seen++ % FacesPerReport == 0)
+    {
+      report(progress, 0.0, UntanglingStage);
+    }
+    return mesh.safelyPositive(f) || untangleByOneVertex(mesh, f);
+  };
   std::vector<int> flipped = flippedFaces(mesh);
   std::size_t before = flipped.size() + 1;
   for (int sweep = 0; sweep < MostSweeps && flipped.size() < before; ++sweep)
@@ -58,13 +68,13 @@ public:
   }
 
   // Grows a patch around the face until it can be untangled, and tries after 0, 1, 2, 4, 8 ... rings.
-  void untangleAround(int face)
+  void untangleAround(int face, const ProgressCallback& progress)
   {
     if (this->Hopeless[face])
     {
       return;
     }
-    UntanglingPatch patch(this->Mesh, face, this->Options.LargestPatch);
+    UntanglingPatch patch(this->Mesh, face, this->Options.LargestPatch, progress);
     const std::vector<int> first = patch.faces();
     bool grows = true;
     for (int ring = 0, next = 0; grows && this->WorkLeft > 0.0 && this->isPromising(patch); ++ring)
@@ -72,7 +82,7 @@ public:
       if (ring == next)
       {
         next = std::max(1, 2 * ring);
-        if (this->untangle(patch, Start::Map))
+        if (this->untangle(patch, Start::Map, progress))
         {
           return;
         }
@@ -85,7 +95,7 @@ public:
     }
     // A patch that cannot grow has a rim of fixed vertices. If that is convex, as a piece of a circle
     // is, Tutte's map is a start without flipped faces.
-    if (grows || !this->isPromising(patch) || !this->untangle(patch, Start::Tutte))
+    if (grows || !this->isPromising(patch) || !this->untangle(patch, Start::Tutte, progress))
     {
       for (const int f : first)
       {
@@ -108,7 +118,7 @@ private:
            std::none_of(faces.begin(), faces.end(), [this](int f) { return this->Hopeless[f]; });
   }
 
-  bool untangle(const UntanglingPatch& patch, Start start)
+  bool untangle(const UntanglingPatch& patch, Start start, const ProgressCallback& progress)
   {
     UntanglingPatch::Local local = patch.local();
     if (local.Frame.isZero(0.0))
@@ -117,9 +127,9 @@ private:
     }
     if (start == Start::Tutte && local.Flat.FreeVertices < local.Flat.Positions.rows())
     {
-      relaxPatch(local.Flat);
+      relaxPatch(local.Flat, progress);
     }
-    const UntangledPatch result = untanglePatch(local.Flat, this->Options.AreaWeight);
+    const UntangledPatch result = untanglePatch(local.Flat, this->Options.AreaWeight, progress);
     if (result.Positive && this->moveIntoMap(patch, local))
     {
       return true;
@@ -173,15 +183,16 @@ UntanglingReport untangleMap(const FaceMatrix& faces,
   const Points2 old = positions;
   const auto vertexCount = static_cast<int>(positions.rows());
   UntanglingMesh mesh{ faces, fixed, targets, positions, VertexFaces(faces, vertexCount) };
-  moveSingleVertices(mesh);
+  moveSingleVertices(mesh, progress);
   PatchwiseUntangling patches(mesh, options);
   const std::vector<int> left = flippedFaces(mesh);
   for (std::size_t i = 0; i < left.size(); ++i)
   {
-    report(progress, static_cast<double>(i) / left.size(), "Untangling of flipped faces");
+    const double fraction = static_cast<double>(i) / left.size();
+    report(progress, fraction, UntanglingStage);
     if (!mesh.safelyPositive(left[i]))
     {
-      patches.untangleAround(left[i]);
+      patches.untangleAround(left[i], atFraction(progress, fraction, UntanglingStage));
       // No other patch moves the vertices of a face that could not be untangled.
       if (options.AllOrNone && faceOrientation(positions, faces, left[i]) <= 0)
       {

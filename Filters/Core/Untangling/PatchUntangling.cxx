@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace flattening
 {
@@ -33,6 +34,9 @@ constexpr int MostHalvings = 40;
 // Share of its own that is added to the diagonal of the Hessian, which may be singular otherwise. A
 // guard: large against rounding, small against everything else.
 constexpr double Damping = 1e-9;
+// The number of unknowns from which on an abort does not wait for a factorization: a choice. With so
+// many it takes some hundredths of a second, a thousand times as long as to begin a thread for it.
+constexpr int ManyUnknowns = 10000;
 
 // The next epsilon, after a step to the least area ratio @p least <= 0 that reduced the energy to a @p
 // share: chi of that ratio is reduced to the same share, and by at least a tenth.
@@ -46,8 +50,9 @@ double smallerEpsilon(double epsilon, double least, double share)
 class Minimisation
 {
 public:
-  Minimisation(FlatPatch& patch, double areaWeight)
+  Minimisation(FlatPatch& patch, double areaWeight, const ProgressCallback& progress)
     : Patch(patch)
+    , Progress(progress)
   {
     for (const TargetTriangle& target : patch.Targets)
     {
@@ -62,6 +67,8 @@ public:
     double epsilon = least > 0.0 ? 0.0 : FirstEpsilon * std::max(1.0, -least);
     while (result.Steps < MostSteps && epsilon >= -HopelessEpsilon * least)
     {
+      this->Fraction = static_cast<double>(result.Steps) / MostSteps;
+      this->reportStep();
       const double before = this->energy(this->Patch.Positions, epsilon);
       const double after = this->follow(this->newtonDirection(epsilon), before, epsilon);
       ++result.Steps;
@@ -77,6 +84,8 @@ public:
   }
 
 private:
+  void reportStep() const { report(this->Progress, this->Fraction, UntanglingStage); }
+
   FoldoverEnergy::Corners corners(const Points2& positions, int face) const
   {
     FoldoverEnergy::Corners result;
@@ -139,7 +148,7 @@ private:
     }
     SparseMatrix hessian(unknowns, unknowns);
     hessian.setFromTriplets(entries.begin(), entries.end());
-    this->Cholesky.compute(hessian);
+    this->factorise(std::move(hessian));
     Eigen::VectorXd direction = Eigen::VectorXd::Zero(unknowns);
     if (this->Cholesky.info() == Eigen::Success)
     {
@@ -147,6 +156,18 @@ private:
     }
     this->Slope = direction.dot(gradient);
     return direction;
+  }
+
+  void factorise(SparseMatrix hessian)
+  {
+    if (hessian.rows() < ManyUnknowns)
+    {
+      this->Cholesky.compute(hessian);
+    }
+    else
+    {
+      this->Cholesky.compute(std::move(hessian), this->Progress, this->Fraction, UntanglingStage);
+    }
   }
 
   // Takes a step along the direction that is so short that the energy falls enough, and returns the
@@ -166,11 +187,14 @@ private:
         return value;
       }
       length *= 0.5;
+      this->reportStep();
     }
     return before;
   }
 
   FlatPatch& Patch;
+  const ProgressCallback& Progress;
+  double Fraction = 0.0; // of the steps
   std::vector<FoldoverEnergy> Energies;
   SparseCholesky Cholesky;
   double Slope = 0.0; // derivative of the energy along the direction
@@ -178,12 +202,12 @@ private:
 
 } // namespace
 
-UntangledPatch untanglePatch(FlatPatch& patch, double areaWeight)
+UntangledPatch untanglePatch(FlatPatch& patch, double areaWeight, const ProgressCallback& progress)
 {
-  return Minimisation(patch, areaWeight).run();
+  return Minimisation(patch, areaWeight, progress).run();
 }
 
-void relaxPatch(FlatPatch& patch)
+void relaxPatch(FlatPatch& patch, const ProgressCallback& progress)
 {
   std::vector<NeighbourWeight> weights;
   for (int f = 0; f < patch.Faces.rows(); ++f)
@@ -198,7 +222,7 @@ void relaxPatch(FlatPatch& patch)
   std::vector<char> fixed(patch.Positions.rows(), 1);
   std::fill_n(fixed.begin(), patch.FreeVertices, 0);
   ComplexVector positions = complexOf(patch.Positions);
-  WeightedMeans(weights, WeightSymmetry::Symmetric, fixed).extend(positions);
+  WeightedMeans(weights, WeightSymmetry::Symmetric, fixed, progress).extend(positions);
   patch.Positions = pointsOf(positions);
 }
 

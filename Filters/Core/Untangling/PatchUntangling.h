@@ -2,12 +2,16 @@
 /// Untangles a patch of a flat map by minimising an energy over its inner vertices.
 #pragma once
 
+#include "Base/Progress.h"
 #include "Untangling/FoldoverEnergy.h"
 
 #include <vector>
 
 namespace flattening
 {
+
+/// What untangling reports as the stage of its progress.
+constexpr const char* UntanglingStage = "Untangling of flipped faces";
 
 /// Some faces of a flat map, with their own numbering. The first FreeVertices vertices may move.
 struct FlatPatch
@@ -31,11 +35,13 @@ struct UntangledPatch
 /// (FoldoverEnergy::areaRatio) of the most flipped face, untangling is given up as hopeless. Once no
 /// face is flipped, epsilon is 0, so that none flips again.
 /// @param areaWeight  as in FoldoverEnergy, >= 0
-UntangledPatch untanglePatch(FlatPatch& patch, double areaWeight);
+/// @param progress  is told the share of the most steps at every step
+/// @throws Cancelled; the positions are of no use then.
+UntangledPatch untanglePatch(FlatPatch& patch, double areaWeight, const ProgressCallback& progress = {});
 
 /// Moves the free vertices of @p patch to the means of their neighbours with equal weights (Tutte 1963).
 /// If the rim is convex, this gives a start without flipped faces, however distorted.
-/// @throws ConvergenceError if a free vertex is not connected to the rim.
-void relaxPatch(FlatPatch& patch);
+/// @throws ConvergenceError if a free vertex is not connected to the rim; Cancelled.
+void relaxPatch(FlatPatch& patch, const ProgressCallback& progress = {});
 
 } // namespace flattening

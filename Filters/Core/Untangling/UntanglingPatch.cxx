@@ -74,9 +74,13 @@ Eigen::Matrix2d commonStretch(const FlatPatch& patch)
 
 } // namespace
 
-UntanglingPatch::UntanglingPatch(const UntanglingMesh& mesh, int face, int mostVertices)
+UntanglingPatch::UntanglingPatch(const UntanglingMesh& mesh,
+  int face,
+  int mostVertices,
+  const ProgressCallback& progress)
   : Mesh(mesh)
   , MostVertices(mostVertices)
+  , Progress(progress)
 {
   this->free(face);
   this->includeFlippedFaces();
@@ -111,6 +115,7 @@ void UntanglingPatch::includeFlippedFaces()
   std::size_t known = 0;
   while (this->Vertices.size() > known && !this->tooLarge())
   {
+    report(this->Progress, 0.0, UntanglingStage);
     known = this->Vertices.size();
     this->Faces.clear();
     for (const int v : this->Vertices)

@@ -2,6 +2,7 @@
 /// The part of a flat map whose vertices may move while flipped faces are untangled.
 #pragma once
 
+#include "Base/Progress.h"
 #include "Untangling/PatchUntangling.h"
 #include "Untangling/UntanglingMesh.h"
 
@@ -18,8 +19,12 @@ class UntanglingPatch
 public:
   /// Frees the corners of face @p face that are not fixed. @p mesh must outlive the patch. A patch
   /// with more than @p mostVertices free vertices is too large (see tooLarge()): it must not be used,
-  /// as the corners of some of its flipped faces may not be free.
-  UntanglingPatch(const UntanglingMesh& mesh, int face, int mostVertices);
+  /// as the corners of some of its flipped faces may not be free. While the patch grows, it reports to
+  /// @p progress, which must outlive it, too. @throws Cancelled.
+  UntanglingPatch(const UntanglingMesh& mesh,
+    int face,
+    int mostVertices,
+    const ProgressCallback& progress);
 
   /// The free vertices in ascending order.
   const std::vector<int>& vertices() const { return this->Vertices; }
@@ -27,7 +32,7 @@ public:
   const std::vector<int>& faces() const { return this->Faces; }
 
   /// Frees the corners of all faces of the patch. Returns false if all these corners were free or
-  /// fixed already.
+  /// fixed already. @throws Cancelled.
   bool grow();
 
   bool tooLarge() const { return static_cast<int>(this->Vertices.size()) > this->MostVertices; }
@@ -53,6 +58,7 @@ private:
 
   const UntanglingMesh& Mesh;
   int MostVertices;
+  const ProgressCallback& Progress;
   std::vector<int> Vertices;
   std::vector<int> Faces;
 };

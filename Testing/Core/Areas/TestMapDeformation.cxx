@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -52,13 +53,13 @@ struct FlatMap
     }
   }
 
-  bool deform(double areaWeight, int fineness)
+  bool deform(double areaWeight, int fineness, const ProgressCallback& progress = {})
   {
     return MapDeformation(this->Surface, this->Terms, this->FacesOf, this->Dofs)
       .deform(this->Map,
         this->Targets,
         { DeformationEnergy::Shapes::OfSurface, areaWeight, false, fineness },
-        {});
+        progress);
   }
 
   double distortion() const { return shapeDistortion(this->Terms, this->Map.Positions, this->Targets); }
@@ -120,6 +121,25 @@ TEST(MapDeformation, PartsOfTheOutlineStayApart)
   EXPECT_EQ(countFlippedFaces(map.Map.Positions, map.Surface.Faces), 0);
   EXPECT_FALSE(edgesCross(map.Map.Positions, map.Terms.Outline));
   EXPECT_LT(map.distortion(), 0.2 * before);
+}
+
+// Of waves with four times the height and a quarter of the length a part is taken, after the whole was
+// tried.
+TEST(MapDeformation, ProgressGrowsWhereASmallerShareIsTaken)
+{
+  FlatMap map(slitMesh(),
+    [](double x, double y) { return Eigen::RowVector2d(x, y + 0.2 * std::sin(16.0 * EIGEN_PI * x)); });
+  std::vector<double> fractions;
+  map.deform(30.0,
+    1,
+    [&](double fraction, const char*)
+    {
+      fractions.push_back(fraction);
+      return true;
+    });
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_GT(fractions.back(), 0.8);
+  EXPECT_LE(fractions.back(), 1.0);
 }
 
 // Waves that are shorter than the squares of the usual lattice need a finer one.

@@ -246,6 +246,39 @@ TEST(WeightRange, MoreThanTheRefinementReachesIsRefused)
   EXPECT_NO_THROW(regions.map(false));
 }
 
+// A hill whose top has 100 times the weight: one of the steps to it fails and is made again in halves,
+// on the coarse mesh the first one and on the other one the last.
+TEST(WeightRange, ProgressGrowsWhereAStepIsMadeAgain)
+{
+  for (const int n : { 14, 18 })
+  {
+    const TriangleMesh mesh = samples::liftedGrid(n,
+      [](double x, double y)
+      {
+        const Eigen::Vector2d place(2.0 * x - 1.0, 2.0 * y - 1.0);
+        return Eigen::Vector3d(place.x(), place.y(), 0.8 * std::exp(-4.0 * place.squaredNorm()));
+      });
+    Eigen::VectorXd weights = Eigen::VectorXd::Ones(mesh.vertexCount());
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+    {
+      weights[v] = mesh.Vertices.row(v).head<2>().squaredNorm() < 0.15 ? 100.0 : 1.0;
+    }
+    std::vector<double> fractions;
+    areaPreservingDiskMap(mesh,
+      conformalDiskMap(mesh).Positions,
+      weights,
+      {},
+      [&](double fraction, const char*)
+      {
+        fractions.push_back(fraction);
+        return true;
+      });
+    EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end())) << n;
+    EXPECT_GT(fractions.back(), 0.9) << n;
+    EXPECT_LE(fractions.back(), 1.0) << n;
+  }
+}
+
 // Weights count relative to each other: alone their common factor says nothing.
 TEST(WeightRange, ACommonFactorChangesNothing)
 {

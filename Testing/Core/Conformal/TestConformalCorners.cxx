@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Boundaries with corners, where the map's scale goes to zero or to infinity.
+#include "Base/Errors.h"
 #include "Conformal/ConformalDisk.h"
 #include "Disk/GeodesicSeam.h"
+#include "Intrinsic/IntrinsicTriangulation.h"
 #include "Mesh/MeshTopology.h"
 #include "Support/SampleSurfaces.h"
 
@@ -145,6 +147,113 @@ TEST(ConformalCorners, SeamOpensIntoTheCircle)
       }
     }
     EXPECT_LT(error, 0.05);
+  }
+}
+
+// Three rows of n points a unit apart, whose triangles are fans from the ends of the rows, or squares
+// with a diagonal.
+TriangleMesh strip(int n, double height, bool isOfFans)
+{
+  std::vector<std::array<double, 3>> vertices;
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int i = 0; i < n; ++i)
+    {
+      vertices.push_back({ static_cast<double>(i), height * row, 0.0 });
+    }
+  }
+  std::vector<std::array<int, 3>> faces;
+  for (const int a : { 0, n })
+  {
+    const int b = a + n;
+    for (int i = 0; i + 1 < n; ++i)
+    {
+      faces.push_back({ isOfFans ? a : a + i, b + i + 1, b + i });
+      faces.push_back({ a + i, a + i + 1, isOfFans ? b + n - 1 : b + i + 1 });
+    }
+  }
+  return samples::meshOf(vertices, faces);
+}
+
+// Two triangulations of one surface have one map by the harmonic method, whose triangulation is made
+// Delaunay first. The fans need 22,076 flips, more than ten for each half-edge.
+TEST(ConformalStrips, FansHaveTheMapOfTheirSurface)
+{
+  ConformalDiskOptions options;
+  options.Method = ConformalMethod::BoundaryFirst;
+  const ConformalDiskMap expected = conformalDiskMap(strip(150, 10.0, false), options);
+  const ConformalDiskMap map = conformalDiskMap(strip(150, 10.0, true), options);
+  EXPECT_GT(map.Flips, 20000);
+  EXPECT_LT((map.Positions - expected.Positions).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(ConformalStrips, FlipsOfFansCanBeCancelled)
+{
+  const TriangleMesh fans = strip(1000, 60.0, true);
+  int reports = 0;
+  const ProgressCallback stopLater = [&reports](double, const char*) { return ++reports < 10; };
+  EXPECT_THROW(IntrinsicTriangulation(fans).flipToDelaunay(stopLater), Cancelled);
+}
+
+// A square of 20 x 20 edges, on whose side a flap of 20 x 20 edges hangs by a neck 2 wide and 12 long.
+// On the circle, the conformal map gives the flap an arc of about exp(-pi 12 / 2), 1e-8.
+TEST(ConformalFlap, IsSpreadAlongTheCircle)
+{
+  const int columns = 53;
+  const auto isInside = [](int i, int j)
+  { return i >= 0 && j >= 0 && j < 20 && (i < 20 || (i < 32 && (j == 9 || j == 10)) || i >= 32); };
+  std::vector<int> number(columns * 21, -1);
+  std::vector<std::array<double, 3>> vertices;
+  std::vector<std::array<int, 3>> faces;
+  for (int i = 0; i < columns; ++i)
+  {
+    for (int j = 0; j <= 20; ++j)
+    {
+      const bool isUsed = (i < columns - 1 && (isInside(i, j) || isInside(i, j - 1))) ||
+                          isInside(i - 1, j) || isInside(i - 1, j - 1);
+      if (isUsed)
+      {
+        number[i * 21 + j] = static_cast<int>(vertices.size());
+        vertices.push_back({ static_cast<double>(i), static_cast<double>(j), 0.0 });
+      }
+    }
+  }
+  for (int i = 0; i + 1 < columns; ++i)
+  {
+    for (int j = 0; j < 20; ++j)
+    {
+      if (isInside(i, j))
+      {
+        const int a = number[i * 21 + j];
+        const int b = number[(i + 1) * 21 + j];
+        const int c = number[(i + 1) * 21 + j + 1];
+        const int d = number[i * 21 + j + 1];
+        faces.push_back({ a, b, c });
+        faces.push_back({ a, c, d });
+      }
+    }
+  }
+  const TriangleMesh flap = samples::meshOf(vertices, faces);
+  const int corner = number[0];
+  for (const auto method : { ConformalMethod::RicciFlow, ConformalMethod::BoundaryFirst })
+  {
+    ConformalDiskOptions options;
+    options.Method = method;
+    options.CenterVertex = number[10 * 21 + 10];
+    options.BoundaryVertex = corner;
+    const ConformalDiskMap map = conformalDiskMap(flap, options);
+    EXPECT_GT(map.SpreadVertices, 300);
+    EXPECT_EQ(map.Untangling.FlippedFaces, 0);
+    // The boundary goes once around the circle, in steps that doubles tell apart.
+    const std::vector<int> loop = requireDisk(flap);
+    double turn = 0.0;
+    for (std::size_t k = 0; k < loop.size(); ++k)
+    {
+      const std::complex<double> step = at(map, loop[(k + 1) % loop.size()]) / at(map, loop[k]);
+      EXPECT_GT(std::arg(step), 1e-13) << "at vertex " << loop[k];
+      turn += std::arg(step);
+    }
+    EXPECT_NEAR(turn, 2.0 * Pi, 1e-9);
   }
 }
 

@@ -275,4 +275,17 @@ TEST(ConformalRectangle, TwoTrianglesAreARectangle)
   EXPECT_NEAR(result.Modulus, 2.0, 1e-9);
 }
 
+// The corners of a strip are found though its ends are two or three edges wide.
+TEST(ConformalRectangle, FindsTheCornersOfNarrowStrips)
+{
+  for (const auto& [columns, rows] : { std::pair(20, 3), std::pair(100, 3), std::pair(300, 4) })
+  {
+    TriangleMesh strip = samples::rectangleGrid(columns, rows, columns - 1.0);
+    strip.Vertices.col(1) *= (rows - 1.0) * (columns - 1.0) / Pi;
+    const ConformalRectangleMap map = conformalRectangleMap(strip);
+    EXPECT_NEAR(map.Modulus, (columns - 1.0) / (rows - 1.0), 1e-9 * map.Modulus);
+    EXPECT_EQ(map.Map.Untangling.FlippedFaces, 0);
+  }
+}
+
 } // namespace

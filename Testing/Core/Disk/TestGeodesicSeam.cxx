@@ -362,10 +362,17 @@ TEST(GeodesicSeam, DensePointsGiveTheSeamOfTheirLine)
     options.Points.push_back(onSphere(0.001 * i, 0.2));
   }
   options.AreDense = true;
-  const SeamOpenedSurface opened = cutGeodesicSeam(closed, options);
+  std::size_t reportsOfPlacing = 0;
+  const auto count = [&reportsOfPlacing](double, const char* stage)
+  {
+    reportsOfPlacing += std::string(stage) == "placing the seam" ? 1 : 0;
+    return true;
+  };
+  const SeamOpenedSurface opened = cutGeodesicSeam(closed, options, count);
   requireDisk(opened.Cut.Surface.Mesh);
   EXPECT_NEAR(opened.Length, 2.0 * std::cos(0.2), 0.05);
   EXPECT_LT(opened.Points.size(), 60u);
+  EXPECT_GT(reportsOfPlacing, opened.Points.size()) << "one for each point";
   EXPECT_GT(smallestAngleAtSeam(opened.Cut), 2.0);
 }
 

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 namespace
@@ -95,6 +96,25 @@ TEST(GivenDisk, KeepsTheBanksOfASeamApartOnOtherSurfaces)
   EXPECT_GT(surfaceToDisk(holed, options).Report.Repair.MergedPoints, 0) << "nothing tells of the seam";
 }
 
+// The wall of a cylinder, open along a slit that is much narrower than the tolerance.
+TEST(GivenDisk, IsMergedIfAToleranceIsAsked)
+{
+  constexpr int around = 24;
+  TriangleMesh wall = liftedGrid(around,
+    [](double x, double y)
+    {
+      const double angle = 2.0 * Pi * x * (1.0 - 1e-6);
+      return Eigen::Vector3d(std::cos(angle), std::sin(angle), y);
+    });
+  SurfaceToDiskOptions options;
+  options.Cut = CutMode::Seam;
+  EXPECT_EQ(surfaceToDisk(wall, options).Report.Repair.MergedPoints, 0);
+  options.MergeTolerance = 1e-3;
+  const DiskSurface disk = surfaceToDisk(wall, options);
+  EXPECT_EQ(disk.Report.Repair.MergedPoints, around + 1);
+  EXPECT_EQ(disk.Report.ChosenCut, CutMode::Seam) << "of a tube";
+}
+
 TEST(GivenDisk, IsRemeshedIfAsked)
 {
   const DiskSurface disk = seamed();
@@ -104,7 +124,8 @@ TEST(GivenDisk, IsRemeshedIfAsked)
   options.RelativeEdgeLength = 1.5;
   const DiskSurface coarser = surfaceToDisk(disk.Surface.Mesh, options);
   EXPECT_LT(coarser.Surface.Mesh.faceCount(), disk.Surface.Mesh.faceCount());
-  EXPECT_NEAR(coarser.Report.BoundaryLength, disk.Report.BoundaryLength, 0.02 * disk.Report.BoundaryLength);
+  EXPECT_NEAR(
+    coarser.Report.BoundaryLength, disk.Report.BoundaryLength, 0.02 * disk.Report.BoundaryLength);
 }
 
 TEST(GivenDisk, FlagsMustFit)

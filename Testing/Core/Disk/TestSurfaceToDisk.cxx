@@ -191,6 +191,46 @@ TEST(SurfaceToDisk, WidensATinyBoundary)
   EXPECT_LT(distance, 1e-9);
 }
 
+// A loop that is longer than the limit is not filled, however small a share of the area it surrounds.
+TEST(SurfaceToDisk, KeepsAPunctureThatIsTooLongToBeFilled)
+{
+  SurfaceToDiskOptions options;
+  options.Cut = CutMode::Hole;
+  const TriangleMesh pierced = withoutFaces(sphere(4), { 99 });
+  const double length = loopLength(pierced.Vertices, requireDisk(pierced));
+  options.FillLengthLimit = 1.001 * length;
+  EXPECT_EQ(surfaceToDisk(pierced, options).Report.FilledHoles, 1);
+  options.FillLengthLimit = 0.999 * length;
+  const DiskSurface disk = surfaceToDisk(pierced, options);
+  EXPECT_EQ(disk.Report.FilledHoles, 0);
+  EXPECT_NEAR(disk.Report.BoundaryLength, length, 1e-12);
+}
+
+TEST(SurfaceToDisk, NamesTheRemedyForABoundaryThatIsTooLong)
+{
+  SurfaceToDiskOptions options;
+  const TriangleMesh tube = cylinder(60, 20, 3.0);
+  const std::string ofTube = messageOf<InvalidInput>([&] { surfaceToDisk(tube, options); });
+  EXPECT_TRUE(contains(ofTube, "set Cut to Seam")) << ofTube;
+  EXPECT_TRUE(contains(ofTube, "raise Fill Length Limit")) << ofTube;
+  options.Cut = CutMode::Seam;
+  EXPECT_EQ(surfaceToDisk(tube, options).Report.ChosenCut, CutMode::Seam);
+  // The ends of a funnel differ too much for a seam from one to the other.
+  TriangleMesh funnel = cylinder(60, 20, 0.1);
+  for (auto vertex : funnel.Vertices.rowwise())
+  {
+    vertex.head<2>() *= 1.0 + 40.0 * vertex.z();
+  }
+  options.FillLengthLimit = 1.0;
+  for (const CutMode cut : { CutMode::Automatic, CutMode::Seam })
+  {
+    options.Cut = cut;
+    const std::string ofFunnel = messageOf<InvalidInput>([&] { surfaceToDisk(funnel, options); });
+    EXPECT_FALSE(contains(ofFunnel, "Seam")) << ofFunnel;
+    EXPECT_TRUE(contains(ofFunnel, "raise Fill Length Limit")) << ofFunnel;
+  }
+}
+
 // A polygon of three vertices covers less than half of the disk.
 TEST(SurfaceToDisk, ABoundaryOfThreeVerticesIsRefined)
 {

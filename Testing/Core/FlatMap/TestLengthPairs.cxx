@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FlatMap/LengthPairs.h"
+#include "Support/HubDisk.h"
 #include "Support/SampleSurfaces.h"
 
 #include <gtest/gtest.h>
@@ -72,6 +73,47 @@ TEST_F(LengthPairsOfSquare, SourcesOverTheWholeSurfaceReachAllVertices)
   for (std::size_t i = 1; i < missing.size(); ++i)
   {
     EXPECT_NEAR(missing[i] - missing[i - 1], 0.16 * n, 0.02 * n);
+  }
+}
+
+// Rings count edges: how far the radius reaches is nothing to them.
+TEST_F(LengthPairsOfSquare, RingsDoNotDependOnTheRadius)
+{
+  const std::vector<LocalLengths> small = this->local(2, 0.04);
+  const std::vector<LocalLengths> large = this->local(2, 2.0);
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    EXPECT_GT(small[i].Rings.Ratios.size(), small[i].Local.Ratios.size());
+    EXPECT_EQ(small[i].Rings.Ratios, large[i].Rings.Ratios);
+  }
+}
+
+// Three circles of points around a vertex that has an edge to each point of the first: seven rings of
+// edges are the whole disk, and a search of it meets a million windows.
+TEST(LengthPairs, RingsThroughAHubEndAtTheRadius)
+{
+  const TriangleMesh disk = hubDisk(500, 3);
+  const Points2 flat = disk.Vertices.leftCols<2>();
+  LengthPairs pairs(disk, flat);
+  for (const double radius : { 0.05, 0.2 })
+  {
+    const std::vector<LocalLengths> sources = pairs.local(100, radius, {});
+    EXPECT_GT(sources.size(), 40);
+    for (const LocalLengths& source : sources)
+    {
+      EXPECT_EQ(source.Rings.Ratios, source.Local.Ratios);
+    }
+  }
+}
+
+// With fewer edges the rings have fewer points than a thousand, and all of them count.
+TEST(LengthPairs, RingsThroughASmallHubAreWhole)
+{
+  const TriangleMesh disk = hubDisk(50, 3);
+  const Points2 flat = disk.Vertices.leftCols<2>();
+  for (const LocalLengths& source : LengthPairs(disk, flat).local(10, 0.05, {}))
+  {
+    EXPECT_EQ(source.Rings.Ratios.size(), disk.vertexCount() - 1);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <set>
 #include <vector>
 
@@ -64,6 +65,35 @@ TEST(FaceNeighbourhoods, TheFacesInABallAreThoseWithinItsRadius)
         EXPECT_EQ(inBall.count(f), 0u) << f << ", radius " << radius;
       }
     }
+  }
+}
+
+// All faces are split at random, and the nearest part of each is that which a search of all faces finds.
+TEST(FaceNeighbourhoods, TheNearestPartOfAFaceIsAmongThoseConnectedToIt)
+{
+  const TriangleMesh mesh = sphere(1);
+  EditableSurface surface(mesh);
+  std::mt19937 random(3);
+  for (int split = 0; split < 2000; ++split)
+  {
+    const auto edge = random() % surface.mesh().number_of_halfedges();
+    surface.splitEdge(SurfaceMesh::Halfedge_index(static_cast<SurfaceMesh::size_type>(edge)), 0.5);
+  }
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    const Eigen::Vector3d p = faceCorners(mesh, f).transpose() * Eigen::Vector3d(0.5, 0.3, 0.2);
+    const Kernel::Point_3 point(p.x(), p.y(), p.z());
+    SurfaceMesh::Face_index nearest;
+    double distance = HUGE_VAL;
+    for (const auto face : surface.mesh().faces())
+    {
+      if (surface.origin(face) == f && squaredDistance(surface.mesh(), face, point) < distance)
+      {
+        distance = squaredDistance(surface.mesh(), face, point);
+        nearest = face;
+      }
+    }
+    EXPECT_EQ(partAt(surface, f, point), nearest) << f;
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Base/Errors.h"
 #include "Geodesics/GeodesicSearch.h"
+#include "Support/HubDisk.h"
 #include "Support/SampleSurfaces.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -448,6 +449,24 @@ TEST(GeodesicSearch, AnotherComponentIsNotReached)
   GeodesicSearch search(faces);
   EXPECT_EQ(search.within(Infinite, 4).size(), 3u);
   EXPECT_EQ(search.to({ 2, 5 }, 1), (std::vector<double>{ std::sqrt(2.0), Infinite }));
+}
+
+// Around a vertex of many edges a few buckets, as wide as a mean edge, have hundreds of thousands of
+// windows: an abort does not wait for the end of a bucket.
+TEST(GeodesicSearch, ChecksWithinABucket)
+{
+  const TriangleMesh mesh = hubDisk(500, 3);
+  const UnfoldableFaces faces(mesh, Seams::Open);
+  GeodesicSearch search(faces);
+  int checks = 0;
+  double farthest = 0.0;
+  for (const ReachedVertex& reached : search.within(Infinite, 600, [&checks] { ++checks; }))
+  {
+    farthest = std::max(farthest, reached.Distance);
+  }
+  const double buckets = farthest / faces.MeanLength + 1.0;
+  EXPECT_LT(buckets, 30.0);
+  EXPECT_GT(checks, 2.0 * buckets);
 }
 
 TEST(GeodesicSearch, AnEndedSearchCanBeUsedAgain)

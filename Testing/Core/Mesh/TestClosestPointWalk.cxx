@@ -58,6 +58,31 @@ double distanceFromTriangle(const TriangleMesh& mesh, const Eigen::Vector3d& poi
 
 } // namespace
 
+// The faces beside an edge are sought around its end that has fewer.
+TEST(ClosestPointWalk, SeeksTheFacesOfAnEdgeAroundItsSimplerEnd)
+{
+  constexpr int spokes = 100;
+  TriangleMesh wheel;
+  wheel.Faces.resize(spokes, 3);
+  wheel.Vertices = Points3::Zero(spokes + 1, 3);
+  for (int i = 0; i < spokes; ++i)
+  {
+    wheel.Faces.row(i) << 0, 1 + i, 1 + (i + 1) % spokes;
+    wheel.Vertices.row(1 + i) << std::cos(2.0 * EIGEN_PI * i / spokes),
+      std::sin(2.0 * EIGEN_PI * i / spokes), 0.0;
+  }
+  const VertexFaces around(wheel.Faces, wheel.vertexCount());
+  EXPECT_EQ(around.aroundEither(0, 7).size(), 2);
+  EXPECT_EQ(around.aroundEither(7, 0).size(), 2);
+  EXPECT_EQ(around.aroundEither(0, 0).size(), spokes);
+  // From face to face across the spokes.
+  const ClosestPointWalk walk(wheel);
+  const Eigen::Vector3d point = wheel.Vertices.row(40) * 0.5 + wheel.Vertices.row(41) * 0.25;
+  const SurfacePoint closest = walk.closest(point, 0);
+  EXPECT_EQ(closest.Face, 39);
+  EXPECT_LT((closest.Position - point).norm(), 1e-12);
+}
+
 // Random triangles are often obtuse, where the nearest corner is not the one beyond whose side the point
 // lies.
 TEST(ClosestPointWalk, TheClosestPointOfATriangleIsAtItsDistance)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/SelfIntersections.h"
+#include "Support/AbandonedCall.h"
 #include "Support/SampleSurfaces.h"
 
 namespace
@@ -29,6 +30,41 @@ TEST(SelfIntersections, CountsPairsThatShareMoreThanTheirCorners)
   pierced.Faces.conservativeResize(3, 3);
   pierced.Faces.row(2) << 5, 6, 7;
   EXPECT_EQ(countSelfIntersections(pierced), 1u);
+}
+
+// A search waits for the end of an abandoned call, and reports meanwhile from the calling thread.
+TEST(SelfIntersections, ReportsWhileItWaits)
+{
+  AbandonedCall abandoned;
+  int reports = 0;
+  const auto endAtTheThird = [&](double, const char*)
+  {
+    if (++reports == 3)
+    {
+      abandoned.end();
+    }
+    return true;
+  };
+  EXPECT_EQ(countSelfIntersections(both(sphere(1), moved(sphere(1), 5.0, 0.0, 0.0)), endAtTheThird), 0u);
+  EXPECT_GE(reports, 3);
+}
+
+// Ten thousand copies of a face intersect in fifty million pairs.
+TEST(SelfIntersections, EndsWhenItIsAborted)
+{
+  constexpr int copies = 10000;
+  TriangleMesh mesh = meshOf({}, {});
+  mesh.Vertices.resize(3 * copies, 3);
+  mesh.Faces.resize(copies, 3);
+  for (int f = 0; f < copies; ++f)
+  {
+    mesh.Vertices.middleRows(3 * f, 3) = tetrahedron().Vertices.topRows(3);
+    mesh.Faces.row(f) << 3 * f, 3 * f + 1, 3 * f + 2;
+  }
+  int reports = 0;
+  const auto abortLater = [&reports](double, const char*) { return ++reports < 3; };
+  EXPECT_THROW(countSelfIntersections(mesh, abortLater), Cancelled);
+  EXPECT_EQ(reports, 3);
 }
 
 // Joined corners leave such a face on both banks of a seam whose points are too close together for their

@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <string>
 
 namespace
 {
@@ -83,6 +85,35 @@ TEST(SelfIntersectionRemoval, DrawsAFoldInThatPassesThroughAnother)
   }
 }
 
+// A pair is soon done, but there may be many.
+TEST(SelfIntersectionRemoval, ReportsForEachPair)
+{
+  const TriangleMesh mesh = foldedSheet(4.0);
+  const auto pairs = static_cast<int>(countSelfIntersections(mesh));
+  std::map<std::string, int> reports;
+  double last = 0.0;
+  const auto count = [&](double fraction, const char* stage)
+  {
+    EXPECT_GE(fraction, last);
+    last = fraction;
+    ++reports[stage];
+    return true;
+  };
+  MeshOnSurface surface(mesh);
+  removeSelfIntersections(surface, count);
+  EXPECT_GE(reports["removing self-intersections"], pairs);
+  EXPECT_GE(reports["smoothing where faces intersect"], pairs / 2);
+}
+
+TEST(SelfIntersectionRemoval, StopsAtAPairWhenTold)
+{
+  const TriangleMesh mesh = foldedSheet(4.0);
+  MeshOnSurface surface(mesh);
+  const auto stop = [](double, const char* stage)
+  { return std::string(stage) != "smoothing where faces intersect"; };
+  EXPECT_THROW(removeSelfIntersections(surface, stop), Cancelled);
+}
+
 TEST(SelfIntersectionRemoval, LeavesSheetsThatOnlyComeNear)
 {
   const TriangleMesh mesh = foldedSheet(1.9);
@@ -148,6 +179,26 @@ TEST(SelfIntersectionRemoval, LeavesPairsThatAreNearTooManyFaces)
   EXPECT_EQ(near->front().size(), 4000u);
   EXPECT_EQ(removeSelfIntersections(surface), static_cast<int>(pairs.size()));
   EXPECT_EQ(surface.derived().Mesh.Vertices, mesh.Vertices);
+}
+
+// Work on a single pair would grow with the square of the faces near it. A ball between the sheet and
+// the bump is near all pairs.
+TEST(SelfIntersectionRemoval, LeavesPairsThatAreEachNearTooManyFaces)
+{
+  for (const int levels : { 2, 5 })
+  {
+    TriangleMesh ball = sphere(levels);
+    ball.Vertices *= 0.02;
+    const bool hasTooMany = ball.faceCount() > static_cast<int>(MostNearOnePair);
+    EXPECT_EQ(hasTooMany, levels == 5);
+    const TriangleMesh mesh = both(foldedSheet(2.6), moved(ball, 6.0, 6.0, 2.3));
+    const auto pairs = static_cast<int>(countSelfIntersections(mesh));
+    EXPECT_EQ(pairs, static_cast<int>(countSelfIntersections(foldedSheet(2.6))));
+    MeshOnSurface surface(mesh);
+    const int left = removeSelfIntersections(surface);
+    EXPECT_EQ(left == pairs, hasTooMany);
+    EXPECT_EQ(surface.derived().Mesh.Vertices == mesh.Vertices, hasTooMany);
+  }
 }
 
 // The limit on overlapping boxes is exact.

@@ -63,7 +63,7 @@ TEST(HoleFilling, RefusesALoopThatIsTooLong)
     messageOf<InvalidInput>([&] { fillHoles(open, loopsOf(open), 0.999 * length); });
   EXPECT_TRUE(contains(message, "(5, ")) << message;
   EXPECT_TRUE(contains(message, "6.28")) << message;
-  EXPECT_TRUE(contains(message, "raise the limit")) << message;
+  EXPECT_TRUE(contains(message, "raise Fill Length Limit")) << message;
 }
 
 // A spike passes through the opening, so that every patch intersects it. A spike beyond the plane of the
@@ -80,6 +80,40 @@ TEST(HoleFilling, CountsPatchesThatIntersectTheSurface)
   EXPECT_EQ(filled.IntersectingPatches, 1);
   const TriangleMesh beside = both(open, moved(spike, 0.0, 0.0, 2.5));
   EXPECT_EQ(fillHoles(beside, loopsOf(beside)).IntersectingPatches, 0);
+}
+
+// A cylinder and a ring. Spikes pass through both ends of the ring, or lie beyond them.
+TriangleMesh cylinderBesideARing(bool isPierced)
+{
+  TriangleMesh spike = sphere(2);
+  spike.Vertices *= 0.2;
+  const TriangleMesh ring = moved(cylinder(32, 4, 1.0), 5.0, 0.0, 0.0);
+  const TriangleMesh open = both(cylinder(64, 10, 2.0), ring);
+  const double beyond = isPierced ? 0.0 : 1.0;
+  return both(both(open, moved(spike, 5.0, 0.0, -beyond)), moved(spike, 5.0, 0.0, 1.0 + beyond));
+}
+
+// Every kind of patch is tried for the two pierced holes; the two others are filled once.
+TEST(HoleFilling, FillsOtherHolesOnceWhereSomeArePierced)
+{
+  for (const bool isPierced : { false, true })
+  {
+    const TriangleMesh open = cylinderBesideARing(isPierced);
+    int reports = 0;
+    double last = 0.0;
+    const auto count = [&](double fraction, const char*)
+    {
+      EXPECT_GE(fraction, last);
+      last = fraction;
+      ++reports;
+      return true;
+    };
+    const FilledSurface filled = fillHoles(open, loopsOf(open), 100.0, count);
+    EXPECT_TRUE(loopsOf(filled.Surface.Mesh).empty());
+    EXPECT_EQ(filled.FilledHoles, 4);
+    EXPECT_EQ(filled.IntersectingPatches, isPierced ? 2 : 0);
+    EXPECT_EQ(reports, isPierced ? 4 + 3 * 2 : 4) << "one for each patch";
+  }
 }
 
 // A pyramid without its base, whose four rim vertices lie alternately above and below the plane z = 0.

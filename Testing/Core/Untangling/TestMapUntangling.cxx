@@ -3,6 +3,7 @@
 #include "AnalyticSurfaces.h"
 #include "Mesh/FaceOrientation.h"
 #include "Mesh/MeshTopology.h"
+#include "Support/AbandonedCall.h"
 #include "Support/RandomNumbers.h"
 #include "Untangling/MapUntangling.h"
 #include "Untangling/PatchUntangling.h"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <vector>
 
 namespace
@@ -287,6 +289,50 @@ TEST(MapUntangling, CanBeCancelled)
     Cancelled);
 }
 
+// Single vertices, too, are not moved without a report.
+TEST(MapUntangling, CanBeCancelledBeforeTheFirstPatch)
+{
+  const TriangleMesh mesh = ringDisk();
+  Points2 positions = planar(mesh);
+  positions.row(0) += 1.1 * (positions.row(1) - positions.row(0));
+  EXPECT_THROW(
+    untangleMap(mesh, requireDisk(mesh), positions, [](double, const char*) { return false; }),
+    Cancelled);
+}
+
+// Two exchanged boundary vertices take patch after patch, and Newton's method goes on for long in each.
+// The progress of all this is one fraction, and an abort is served at each of its reports.
+TEST(MapUntangling, ReportsWithinTheWorkOnOneFace)
+{
+  const TriangleMesh mesh = ringDisk();
+  const std::vector<int> loop = requireDisk(mesh);
+  Points2 start = planar(mesh);
+  start.row(loop[0]).swap(start.row(loop[10]));
+  std::map<double, int> reports;
+  double last = 0.0;
+  Points2 positions = start;
+  untangleMap(mesh,
+    loop,
+    positions,
+    [&](double fraction, const char*)
+    {
+      EXPECT_GE(fraction, last);
+      last = fraction;
+      ++reports[fraction];
+      return true;
+    });
+  const auto most = std::max_element(
+    reports.begin(), reports.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  EXPECT_GT(most->second, 50);
+  positions = start;
+  int left = 50;
+  EXPECT_THROW(untangleMap(mesh,
+                 loop,
+                 positions,
+                 [&](double fraction, const char*) { return fraction < most->first || left-- > 0; }),
+    Cancelled);
+}
+
 // The whole disk as a patch, whose targets are the faces of the undistorted disk.
 FlatPatch patchOf(const TriangleMesh& mesh, const Points2& positions)
 {
@@ -317,6 +363,56 @@ TEST(PatchUntangling, FindsTheTargets)
     EXPECT_GT(result.Steps, 3);
     EXPECT_LT((patch.Positions - planar(mesh)).rowwise().norm().maxCoeff(), 0.05 * ring) << areaWeight;
   }
+}
+
+TEST(PatchUntangling, ReportsEveryStep)
+{
+  const TriangleMesh mesh = ringMesh(flatDisk(), 400).Mesh;
+  const double ring = (mesh.Vertices.row(1) - mesh.Vertices.row(0)).norm();
+  FlatPatch silent = patchOf(mesh, twisted(mesh, 3.5 * ring, 2.0));
+  FlatPatch patch = silent;
+  FlatPatch aborted = silent;
+  const UntangledPatch result = untanglePatch(silent, 0.1);
+  std::vector<double> fractions;
+  const auto note = [&](double fraction, const char*)
+  {
+    fractions.push_back(fraction);
+    return true;
+  };
+  EXPECT_EQ(untanglePatch(patch, 0.1, note).Steps, result.Steps);
+  EXPECT_EQ(patch.Positions, silent.Positions) << "reports change nothing";
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  fractions.erase(std::unique(fractions.begin(), fractions.end()), fractions.end());
+  EXPECT_EQ(fractions.size(), static_cast<std::size_t>(result.Steps));
+  int left = 2;
+  EXPECT_THROW(
+    untanglePatch(aborted, 0.1, [&left](double, const char*) { return left-- > 0; }), Cancelled);
+}
+
+// A patch of so many vertices is factored in another thread, with reports meanwhile.
+TEST(PatchUntangling, AnAbortDoesNotWaitForTheFactorOfALargePatch)
+{
+  const TriangleMesh mesh = ringMesh(flatDisk(), 8000).Mesh;
+  const double ring = (mesh.Vertices.row(1) - mesh.Vertices.row(0)).norm();
+  FlatPatch patch = patchOf(mesh, twisted(mesh, 3.5 * ring, 2.0));
+  FlatPatch silent = patch;
+  const UntangledPatch result = untanglePatch(silent, 0.1);
+  samples::AbandonedCall before; // while it runs, the factor waits and reports
+  int reports = 0;
+  const UntangledPatch again = untanglePatch(patch,
+    0.1,
+    [&](double fraction, const char*)
+    {
+      EXPECT_TRUE(before.isOver() || fraction == 0.0);
+      if (++reports == 3)
+      {
+        before.end();
+      }
+      return true;
+    });
+  EXPECT_GE(reports, 3 + result.Steps - 1);
+  EXPECT_EQ(again.Steps, result.Steps);
+  EXPECT_EQ(patch.Positions, silent.Positions);
 }
 
 // Targets need not be similar to the faces of the map: those within half the radius ask for twice the
