@@ -393,13 +393,14 @@ void vtkOMTAreaPreservingFilter::Execute(vtkInformationVector** inputVector,
       .sum();
   if (flatArea < (1.0 - LargestOutlineLoss) * area)
   {
-    vtkWarningMacro(<< this->GetBlockPrefix() << "the outline of the map, a polygon, encloses "
-                    << flattening::formatted(100.0 * (1.0 - flatArea / area))
-                    << " percent less than the domain, and all areas on the map are too small by that: "
-                       "multiply them by "
-                    << flattening::formatted(area / flatArea)
-                    << ", or cut the surface open along a longer seam or its relief (Surface To Disk, "
-                       "Cut)");
+    vtkWarningMacro(
+      << this->GetBlockPrefix() << "the outline of the map, a polygon, encloses "
+      << flattening::formatted(100.0 * (1.0 - flatArea / area))
+      << " percent less than the domain, and all areas on the map are too small by that: "
+         "multiply them by "
+      << flattening::formatted(area / flatArea)
+      << ", or give the boundary more points: remesh the surface, or cut it along a longer "
+         "seam (Surface To Disk)");
   }
   if (result.Map.StartShare < 1.0)
   {

@@ -74,7 +74,7 @@ expect("points and no triangles", simple.ProgrammableSource(OutputDataSetType="v
 expect("neither a surface nor a scan", simple.Tetrahedralize(Input=wavelet))
 
 # Several sources are selected.
-sphere, cone = simple.Sphere(EndPhi=90), simple.Cone()
+sphere, cone = simple.Sphere(EndPhi=90, ThetaResolution=64), simple.Cone()
 simple.SetActiveSource(sphere)
 selected = servermanager.ProxyManager().GetSelectionModel("ActiveSources")
 selected.Select(cone.SMProxy, 2)  # adds

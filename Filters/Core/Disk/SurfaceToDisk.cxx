@@ -28,8 +28,7 @@ namespace flattening
 namespace
 {
 
-constexpr const char* RemedyForTube =
-  "set Cut to Seam, which cuts a tube open from one boundary to the other; ";
+constexpr const char* RemedyForTube = "set Cut to Seam to cut a tube from end to end, ";
 constexpr int RemeshIterations = 3; // a convention, as in CGAL's examples
 
 // Counts pairs of intersecting faces. The two sides of a seam coincide, so their vertices are joined

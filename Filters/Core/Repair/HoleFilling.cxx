@@ -269,10 +269,9 @@ void requireShort(const TriangleMesh& mesh,
       centre += mesh.Vertices.row(v) / static_cast<double>(loop.size());
     }
     std::ostringstream message; // lengths of any order of magnitude
-    message
-      << "the hole around (" << centre[0] << ", " << centre[1] << ", " << centre[2] << ") is " << length
-      << " long, more than the limit of " << limit << " for holes that are filled: " << remedy
-      << "raise Fill Length Limit; or, where the surface leaves the scan, cut that part off with Clip";
+    message << "the hole around (" << centre[0] << ", " << centre[1] << ", " << centre[2] << ") is "
+            << length << " long, more than the limit of " << limit << ": " << remedy
+            << "raise Fill Length Limit, or cut off with Clip what leaves the scan";
     throw InvalidInput(message.str());
   }
 }
