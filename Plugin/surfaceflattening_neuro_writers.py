@@ -121,10 +121,16 @@ def vertex_numbers(data):
     """Which vertex of the original surface each point is. Raises CortexError if a point is none, or two are the
     same."""
     numbers, known = _numbers(data)
-    if not known.all() or len(np.unique(numbers)) < len(numbers):
+    if not known.all():
         raise CortexError(
             "the points are not one vertex of the original surface each, as it was cut or remeshed: use the output of "
             "Flat Map Transfer, with the original surface as its second input"
+        )
+    twice = len(numbers) - len(np.unique(numbers))
+    if twice:
+        raise CortexError(
+            f"{twice} vertices of the original surface are there twice, on both banks of a seam, and the file has each "
+            "once: save a patch (.patch.3d), which leaves them out"
         )
     return numbers
 

@@ -448,6 +448,12 @@ def check_patch(files):
     write_cortex(files.path("lh.flat.annot"), transferred, "aparc")
     labels, _table, _names = freesurfer.read_annot(files.path("lh.flat.annot"))
     assert np.array_equal(labels[numbers], files.labels[numbers])
+    # A seam has two banks, on which a vertex lies twice.
+    cut = simple.OMTAreaPreserving(Input=simple.ConformalDisk(Input=simple.SurfaceToDisk(Input=reader)))
+    whole = simple.FlatMapTransfer(Input=cut, Original=reader)
+    assert "are there twice" in message(write_cortex, files.path("lh.twice.surf.gii"), whole)
+    write_cortex(files.path("lh.twice.patch.3d"), whole)
+    assert len(read_patch(files.path("lh.twice.patch.3d"))[0]) < len(files.points)
 
 
 with tempfile.TemporaryDirectory() as scratch:
