@@ -58,6 +58,7 @@ BREAKS = [
         "lengths[next(h)] + lengths[previous(h)]",
     ),
     at("Intrinsic/IntrinsicDelaunay.cxx", "(p - q) * (p + q)", "(q - p) * (p + q)"),
+    at("Intrinsic/IntrinsicDelaunay.cxx", "MostFlipsOfMetric", "MostFlipsOfFactors", "this->run(MostFlipsOfMetric"),
     at("Intrinsic/IntrinsicDelaunay.cxx", "this->mayFlip(h) && this->Lengths.mustFlip(h)", "false"),
     # --- Geodesics
     at("Geodesics/GeodesicSearch.cxx", "window.Halfedge == window.Earlier", "false"),
@@ -77,6 +78,8 @@ BREAKS = [
     at("Geodesics/GeodesicPath.cxx", "1.0 - point.Fraction", "point.Fraction"),
     at("Geodesics/FaceNeighbourhoods.cxx", "radius * radius", "0.25 * radius * radius"),
     # --- Conformal
+    at("Conformal/ProtrusionSpreading.cxx", "(1.0 - FallOfSpread) * this->depthOfEdge(from, to)", "0.0"),
+    at("Conformal/RectangleCorners.cxx", "4 * count", "count", "windows <= 4 * count"),
     at("Conformal/CurvatureSystem.cxx", "EIGEN_PI", "2.0 * EIGEN_PI", "sums[t.tip(h)] = EIGEN_PI"),
     at("Conformal/CurvatureSystem.cxx", "cotangent(h) + (twin >= 0 ? cotangent(twin) : 0.0)", "cotangent(h)"),
     at("Conformal/CurvatureSystem.cxx", "-weight", "weight"),
@@ -250,6 +253,10 @@ BREAKS = [
     at("FlatMap/FlatMapTransfer.cxx", "this->Normals = -this->Normals;", ""),
     at("FlatMap/FlatMapPixels.cxx", "(distance - reach) / pixel", "distance / pixel"),
     at("FlatMap/PlanarWarp.cxx", "place.Distance <= tolerance", "true"),
+    at("FlatMap/SeamBanks.cxx", "(at.Position - own.Position).norm() <= this->Search.SamePlace", "true"),
+    at("FlatMap/SeamBanks.cxx", "copies[k] = this->copyAt(this->Target.Faces(face, k), *placed.OtherBank[k]);", ""),
+    at("FlatMap/LengthPairs.cxx", "1.0 + static_cast<double>(widest) * reach", "1.0"),
+    at("FlatMap/LengthPairs.cxx", "others.size() > MostInRings", "false"),
     # --- Regions
     at("Regions/MeanCurvature.cxx", "n.cross(m).dot(edge)", "m.cross(n).dot(edge)"),
     at("Regions/MeshSaliency.cxx", "v != greatest", "true"),
