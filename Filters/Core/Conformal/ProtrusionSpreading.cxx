@@ -33,6 +33,10 @@ constexpr double DeepestPoint = -100.0;
 // the scale there. The effect of a spread protrusion falls with the square of the scale: it is less than
 // 1/400 of the scale where the vertices stay.
 constexpr double NeckDepth = 3.0;
+// A map with more flipped faces than one in so many is not spread along the circle. A choice: in
+// surfaces that are nearly all protrusion the vertices of each cross-section lie on one line then, which
+// takes the transport a minute to find out.
+constexpr Eigen::Index FacesPerFlippedFace = 100;
 
 // The protrusions of a map to a convex region whose boundary stays.
 class Protrusions
@@ -226,8 +230,9 @@ ComplexVector spreadAlongCircle(const IntrinsicTriangulation& t,
     return spread;
   }
   protrusions.spread(IntrinsicTriangulation::Factors::Zero(t.vertexCount()), alongCircle);
-  const bool isBetter =
-    countFlippedFaces(pointsOf(alongCircle), faces) <= countFlippedFaces(pointsOf(spread), faces);
+  const Eigen::Index flipped = countFlippedFaces(pointsOf(alongCircle), faces);
+  const bool isBetter = flipped <= countFlippedFaces(pointsOf(spread), faces) &&
+                        flipped * FacesPerFlippedFace <= faces.rows();
   return isBetter ? alongCircle : spread;
 }
 
