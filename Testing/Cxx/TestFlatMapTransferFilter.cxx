@@ -150,6 +150,24 @@ double longestSide(vtkPolyData* data)
   return longest;
 }
 
+// A surface that is opened and flattened, and the map brought back to it.
+struct FlattenedAndBack
+{
+  explicit FlattenedAndBack(vtkPolyData* input)
+  {
+    this->Disk->SetInputData(input);
+    this->Conformal->SetInputConnection(this->Disk->GetOutputPort());
+    this->Flat->SetInputConnection(this->Conformal->GetOutputPort());
+    this->Transfer->SetInputConnection(this->Flat->GetOutputPort());
+    this->Transfer->SetOriginalData(input);
+  }
+
+  vtkNew<vtkSurfaceToDiskFilter> Disk;
+  vtkNew<vtkConformalDiskFilter> Conformal;
+  vtkNew<vtkOMTAreaPreservingFilter> Flat;
+  vtkNew<vtkFlatMapTransfer> Transfer;
+};
+
 // The default disk of a closed surface has a seam. The triangles that the seam does not cut lie beside
 // it, and none reaches from one bank to the other.
 TEST(FlatMapTransferFilter, ClosedSurfaceThatWasOpenedAlongASeam)
@@ -158,19 +176,11 @@ TEST(FlatMapTransferFilter, ClosedSurfaceThatWasOpenedAlongASeam)
   ellipsoid.Vertices.col(0) *= 2.0;
   ellipsoid.Vertices.col(1) *= 1.3;
   const auto input = polyDataOf(ellipsoid);
-  vtkNew<vtkSurfaceToDiskFilter> disk;
-  disk->SetInputData(input);
-  vtkNew<vtkConformalDiskFilter> conformal;
-  conformal->SetInputConnection(disk->GetOutputPort());
-  vtkNew<vtkOMTAreaPreservingFilter> flat;
-  flat->SetInputConnection(conformal->GetOutputPort());
-  vtkNew<vtkFlatMapTransfer> filter;
-  filter->SetInputConnection(flat->GetOutputPort());
-  filter->SetOriginalData(input);
+  const FlattenedAndBack pipeline(input);
   vtkNew<vtkDistortionMetrics> metrics;
-  metrics->SetInputConnection(filter->GetOutputPort());
+  metrics->SetInputConnection(pipeline.Transfer->GetOutputPort());
   metrics->Update();
-  vtkPolyData* output = filter->GetOutput();
+  vtkPolyData* output = pipeline.Transfer->GetOutput();
   const double cells = ellipsoid.faceCount();
   ASSERT_GT(figure(output, "SeamLength"), 1.0);
   EXPECT_EQ(figure(output, "LostPoints"), 0);
@@ -180,7 +190,8 @@ TEST(FlatMapTransferFilter, ClosedSurfaceThatWasOpenedAlongASeam)
   EXPECT_GT(figure(output, "RepeatedPoints"), 0);
   EXPECT_GE(output->GetNumberOfPoints(), ellipsoid.vertexCount() + figure(output, "RepeatedPoints"));
   EXPECT_EQ(figure(output, "FlippedFaces"), 0);
-  EXPECT_LE(longestSide(output), 1.1 * longestSide(vtkPolyData::SafeDownCast(flat->GetOutput())));
+  EXPECT_LE(
+    longestSide(output), 1.1 * longestSide(vtkPolyData::SafeDownCast(pipeline.Flat->GetOutput())));
   const double area = figure(output, "SurfaceArea");
   EXPECT_GT(area, 0.9 * totalArea(ellipsoid));
   vtkDataObject* measured = metrics->GetOutputDataObject(0);
@@ -194,25 +205,18 @@ TEST(FlatMapTransferFilter, RemeshedSurfaceThatWasOpenedAlongASeam)
   TriangleMesh ellipsoid = sphere(3);
   ellipsoid.Vertices.col(0) *= 2.0;
   const auto input = polyDataOf(ellipsoid);
-  vtkNew<vtkSurfaceToDiskFilter> disk;
-  disk->SetInputData(input);
-  disk->RemeshOn();
-  disk->SetCutModeToSeam();
-  vtkNew<vtkConformalDiskFilter> conformal;
-  conformal->SetInputConnection(disk->GetOutputPort());
-  vtkNew<vtkOMTAreaPreservingFilter> flat;
-  flat->SetInputConnection(conformal->GetOutputPort());
-  vtkNew<vtkFlatMapTransfer> filter;
-  filter->SetInputConnection(flat->GetOutputPort());
-  filter->SetOriginalData(input);
-  filter->Update();
-  vtkPolyData* output = filter->GetOutput();
+  const FlattenedAndBack pipeline(input);
+  pipeline.Disk->RemeshOn();
+  pipeline.Disk->SetCutModeToSeam();
+  pipeline.Transfer->Update();
+  vtkPolyData* output = pipeline.Transfer->GetOutput();
   const double edges = figure(output, "SeamLength") / longestSide(input);
   EXPECT_GT(figure(output, "CellsAcrossSeams"), edges);
   EXPECT_LT(figure(output, "CellsAcrossSeams"), 6.0 * edges);
   EXPECT_LT(figure(output, "LostCells"), figure(output, "CellsAcrossSeams") + 10);
   EXPECT_LT(figure(output, "FlippedFaces"), 0.01 * ellipsoid.faceCount());
-  EXPECT_LT(longestSide(output), 1.5 * longestSide(vtkPolyData::SafeDownCast(flat->GetOutput())));
+  EXPECT_LT(
+    longestSide(output), 1.5 * longestSide(vtkPolyData::SafeDownCast(pipeline.Flat->GetOutput())));
 }
 
 TEST(FlatMapTransferFilter, HasNoMeasuresOfTheFlattenedSurface)

@@ -275,8 +275,8 @@ TEST(SizeAndPlace, ConformalFactorAndAddedLengthHaveTheUnitsOfTheInput)
   }
 }
 
-// Of the coordinates that are stored in coarse steps, only those of the disk count: a vertex that the
-// filter drops may lie anywhere.
+// The warning about coarse steps of the coordinates looks at the points of the disk alone: a vertex that
+// the filter drops may lie anywhere.
 TEST(SizeAndPlace, CoordinatesOfDroppedCellsAreNoWarning)
 {
   vtkNew<vtkSphereSource> source;

@@ -8,6 +8,7 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import surfaceflattening
+from ExpectedErrors import raised
 from surfaceflattening.functions import STEPS
 from surfaceflattening.running import run
 from surfaceflattening.settings import apply, defaults_of, setting_named, snake_case
@@ -41,15 +42,6 @@ def area(mesh):
     measured = vtkMassProperties()
     measured.SetInputConnection(triangles.GetOutputPort())
     return measured.GetSurfaceArea()
-
-
-def raised(kind, function, *arguments, **settings):
-    try:
-        function(*arguments, **settings)
-    except kind as error:
-        assert type(error) is kind, repr(error)
-        return str(error)
-    raise AssertionError(f"no {kind.__name__} from {function.__name__} with {settings}")
 
 
 surface = ball()

@@ -8,6 +8,7 @@ import math
 import warnings
 
 import surfaceflattening
+from ExpectedErrors import raised
 from surfaceflattening import SettingError, conformal, flatten, isosurface, region, to_disk
 from surfaceflattening.functions import STEPS
 from surfaceflattening.settings import MODES, SWITCHES, choices_of, defaults_of, range_of, snake_case
@@ -43,15 +44,6 @@ def datum(mesh, name):
 
 def opened(name, **settings):
     return datum(to_disk(surface, **settings), name)
-
-
-def raised(kind, function, *arguments, **settings):
-    try:
-        function(*arguments, **settings)
-    except kind as error:
-        assert type(error) is kind, repr(error)
-        return str(error)
-    raise AssertionError(f"no {kind.__name__} from {function.__name__} with {settings}")
 
 
 surface = ball()
@@ -101,7 +93,7 @@ for end in (-2, 2):
     caps = [closed.GetCell(i).GetBounds()[2] for i in range(closed.GetNumberOfCells()) if filled.GetValue(i)]
     assert caps and all(math.isclose(y, -end) for y in caps), (end, caps)
 
-# Where the map has its centre, its right end and its corners.
+# The points that are given become the centre, the right end and the corners of the map.
 half = to_disk(surface, plane_origin=(0, 0, 0))
 points = coordinates(half)
 spot = next(i for i, (x, y, z) in enumerate(points) if x > 0.3 and y > 0.2)
@@ -115,7 +107,7 @@ corners = dict(zip(names, ((0, 0.5, 0), (0, 0, 0.5), (0, -0.5, 0), (0, 0, -0.5))
 assert math.isclose(datum(conformal(half, **corners), "Modulus"), 1, rel_tol=0.02)
 assert datum(region(surface, label=1, label_array="Label", margin=0.1).mesh, "Margin") == 0.1
 
-# What a mode leaves unused is an error, and so are settings that exclude each other.
+# A setting that the given mode does not use is an error, and so are settings that exclude each other.
 for settings, text in (
     ({"cut_mode": "Hole", **quarter}, "set cut_mode to Seam or Automatic"),
     ({"cut_mode": "Seam", "plane_origin": (0.1, 0, 0)}, "cut_mode is Seam, which does not use it"),

@@ -31,7 +31,7 @@ constexpr int Rings = 7;
 // number of edges.
 constexpr std::size_t MostInRings = 1000;
 
-// Of so many sources one is left where the radius reaches over the whole surface.
+// One source out of so many is left where the radius reaches over the whole surface.
 constexpr double WidestStride = 16.0;
 
 // So many sources, and up to twice as many, tell how far all of them reach and how much memory they

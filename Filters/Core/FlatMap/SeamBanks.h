@@ -11,7 +11,7 @@
 namespace flattening
 {
 
-/// What finds places on the flattened surface for points of the target.
+/// The search structures that find places on the flattened surface for points of the target.
 struct PlaceSearch
 {
   const ClosestPointTree& Tree;

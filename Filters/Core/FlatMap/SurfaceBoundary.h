@@ -32,7 +32,7 @@ public:
 
   bool hasSeams() const { return this->HasSeams; }
 
-  /// What part of the boundary a point of the surface lies on.
+  /// The part of the boundary that a point of the surface lies on.
   Part partAt(const SurfacePoint& at) const;
 
   /// Whether the last edge of a seam that ends inside the surface lies inside a triangle in space, one

@@ -92,7 +92,7 @@ std::vector<PlacedTriangle> placedFaces(const TriangleMesh& mesh)
   return triangles;
 }
 
-// What is found is added by several threads, in any order.
+// The pairs that a search has found. Several threads add them, in any order.
 struct PairList
 {
   void add(int i, int j) { this->Pairs.local().push_back(std::minmax(i, j)); }

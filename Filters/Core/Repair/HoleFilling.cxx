@@ -127,8 +127,8 @@ void fillHole(EditableSurface& surface, Halfedge border, Patch kind)
   }
 }
 
-// What covers a hole, apart from the surface. Corners are vertices of the surface or, numbered from its
-// vertex count on, added ones.
+// The faces and vertices that cover a hole, apart from the surface. Corners are vertices of the surface
+// or, numbered from its vertex count on, added ones.
 struct HolePatch
 {
   std::vector<Triangle> Faces;

@@ -10,7 +10,7 @@
 namespace flattening
 {
 
-/// What untangling reports as the stage of its progress.
+/// The name of the stage that untangling reports with its progress.
 constexpr const char* UntanglingStage = "Untangling of flipped faces";
 
 /// Some faces of a flat map, with their own numbering. The first FreeVertices vertices may move.

@@ -123,8 +123,8 @@ TEST(MapDeformation, PartsOfTheOutlineStayApart)
   EXPECT_LT(map.distortion(), 0.2 * before);
 }
 
-// Of waves with four times the height and a quarter of the length a part is taken, after the whole was
-// tried.
+// These waves have four times the height and a quarter of the length. The whole deformation is tried in
+// vain, and then a part of it is taken.
 TEST(MapDeformation, ProgressGrowsWhereASmallerShareIsTaken)
 {
   FlatMap map(slitMesh(),
