@@ -3,6 +3,7 @@
 
 #include "Core/Base/Errors.h"
 #include "Core/FlatMap/FlatMapTransfer.h"
+#include "Core/Mesh/FaceOrientation.h"
 #include "Internal/FilterExecution.h"
 #include "Internal/MapMeasures.h"
 #include "Internal/PolyDataConversion.h"
@@ -79,16 +80,16 @@ void vtkFlatMapTransfer::Execute(vtkInformationVector** inputVector, vtkInformat
     flattening::transferFlatMap(flattened, surface, this->Tolerance, flattening::progressOf(this));
   requireFaces(map);
   flattening::setFlatRegion(output, original, map.Part, map.PartPositions);
-  const vtkIdType flipped =
-    (flattening::signedFaceAreas(map.PartPositions, map.Part.Mesh.Faces).array() <= 0.0).count();
+  const vtkIdType flipped = flattening::countFlippedFaces(map.PartPositions, map.Part.Mesh.Faces);
   setReport(output, surface, map, flipped);
   if (flipped > 0)
   {
     vtkWarningMacro(
       << this->GetBlockPrefix() << flipped
       << " triangles of the original surface are flipped on the map, so that it is not one-to-one "
-         "there: they are smaller than those of the flattened surface, or beside its boundary. Leave "
-         "them out of what is measured (Distortion Metrics, array Flipped), or flatten the surface "
+         "there: they are smaller than those of the flattened surface, beside its boundary, or oriented "
+         "against their neighbours. Leave them out of what is measured (Distortion Metrics, array "
+         "Flipped), or flatten the surface "
          "without Remesh");
   }
 }

@@ -7,7 +7,7 @@
  * vtkConformalDiskFilter or vtkOMTAreaPreservingFilter). Port 1 takes the original triangle surface in
  * the coordinates of `SurfacePoints`, usually the input of vtkSurfaceToDiskFilter. Every original point
  * goes to the flat position of the nearest point on the flattened surface, interpolated in its
- * triangle.
+ * triangle. A triangle that both surfaces have, with the same coordinates, lies where the map has it.
  *
  * An original point is lost if it has no such position: if it lies on a removed hole, component, handle
  * or patch, farther away than the tolerance, or nearest to the wrong side of a fold (normals that

@@ -3,6 +3,7 @@
 
 #include "Base/Errors.h"
 #include "FlatMap/SeamBanks.h"
+#include "FlatMap/SharedFaces.h"
 #include "FlatMap/SurfaceBoundary.h"
 #include "Mesh/ClosestPointWalk.h"
 #include "Mesh/MeshMeasures.h"
@@ -71,6 +72,7 @@ public:
     , Target(target)
     , Map(map)
     , Normals(vertexNormals(target))
+    , Shared(sharedFaces(flattened.Surface, target))
     , Walk(flattened.Surface)
     , Boundary(flattened.Surface)
     , MeanEdge(meanEdgeLength(flattened.Surface))
@@ -82,6 +84,7 @@ public:
   }
 
   void projectAll(const ProgressCallback& progress);
+  void keepSharedFaces();
   void walkFromNeighbours(const ProgressCallback& progress);
   void place();
   void placeTheFaces(const ProgressCallback& progress);
@@ -95,6 +98,7 @@ private:
   const TriangleMesh& Target;
   TransferredMap& Map;
   Points3 Normals;
+  std::vector<SharedFace> Shared;
   ClosestPointWalk Walk;
   std::optional<ClosestPointTree> Tree;
   SurfaceBoundary Boundary;
@@ -147,6 +151,21 @@ void MapTransfer::projectAll(const ProgressCallback& progress)
     this->Target.vertexCount(),
     [this](int v)
     { this->Map.Survived[v] = this->accepts(v, this->Map.Places[v], SurfaceBoundary::Part::Border); });
+}
+
+// The corners of a face that the flattened surface has, too, are where it has them. The nearest place
+// may be another, where the surface passes through itself.
+void MapTransfer::keepSharedFaces()
+{
+  for (int f = this->Target.faceCount() - 1; f >= 0; --f)
+  {
+    for (int k = 0; k < 3 && this->Shared[f].Face >= 0; ++k)
+    {
+      const int v = this->Target.Faces(f, k);
+      this->Map.Places[v] = cornerOf(this->Flattened.Surface, this->Shared[f], k);
+      this->Map.Survived[v] = 1;
+    }
+  }
 }
 
 void MapTransfer::walkFromNeighbours(const ProgressCallback& progress)
@@ -215,7 +234,7 @@ void MapTransfer::place()
 void MapTransfer::placeTheFaces(const ProgressCallback& progress)
 {
   const PlaceSearch search{
-    *this->Tree, this->Walk, this->Boundary, this->Normals, BeyondBoundary * this->MeanEdge
+    *this->Tree, this->Walk, this->Boundary, this->Normals, this->Shared, BeyondBoundary * this->MeanEdge
   };
   placeFaces(this->Flattened, this->Target, search, this->Map, progress);
 }
@@ -233,6 +252,7 @@ TransferredMap transferFlatMap(const FlattenedSurface& flattened,
   report(progress, 0.0, TransferStage);
   MapTransfer transfer(flattened, target, map);
   transfer.projectAll(subrange(progress, 0.2, 0.6));
+  transfer.keepSharedFaces();
   transfer.walkFromNeighbours(subrange(progress, 0.6, 0.9));
   if (std::find(map.Survived.begin(), map.Survived.end(), 1) == map.Survived.end())
   {

@@ -4,6 +4,7 @@
 
 #include "Base/Progress.h"
 #include "FlatMap/FlatMapTransfer.h"
+#include "FlatMap/SharedFaces.h"
 #include "FlatMap/SurfaceBoundary.h"
 #include "Mesh/ClosestPointTree.h"
 #include "Mesh/ClosestPointWalk.h"
@@ -18,14 +19,16 @@ struct PlaceSearch
   const ClosestPointWalk& Walk;
   const SurfaceBoundary& Boundary;
   const Points3& Normals; ///< of the target's vertices, on the side of those of the flattened surface
-  double SamePlace;       ///< points that are not farther apart in space are the same, input units
+  const std::vector<SharedFace>& Shared; ///< of the target's faces with the flattened surface
+  double SamePlace; ///< points that are not farther apart in space are the same, input units
 };
 
-/// Fills map.Part and what follows it, for the vertices that map.Survived and map.Places tell. Without a
-/// seam, every face whose vertices survived takes their positions. With seams, a face lies on the bank
-/// of its centroid. A corner whose place is on that bank, or beyond no seam, keeps its place; one that
-/// lies on the seam takes the position that the seam has on the bank; a face that has a corner beyond
-/// the seam is left out.
+/// Fills map.Part and what follows it, for the vertices that map.Survived and map.Places tell. A shared
+/// face takes the positions that its corners have on the map. Without a seam, every other face whose
+/// vertices survived takes their positions. With seams, such a face lies on the bank of its centroid. A
+/// corner whose place is on that bank, or beyond no seam, keeps its place; one that lies on the seam
+/// takes the position that the seam has on the bank; a face that has a corner beyond the seam is left
+/// out.
 void placeFaces(const FlattenedSurface& flattened,
   const TriangleMesh& target,
   const PlaceSearch& search,

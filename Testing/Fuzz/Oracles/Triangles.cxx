@@ -28,9 +28,28 @@ LongPoint difference(const Point& a, const Point& b)
     static_cast<long double>(a[2]) - b[2] };
 }
 
+long double dot(const LongPoint& u, const LongPoint& v)
+{
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+LongPoint cross(const LongPoint& u, const LongPoint& v)
+{
+  return { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
+}
+
 long double squaredLength(const LongPoint& v)
 {
-  return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+  return dot(v, v);
+}
+
+// Distance of the point a + w from the side from a to a + side.
+long double distanceToSide(const LongPoint& side, const LongPoint& w)
+{
+  const long double length = squaredLength(side);
+  const long double share = length > 0.0L ? std::clamp(dot(side, w) / length, 0.0L, 1.0L) : 0.0L;
+  return std::sqrt(
+    squaredLength({ w[0] - share * side[0], w[1] - share * side[1], w[2] - share * side[2] }));
 }
 
 } // namespace
@@ -61,8 +80,7 @@ long double areaOf(const Triangles& mesh, const Triangle& face)
 {
   const LongPoint u = difference(mesh.Points[face[1]], mesh.Points[face[0]]);
   const LongPoint v = difference(mesh.Points[face[2]], mesh.Points[face[0]]);
-  return 0.5L * std::sqrt(squaredLength(
-                  { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] }));
+  return 0.5L * std::sqrt(squaredLength(cross(u, v)));
 }
 
 long double totalArea(const Triangles& mesh)
@@ -84,6 +102,25 @@ long double greatestSquaredSide(const Triangles& mesh, const Triangle& face)
       greatest, squaredLength(difference(mesh.Points[face[k]], mesh.Points[face[(k + 1) % 3]])));
   }
   return greatest;
+}
+
+long double distanceTo(const Triangles& mesh, const Triangle& face, const Point& point)
+{
+  const Point& a = mesh.Points[face[0]];
+  const LongPoint normal =
+    cross(difference(mesh.Points[face[1]], a), difference(mesh.Points[face[2]], a));
+  const long double length = std::sqrt(squaredLength(normal));
+  bool isAbove = length > 0.0L;
+  long double nearest = HUGE_VALL;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Point& from = mesh.Points[face[k]];
+    const LongPoint side = difference(mesh.Points[face[(k + 1) % 3]], from);
+    const LongPoint w = difference(point, from);
+    isAbove = isAbove && dot(cross(side, w), normal) >= 0.0L;
+    nearest = std::min(nearest, distanceToSide(side, w));
+  }
+  return isAbove ? std::min(nearest, std::abs(dot(normal, difference(point, a))) / length) : nearest;
 }
 
 std::vector<std::vector<vtkIdType>> boundaryLoops(const Triangles& mesh)

@@ -34,6 +34,9 @@ long double totalArea(const Triangles& mesh);
 /// Greatest squared length of a side.
 long double greatestSquaredSide(const Triangles& mesh, const Triangle& face);
 
+/// Distance of a point from the face, a triangle that may have no area.
+long double distanceTo(const Triangles& mesh, const Triangle& face, const Point& point);
+
 /// The boundary loops, each in the direction of its faces.
 std::vector<std::vector<vtkIdType>> boundaryLoops(const Triangles& mesh);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../Oracles/FilterRun.h"
+#include "../Oracles/TransferOracle.h"
 #include "Scenarios.h"
 
 #include <vtkAreaWeights.h>
@@ -202,7 +203,12 @@ void runOtherFilter(const Case& one, Findings& findings)
       filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, LabelArray);
     }
     apply(one.Values, name, filter);
-    runFilter(filter, findings);
+    const Outcome outcome = runFilter(filter, findings);
+    if (name == "FlatMapTransfer" && outcome.HasResult)
+    {
+      checkTransfer(
+        vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0)), input, one.Surface, findings);
+    }
   }
 }
 
