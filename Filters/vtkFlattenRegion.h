@@ -38,7 +38,8 @@
  * Output arrays of port 2:
  * - point `SurfacePoints` (double x 3, input units): where the point of the curve lies on the surface.
  * - cell `Measure` (string): `GreatestDiameter`, `ExtentAcross` or `Perimeter`.
- * - cell `Length` (double, input units): length of the curve on the surface.
+ * - cell `Length` (double, input units): length of the curve on the surface; up to the smoothed boundary
+ *   for the two that end there, of the smoothed boundary for the perimeter.
  *
  * Field data of all ports (one tuple each):
  * - `Margin` (double, input units): width of the margin.

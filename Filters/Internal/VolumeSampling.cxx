@@ -6,6 +6,7 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -26,6 +27,10 @@ namespace
 // noticed.
 constexpr vtkIdType Batch = 1 << 20;
 constexpr Eigen::Index SampleBatch = 1 << 18;
+
+// How far outside of the volume a point may lie, in voxels along each axis. The value is above rounding
+// and far below what a user sees.
+constexpr double OutsideTolerance = 1e-6;
 
 // Whether an array has values that single precision need not hold.
 bool needsDouble(vtkDataArray* array)
@@ -83,6 +88,33 @@ vtkIdType nearestVoxel(vtkImageData* volume, const Eigen::RowVector3d& point)
     voxel[k] = std::clamp(static_cast<int>(std::lround(index[k])), ends[0], ends[1]);
   }
   return volume->ComputePointId(voxel);
+}
+
+// Whether a point lies between the first and the last voxels' centres, up to OutsideTolerance and the
+// rounding of its coordinates. VTK's probe takes points for inside that are a thousandth of a voxel's
+// diagonal outside, which is many voxels where these are thin.
+bool isBetweenVoxels(vtkImageData* volume, const Eigen::RowVector3d& point)
+{
+  double index[3];
+  volume->TransformPhysicalPointToContinuousIndex(point.data(), index);
+  const Eigen::RowVector3d origin(volume->GetOrigin());
+  const Eigen::RowVector3d coordinates = point.cwiseAbs() + origin.cwiseAbs();
+  for (int k = 0; k < 3; ++k)
+  {
+    const int* ends = volume->GetExtent() + 2 * k;
+    double coordinate = 0.0; // along the axis, at most
+    for (int j = 0; j < 3; ++j)
+    {
+      coordinate += std::abs(volume->GetDirectionMatrix()->GetElement(j, k)) * coordinates[j];
+    }
+    const double slack = OutsideTolerance + 4.0 * std::numeric_limits<double>::epsilon() * coordinate /
+                                              std::abs(volume->GetSpacing()[k]);
+    if (!(index[k] >= ends[0] - slack && index[k] <= ends[1] + slack))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 vtkSmartPointer<vtkPolyData> pointsOnly(const Points3& points)
@@ -220,7 +252,7 @@ void VolumeSampling::sample(const Points3& points,
     }
     for (Eigen::Index i = 0; i < points.rows(); ++i)
     {
-      const bool isInside = valid->GetTuple1(i) != 0.0;
+      const bool isInside = valid->GetTuple1(i) != 0.0 && isBetweenVoxels(this->Volume, points.row(i));
       samples[a].Inside[first + i] = isInside;
       if (!isInside)
       {

@@ -277,6 +277,33 @@ TEST_F(FlatMapSlab, OutsideOfTheVolumeIsMaskedAndCounted)
   EXPECT_EQ(figure(output, "OutsideSamples"), outside);
 }
 
+TEST_F(FlatMapSlab, OutsideOfThinVoxelsIsOutside)
+{
+  vtkNew<vtkImageData> sheet; // two voxels of 0.003 between z = 10 and 10.006, each 30 wide
+  sheet->SetDimensions(3, 3, 3);
+  sheet->SetOrigin(-HalfSide, -HalfSide, 10.0);
+  sheet->SetSpacing(HalfSide, HalfSide, 0.003);
+  sheet->AllocateScalars(VTK_FLOAT, 1);
+  sheet->GetPointData()->GetScalars()->SetName("Value");
+  sheet->GetPointData()->GetScalars()->Fill(7.0);
+  vtkNew<vtkFlatMapSlab> slab;
+  connect(slab);
+  slab->SetInputDataObject(1, sheet);
+  setDepths(slab, { 0.0 });
+  slab->Update();
+  vtkPolyData* output = slab->GetOutput();
+  vtkDataArray* mask = output->GetPointData()->GetArray("InVolume");
+  vtkDataArray* surface = output->GetPointData()->GetArray("SurfacePoints");
+  int near = 0;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const double z = surface->GetComponent(i, 2);
+    near += std::abs(z - 10.003) < 0.04;
+    EXPECT_EQ(mask->GetTuple1(i), z >= 10.0 && z <= 10.006 ? 1.0 : 0.0) << z;
+  }
+  EXPECT_GT(near, 10); // a thousandth of a voxel's diagonal
+}
+
 TEST_F(FlatMapSlab, IntegersAreInterpolatedAndLabelsAreNot)
 {
   vtkNew<vtkFlatMapSlab> slab;

@@ -22,22 +22,54 @@ constexpr double GreatestSquare = 1e306;
 
 using Triangles = std::vector<Kernel::Triangle_3>;
 
+// How far a point may lie from where its weights say, as a share of the triangle's longest side. In a
+// needle, rounding makes it more, up to all of the side.
+constexpr double WeightError = 1e-9;
+
+// How far @p point lies from where the weights say.
+double errorOf(const std::array<double, 3>& weights,
+  const Eigen::Matrix3d& corners,
+  const Eigen::Vector3d& point)
+{
+  return (Eigen::Map<const Eigen::RowVector3d>(weights.data()) * (corners.rowwise() - point.transpose()))
+    .norm();
+}
+
+// The weights of the point of the triangle's sides that is nearest to @p point.
+std::array<double, 3> nearestOnSides(const Eigen::Matrix3d& corners, const Eigen::Vector3d& point)
+{
+  std::array<double, 3> nearest{ 1.0, 0.0, 0.0 };
+  for (int k = 0; k < 3; ++k)
+  {
+    const int next = (k + 1) % 3;
+    const Eigen::Vector3d side = corners.row(next) - corners.row(k);
+    const double length = side.squaredNorm();
+    const double along = side.dot(point - corners.row(k).transpose());
+    std::array<double, 3> weights{ 0.0, 0.0, 0.0 };
+    weights[next] = length > 0.0 ? std::clamp(along / length, 0.0, 1.0) : 0.0;
+    weights[k] = 1.0 - weights[next];
+    if (errorOf(weights, corners, point) < errorOf(nearest, corners, point))
+    {
+      nearest = weights;
+    }
+  }
+  return nearest;
+}
+
 // Barycentric coordinates of a point of the triangle's plane. Coordinates that rounding makes negative
-// become 0. In a triangle without area the nearest corner has all the weight.
+// become 0. In needles, where these are rounding, and in triangles without area those of the nearest
+// point of a side.
 std::array<double, 3> barycentric(const Eigen::Matrix3d& corners, const Eigen::Vector3d& point)
 {
   const Eigen::Vector3d u = corners.row(1) - corners.row(0);
   const Eigen::Vector3d v = corners.row(2) - corners.row(0);
   const Eigen::Vector3d normal = u.cross(v);
   const double squared = normal.squaredNorm();
-  std::array<double, 3> weights{ 0.0, 0.0, 0.0 };
   if (!(squared > 0.0))
   {
-    Eigen::Index nearest = 0;
-    (corners.rowwise() - point.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
-    weights[nearest] = 1.0;
-    return weights;
+    return nearestOnSides(corners, point);
   }
+  std::array<double, 3> weights{ 0.0, 0.0, 0.0 };
   const Eigen::Vector3d w = point - corners.row(0).transpose();
   weights[1] = std::max(0.0, w.cross(v).dot(normal) / squared);
   weights[2] = std::max(0.0, u.cross(w).dot(normal) / squared);
@@ -46,6 +78,12 @@ std::array<double, 3> barycentric(const Eigen::Matrix3d& corners, const Eigen::V
   for (double& weight : weights)
   {
     weight /= sum;
+  }
+  const double error = errorOf(weights, corners, point);
+  if (error > WeightError * std::max({ u.norm(), v.norm(), (v - u).norm() }))
+  {
+    const std::array<double, 3> onSides = nearestOnSides(corners, point);
+    return errorOf(onSides, corners, point) < error ? onSides : weights;
   }
   return weights;
 }

@@ -24,6 +24,9 @@ constexpr int Starts = 4;
 // The greatest number of steps to the farthest point from each start. A guard: the search stops as soon
 // as the distance no longer grows.
 constexpr int Sweeps = 4;
+// The number of boundary vertices that are compared with each other for the pair that is farthest apart
+// in space. A guard on the time.
+constexpr std::size_t MostCompared = 1000;
 // The number of parts of the diameter between which the extent across is measured, before the best level
 // is refined. With fewer, a narrow bulge may be missed.
 constexpr int Levels = 15;
@@ -163,6 +166,7 @@ public:
       }
       pairs.insert(this->Ends);
     }
+    pairs.insert(this->farthestApart());
     SurfaceCurve longest;
     for (const auto& [from, to] : pairs)
     {
@@ -229,6 +233,33 @@ public:
   }
 
 private:
+  // The two boundary vertices that are farthest apart in space, less their distances from the smoothed
+  // boundary, among many spread along the boundary.
+  std::pair<int, int> farthestApart() const
+  {
+    const std::size_t stride = 1 + this->Loop.size() / MostCompared;
+    const auto moved = [this](int v)
+    { return (this->Region.Vertices.row(v) - this->Amid.row(v)).norm(); };
+    std::pair<int, int> farthest{ this->Loop.front(), this->Loop.back() };
+    double greatest = 0.0;
+    for (std::size_t i = 0; i < this->Loop.size(); i += stride)
+    {
+      for (std::size_t j = 0; j < i; j += stride)
+      {
+        const int a = this->Loop[i];
+        const int b = this->Loop[j];
+        const double distance =
+          (this->Region.Vertices.row(a) - this->Region.Vertices.row(b)).norm() - moved(a) - moved(b);
+        if (distance > greatest)
+        {
+          greatest = distance;
+          farthest = std::minmax(a, b);
+        }
+      }
+    }
+    return farthest;
+  }
+
   // The diameter after moving its ends along the boundary as long as it grows.
   SurfaceCurve lengthened(SurfaceCurve longest, const ProgressCallback& progress)
   {

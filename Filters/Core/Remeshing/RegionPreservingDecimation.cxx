@@ -157,6 +157,7 @@ DerivedMesh decimateContext(const TriangleMesh& mesh,
   const ProgressCallback& progress)
 {
   requireFits(mesh, inRegion, contextFaces);
+  SurfaceMesh surface = toSurfaceMesh(mesh);
   const std::vector<char> keep = facesToKeep(mesh, inRegion);
   if (std::count(keep.begin(), keep.end(), 0) <= contextFaces)
   {
@@ -164,7 +165,6 @@ DerivedMesh decimateContext(const TriangleMesh& mesh,
     return derivedFromItself(mesh);
   }
   report(progress, 0.0, "collapsing edges");
-  SurfaceMesh surface = toSurfaceMesh(mesh);
   const Origins origins = collapse(surface, keep, contextFaces, progress);
 
   report(progress, 0.8, "carrying attributes over");
@@ -181,7 +181,13 @@ DerivedMesh decimateContext(const TriangleMesh& mesh,
       }
       const Kernel::Point_3& p = surface.point(v);
       const SurfacePoint nearest = original.closest({ p.x(), p.y(), p.z() });
-      return originOf(mesh.Faces, nearest.Face, nearest.Weights);
+      // All three weights, as the new vertex is not the old one that may be nearest to it.
+      Origin origin;
+      for (int k = 0; k < 3; ++k)
+      {
+        origin.emplace_back(mesh.Faces(nearest.Face, k), nearest.Weights[k]);
+      }
+      return origin;
     });
   std::vector<int> kept; // per vertex: the original vertex that it is, or -1
   for (const Vertex v : surface.vertices())

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesh/ClosestPointTree.h"
 #include "Mesh/ClosestPointWalk.h"
 
 #include <Eigen/Geometry>
@@ -99,5 +100,26 @@ TEST(ClosestPointWalk, TheClosestPointOfATriangleIsAtItsDistance)
     ASSERT_GE(weights.minCoeff(), 0.0);
     ASSERT_LT((weights * mesh.Vertices - closest.Position.transpose()).norm(), 1e-12);
     ASSERT_NEAR((closest.Position - point).norm(), distanceFromTriangle(mesh, point), 1e-9) << trial;
+  }
+}
+
+TEST(ClosestPointTree, InANeedleThePlaceIsWhereItsWeightsSay)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
+  for (const double width : { 1e-3, 1e-8, 1e-12, 1e-15, 1e-16, 0.0 })
+  {
+    for (int trial = 0; trial < 200; ++trial)
+    {
+      TriangleMesh mesh = randomTriangle(random);
+      const Eigen::RowVector3d aside(coordinate(random), coordinate(random), coordinate(random));
+      mesh.Vertices.row(2) = mesh.Vertices.row(0) + width * aside;
+      const Eigen::Vector3d point(coordinate(random), coordinate(random), coordinate(random));
+      const SurfacePoint closest = ClosestPointTree(mesh).closest(point);
+      const Eigen::Map<const Eigen::RowVector3d> weights(closest.Weights.data());
+      ASSERT_NEAR(weights.sum(), 1.0, 1e-12);
+      ASSERT_GE(weights.minCoeff(), 0.0);
+      ASSERT_LT((weights * mesh.Vertices - closest.Position.transpose()).norm(), 1e-8) << width;
+    }
   }
 }

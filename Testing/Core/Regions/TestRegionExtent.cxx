@@ -16,8 +16,10 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <random>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -296,6 +298,39 @@ TEST(RegionExtent, OfARectangleIsItsDiagonalAndWhatIsSquareToIt)
   EXPECT_EQ(extent.Outline.Length, 68.0);
   EXPECT_NEAR(extent.Perimeter, 68.0, 3.0);
   EXPECT_EQ(extent.EdgeLength, 1.0);
+}
+
+TEST(RegionExtent, IsNotShorterThanTheStraightLineOfACoarseStar)
+{
+  // Straight lines between two points of the boundary, each shortened by how far smoothing moves its
+  // ends, are no longer than geodesics up to the smoothed boundary.
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> radius(0.3, 1.0);
+  for (int star = 0; star < 40; ++star)
+  {
+    const int count = 11 + star;
+    TriangleMesh mesh{ Points3::Zero(count + 1, 3), FaceMatrix(count, 3) };
+    std::vector<int> loop;
+    for (int v = 0; v < count; ++v)
+    {
+      const double angle = 2.0 * EIGEN_PI * v / count;
+      mesh.Vertices.row(v) << std::cos(angle), std::sin(angle), 0.0;
+      mesh.Vertices.row(v) *= radius(random);
+      mesh.Faces.row(v) << count, v, (v + 1) % count;
+      loop.push_back(v);
+    }
+    const double length = regionExtent(mesh).Diameter.Length;
+    double straight = 0.0;
+    for (int a = 0; a < count; ++a)
+    {
+      for (int b = 0; b < a; ++b)
+      {
+        const SurfaceCurve line{ { { a, a, 0.0 }, { b, b, 0.0 } }, 0.0 };
+        straight = std::max(straight, trimmedLength(mesh.Vertices, line, loop));
+      }
+    }
+    EXPECT_GT(length, 0.95 * straight) << "of " << count << " points";
+  }
 }
 
 // A ball with two horns and a hole on the other side, so that the same vertex of the boundary is the

@@ -56,9 +56,12 @@ TEST(RegionPreservingDecimation, RegionsStayBitForBitWithTheirFaces)
   for (int v = 0; v < coarse.Mesh.vertexCount(); ++v)
   {
     const int original = originalVertex(coarse, v);
-    if (original >= 0 && inRegion[original])
+    if (original >= 0)
     {
       EXPECT_EQ(coarse.Mesh.Vertices.row(v), mesh.Vertices.row(original));
+    }
+    if (original >= 0 && inRegion[original])
+    {
       EXPECT_TRUE(vertices.insert(original).second) << original << " is there twice";
     }
   }
@@ -124,6 +127,10 @@ TEST(RegionPreservingDecimation, AContextThatIsCoarseStaysAsItIs)
   const DerivedMesh same = decimateContext(mesh, regionsOf(mesh), 1000000);
   EXPECT_TRUE(same.Mesh.Vertices == mesh.Vertices);
   EXPECT_TRUE(same.Mesh.Faces == mesh.Faces);
+  TriangleMesh book = mesh; // with a third face at an edge
+  book.Faces.conservativeResize(mesh.faceCount() + 1, 3);
+  book.Faces.row(mesh.faceCount()) << mesh.Faces(0, 0), mesh.Faces(0, 1), mesh.vertexCount() / 2;
+  EXPECT_THROW(decimateContext(book, regionsOf(mesh), 1000000), TopologyError);
 }
 
 TEST(RegionPreservingDecimation, GivesTheSameBitsEveryTime)

@@ -15,6 +15,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace fuzz
 {
@@ -145,52 +146,67 @@ void checkWayBack(const Transfer& transfer, double tolerance, Findings& findings
   }
 }
 
-// A face that the flattened surface has, too, lies where it lies there.
+using Corners = std::array<Point, 3>;
+
+// The corners of a face in space, in order, and where they lie on a map.
+std::pair<Corners, Corners> placedCorners(const Triangles& surface,
+  const Triangle& face,
+  const Triangles& map,
+  const Triangle& flatFace)
+{
+  std::array<std::pair<Point, Point>, 3> corners;
+  for (int k = 0; k < 3; ++k)
+  {
+    corners[k] = { surface.Points[face[k]], map.Points[flatFace[k]] };
+  }
+  std::sort(corners.begin(), corners.end());
+  return { { corners[0].first, corners[1].first, corners[2].first },
+    { corners[0].second, corners[1].second, corners[2].second } };
+}
+
+long double distance(const Corners& a, const Corners& b)
+{
+  long double greatest = 0.0L;
+  for (int k = 0; k < 3; ++k)
+  {
+    for (int c = 0; c < 2; ++c)
+    {
+      greatest = std::max(greatest, std::abs(static_cast<long double>(a[k][c]) - b[k][c]));
+    }
+  }
+  return greatest;
+}
+
+// A face that the flattened surface has, too, lies where it lies there. If the original surface has it
+// more than once, as the sides of a sheet, one of them does.
 void checkSameFaces(const Transfer& transfer, Findings& findings)
 {
-  std::multimap<std::array<Point, 3>, std::array<Point, 3>> known;
-  const auto sorted =
-    [](const Triangles& mesh, const Triangle& face, const Triangles& flat, const Triangle& flatFace)
-  {
-    std::array<std::pair<Point, Point>, 3> corners;
-    for (int k = 0; k < 3; ++k)
-    {
-      corners[k] = { mesh.Points[face[k]], flat.Points[flatFace[k]] };
-    }
-    std::sort(corners.begin(), corners.end());
-    return std::make_pair(std::array<Point, 3>{ corners[0].first, corners[1].first, corners[2].first },
-      std::array<Point, 3>{ corners[0].second, corners[1].second, corners[2].second });
-  };
+  std::multimap<Corners, Corners> known;
   for (std::size_t f = 0; f < transfer.Surface.Faces.size(); ++f)
   {
     known.insert(
-      sorted(transfer.Surface, transfer.Surface.Faces[f], transfer.Map, transfer.Map.Faces[f]));
+      placedCorners(transfer.Surface, transfer.Surface.Faces[f], transfer.Map, transfer.Map.Faces[f]));
   }
   const long double rounding = FlatRounding * greatestCoordinate(transfer.Map.Points);
+  std::map<Corners, bool> isInPlace;
   for (std::size_t c = 0; c < transfer.Flat.Faces.size(); ++c)
   {
-    const auto [surface, flat] = sorted(transfer.Original,
+    const auto [surface, flat] = placedCorners(transfer.Original,
       transfer.Original.Faces[transfer.CellIds[c]],
       transfer.Flat,
       transfer.Flat.Faces[c]);
-    const auto [first, last] = known.equal_range(surface);
-    const bool holds =
-      first == last || std::any_of(first,
-                         last,
-                         [&flat = flat, rounding](const auto& one)
-                         {
-                           long double greatest = 0.0L;
-                           for (int k = 0; k < 3; ++k)
-                           {
-                             greatest = std::max({ greatest,
-                               std::abs(static_cast<long double>(one.second[k][0]) - flat[k][0]),
-                               std::abs(static_cast<long double>(one.second[k][1]) - flat[k][1]) });
-                           }
-                           return greatest <= rounding;
-                         });
-    findings.require(holds,
+    for (auto [one, last] = known.equal_range(surface); one != last; ++one)
+    {
+      bool& found = isInPlace[surface];
+      found = found || distance(one->second, flat) <= rounding;
+    }
+  }
+  for (const auto& [corners, found] : isInPlace)
+  {
+    findings.require(found,
       "transfer-same-face",
-      "cell " + std::to_string(transfer.CellIds[c]) + " does not lie where the map has it");
+      "the face from " + std::to_string(corners[0][0]) + ", " + std::to_string(corners[0][1]) + ", " +
+        std::to_string(corners[0][2]) + " does not lie where the map has it");
   }
 }
 

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../Oracles/FilterRun.h"
+#include "../Oracles/ImageOracle.h"
+#include "../Oracles/RegionOracle.h"
+#include "../Oracles/SlabOracle.h"
 #include "../Oracles/TransferOracle.h"
+#include "../Oracles/WarpOracle.h"
+#include "../Oracles/WeightsOracle.h"
 #include "Scenarios.h"
 
 #include <vtkAreaWeights.h>
@@ -24,6 +29,7 @@
 #include <vtkSphere.h>
 #include <vtkVolumeToSurface.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -112,6 +118,30 @@ vtkSmartPointer<vtkImageData> volumeAround(Random& random, vtkPolyData* data)
   return image;
 }
 
+// A picture of one slice over the undeformed mesh of a flat map, or over a part of it.
+vtkSmartPointer<vtkImageData> pictureOn(Random& random, vtkPolyData* data)
+{
+  const auto image = volumeAround(random, data);
+  int size[3];
+  image->GetDimensions(size);
+  image->SetDimensions(std::max(size[0], 2), size[1], 1);
+  const double share = random.chance(0.5) ? 1.0 : random.uniform(0.3, 2.0);
+  const double* spacing = image->GetSpacing();
+  image->SetSpacing(share * spacing[0], share * spacing[1], 1.0);
+  const int components = image->GetNumberOfScalarComponents();
+  image->AllocateScalars(VTK_SHORT, components);
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  scalars->SetName("Values");
+  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+  {
+    for (int k = 0; k < components; ++k)
+    {
+      scalars->SetComponent(i, k, random.integer(-1000, 1000));
+    }
+  }
+  return image;
+}
+
 template <typename Filter>
 vtkSmartPointer<vtkAlgorithm> newFilter(vtkPolyData* input)
 {
@@ -156,7 +186,7 @@ vtkSmartPointer<vtkAlgorithm> newFilter(const std::string& name,
     auto filter = newFilter<vtkPlanarWarp>(input);
     const bool warpsImage = random.chance(0.3);
     const vtkSmartPointer<vtkDataObject> carried =
-      warpsImage ? vtkSmartPointer<vtkDataObject>(volumeAround(random, input))
+      warpsImage ? vtkSmartPointer<vtkDataObject>(pictureOn(random, input))
                  : vtkSmartPointer<vtkDataObject>(one.Surface);
     filter->SetInputDataObject(1, carried);
     return filter;
@@ -204,6 +234,39 @@ void runOtherFilter(const Case& one, Findings& findings)
     }
     apply(one.Values, name, filter);
     const Outcome outcome = runFilter(filter, findings);
+    if (name == "FlattenRegion" && outcome.HasResult)
+    {
+      checkRegion(vtkFlattenRegion::SafeDownCast(filter),
+        input,
+        input->GetPointData()->GetArray(LabelArray),
+        findings);
+    }
+    if (name == "FlatMapImage" && outcome.HasResult)
+    {
+      checkImage(vtkFlatMapImage::SafeDownCast(filter), findings);
+    }
+    if (name == "FlatMapSlab" && outcome.HasResult)
+    {
+      checkSlab(vtkFlatMapSlab::SafeDownCast(filter), findings);
+    }
+    if (name == "AreaWeights" && outcome.HasResult)
+    {
+      checkWeights(vtkAreaWeights::SafeDownCast(filter),
+        input,
+        input->GetPointData()->GetArray(LabelArray),
+        findings);
+    }
+    if (name == "ContextResolution" && outcome.HasResult)
+    {
+      checkContext(vtkContextResolution::SafeDownCast(filter),
+        input,
+        input->GetPointData()->GetArray(LabelArray),
+        findings);
+    }
+    if (name == "PlanarWarp" && outcome.HasResult)
+    {
+      checkWarp(vtkPlanarWarp::SafeDownCast(filter), input, filter->GetInputDataObject(1, 0), findings);
+    }
     if (name == "FlatMapTransfer" && outcome.HasResult)
     {
       checkTransfer(
