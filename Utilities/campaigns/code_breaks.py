@@ -23,6 +23,7 @@ BREAKS = [
     at("Mesh/MeshMeasures.cxx", "std::atan2(u.cross(v).norm(), u.dot(v))", "std::atan2(u.dot(v), u.cross(v).norm())"),
     at("Mesh/MeshMeasures.cxx", "(i + 1) % loop.size()", "std::min(i + 1, loop.size() - 1)"),
     at("Mesh/ClosestPointTree.cxx", "1.0 - weights[1] - weights[2]", "1.0 - weights[1] + weights[2]"),
+    at("Mesh/ClosestPointTree.cxx", "return errorOf(onSides, corners, point) < error ? onSides : weights;", ""),
     at("Mesh/GraphLaplacian.cxx", "-w.Weight", "w.Weight"),
     at("Mesh/GraphLaplacian.cxx", "w.Weight * passed[this->Row[w.From]]", "passed[this->Row[w.From]]"),
     at("Mesh/DerivedMesh.cxx", "derived.Vertices = VertexOrigins(next.Vertices * derived.Vertices);", ""),
@@ -263,6 +264,8 @@ BREAKS = [
     at("FlatMap/LengthPairs.cxx", "others.size() > MostInRings", "false"),
     # --- Regions
     at("Regions/MeanCurvature.cxx", "n.cross(m).dot(edge)", "m.cross(n).dot(edge)"),
+    at("Regions/RegionExtent.cxx", "std::max(length, 0.0)", "length"),
+    at("Regions/RegionExtent.cxx", "pairs.insert(this->farthestApart());", ""),
     at("Regions/MeshSaliency.cxx", "v != greatest", "true"),
     at("Regions/MeshSaliency.cxx", "area >= wanted", "area > 2.0 * wanted"),
     at("Regions/RegionWeights.cxx", "(room - asked) / areas.dot(weights.Rest)", "room / areas.dot(weights.Rest)"),

@@ -94,21 +94,24 @@ Eigen::RowVector3d positionOf(const Points3& vertices, const EdgePoint& point)
   return (1.0 - point.Fraction) * vertices.row(point.From) + point.Fraction * vertices.row(point.To);
 }
 
-// The sum of the lengths by which the two ends of a curve exceed the smoothed boundary.
+// The length of a curve less those by which its two ends exceed the smoothed boundary; 0 if these are
+// longer, as on regions of a few triangles.
 // @param amid the vertices (n x 3), where those of the boundary lie on the smoothed boundary.
-double overhang(const Points3& vertices, const Points3& amid, const SurfaceCurve& curve)
+double withoutOverhang(double length,
+  const Points3& vertices,
+  const Points3& amid,
+  const SurfaceCurve& curve)
 {
   const std::size_t last = curve.Points.size() - 1;
-  double sum = 0.0;
   for (const auto& [end, next] :
     { std::pair(curve.Points[0], curve.Points[std::min<std::size_t>(1, last)]),
       std::pair(curve.Points[last], curve.Points[last > 0 ? last - 1 : 0]) })
   {
     const Eigen::RowVector3d outward =
       (positionOf(vertices, end) - positionOf(vertices, next)).stableNormalized();
-    sum += (vertices.row(end.From) - amid.row(end.From)).dot(outward);
+    length -= (vertices.row(end.From) - amid.row(end.From)).dot(outward);
   }
-  return sum;
+  return std::max(length, 0.0);
 }
 
 Points3 withSmoothed(const Points3& vertices, const std::vector<int>& loop)
@@ -138,7 +141,7 @@ public:
         SurfaceMesh::Vertex_index(static_cast<unsigned>(from)),
         SurfaceMesh::Vertex_index(static_cast<unsigned>(to)),
         progress));
-    curve.Length -= overhang(this->Region.Vertices, this->Amid, curve);
+    curve.Length = withoutOverhang(curve.Length, this->Region.Vertices, this->Amid, curve);
     return curve;
   }
 
@@ -365,7 +368,7 @@ double trimmedLength(const Points3& vertices, const SurfaceCurve& curve, const s
   {
     length += (positionOf(vertices, curve.Points[i]) - positionOf(vertices, curve.Points[i - 1])).norm();
   }
-  return length - overhang(vertices, withSmoothed(vertices, loop), curve);
+  return withoutOverhang(length, vertices, withSmoothed(vertices, loop), curve);
 }
 
 } // namespace flattening

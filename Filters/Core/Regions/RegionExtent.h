@@ -55,7 +55,8 @@ struct RegionExtent
 RegionExtent regionExtent(const TriangleMesh& region, const ProgressCallback& progress = {});
 
 /// Length of @p curve without the parts at its two ends that project beyond the smoothed boundary @p
-/// loop. RegionExtent::Diameter and Across have their lengths measured in the same way.
+/// loop; 0 if these are longer, as on a region of a few triangles. RegionExtent::Diameter and Across
+/// have their lengths measured in the same way.
 double trimmedLength(const Points3& vertices, const SurfaceCurve& curve, const std::vector<int>& loop);
 
 /// Length of the smoothed closed curve along @p loop, as RegionExtent::Perimeter is measured.

@@ -326,7 +326,9 @@ TEST(RegionExtent, IsNotShorterThanTheStraightLineOfACoarseStar)
       for (int b = 0; b < a; ++b)
       {
         const SurfaceCurve line{ { { a, a, 0.0 }, { b, b, 0.0 } }, 0.0 };
-        straight = std::max(straight, trimmedLength(mesh.Vertices, line, loop));
+        const double trimmed = trimmedLength(mesh.Vertices, line, loop);
+        EXPECT_GE(trimmed, 0.0);
+        straight = std::max(straight, trimmed);
       }
     }
     EXPECT_GT(length, 0.95 * straight) << "of " << count << " points";

@@ -178,6 +178,7 @@ Measure lengthToOutline(const Polyline& line,
     }
     length.Rounding += displacement * std::min(2.0L, 1e-14L * coordinate / step);
   }
+  length.Value = std::max(length.Value, 0.0L);
   return length;
 }
 
