@@ -9,6 +9,9 @@ namespace fuzz
 namespace
 {
 
+// The rounding of a product in double precision, as a share of its factors.
+constexpr long double DoubleRounding = 1e-15L;
+
 using Vector = std::array<long double, 2>;
 
 Vector between(const Point& from, const Point& to)
@@ -48,7 +51,7 @@ void placeOnSides(const std::array<const Point*, 3>& corners, const Point& point
 
 FlatPlace placeOn(const Triangles& map, std::size_t face, const Point& point)
 {
-  FlatPlace place{ face, 0.0L, {}, {}, false };
+  FlatPlace place{ face, 0.0L, {}, {}, 1.0L, false };
   std::array<const Point*, 3> corners;
   for (int k = 0; k < 3; ++k)
   {
@@ -57,16 +60,22 @@ FlatPlace placeOn(const Triangles& map, std::size_t face, const Point& point)
   const long double area = cross(between(*corners[0], *corners[1]), between(*corners[0], *corners[2]));
   place.HasArea = area != 0.0L;
   bool isInside = place.HasArea;
+  long double longest = 0.0L;
   for (int k = 0; k < 3; ++k)
   {
     const Point& from = *corners[(k + 1) % 3];
     const Vector side = between(from, *corners[(k + 2) % 3]);
+    longest = std::max(longest, std::hypot(side[0], side[1]));
     if (place.HasArea)
     {
       place.Gradients[k] = { -side[1] / area, side[0] / area };
       place.Weights[k] = cross(side, between(from, point)) / area;
       isInside = isInside && place.Weights[k] >= 0.0L;
     }
+  }
+  if (place.HasArea)
+  {
+    place.WeightError = std::min(1.0L, DoubleRounding * (longest / std::abs(area)) * longest);
   }
   if (!isInside)
   {
@@ -117,14 +126,17 @@ Interval valuesAt(const FlatPlace& place,
     gradient[0] += place.Gradients[k][0] * change;
     gradient[1] += place.Gradients[k][1] * change;
   }
-  const long double error = rounding * std::hypot(gradient[0], gradient[1]);
+  const long double error =
+    rounding * std::hypot(gradient[0], gradient[1]) + place.WeightError * (*greatest - *least);
   return { std::clamp(value - error, *least, *greatest), std::clamp(value + error, *least, *greatest) };
 }
 
 long double weightRounding(const FlatPlace& place, int corner, long double rounding)
 {
   const Vector& gradient = place.Gradients[corner];
-  return place.HasArea ? std::min(1.0L, rounding * std::hypot(gradient[0], gradient[1])) : 1.0L;
+  return place.HasArea
+           ? std::min(1.0L, rounding * std::hypot(gradient[0], gradient[1]) + place.WeightError)
+           : 1.0L;
 }
 
 Square squareAround(const Triangles& map)

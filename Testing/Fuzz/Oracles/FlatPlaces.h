@@ -19,7 +19,8 @@ struct FlatPlace
   long double Distance; ///< 0 in the face
   std::array<long double, 3> Weights;
   std::array<std::array<long double, 2>, 3> Gradients; ///< of the weights, in the plane
-  bool HasArea;                                        ///< otherwise the gradients are 0
+  long double WeightError; ///< rounding of weights that were computed in double precision
+  bool HasArea;            ///< otherwise the gradients are 0
 };
 
 /// The numbers between two, both included.
