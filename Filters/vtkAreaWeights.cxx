@@ -33,6 +33,9 @@ vtkStandardNewMacro(vtkAreaWeights);
 namespace
 {
 
+// A guard: sums and products of such weights with areas are finite and not 0.
+constexpr double GreatestWeight = 1e100;
+
 using flattening::InvalidInput;
 using flattening::TriangleMesh;
 using flattening::WeightedRegion;
@@ -321,6 +324,11 @@ void vtkAreaWeights::Execute(vtkInformationVector** inputVector, vtkInformationV
   {
     throw InvalidInput("the surface has no area: pass a surface with triangles that are not "
                        "degenerate");
+  }
+  if (!(weights.array() >= 1.0 / GreatestWeight).all() || !(weights.array() <= GreatestWeight).all())
+  {
+    throw InvalidInput("the factors make a weight too large or too small for double precision: choose "
+                       "factors between 1e-6 and 1e6");
   }
   output->ShallowCopy(input);
   flattening::addPointArray(output, WeightsName, weights);

@@ -38,7 +38,8 @@
  * An empty input gives an empty output. The following are errors, each with an empty output: cells
  * other than triangles; an array that is missing, has several components or holds values that are not
  * finite or, as labels, not whole numbers; a label that no point has; an empty selection; a function
- * that encloses no point; factors that are not positive; regions that cover the whole surface;
+ * that encloses no point; factors that are not positive, or that make weights
+ * outside of 1e-100 to 1e100; regions that cover the whole surface;
  * magnifications for which the map has no room; soft edges on a surface that is not a connected
  * manifold; an earlier `AreaWeight` that is not positive.
  *

@@ -405,6 +405,8 @@ TEST(AreaWeights, ReportsWhatIsWrong)
   filter->SetLabel(7);
   filter->SetFactor(0.0);
   expectWords("must be positive numbers");
+  filter->SetFactor(std::numeric_limits<double>::max());
+  expectWords("too large or too small");
   filter->SetFactor(1000.0);
   filter->SetFactorMeaningToMagnification();
   expectWords("more than there is");

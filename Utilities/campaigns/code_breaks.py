@@ -262,9 +262,11 @@ BREAKS = [
     at("FlatMap/FlatMapTransfer.cxx", "transfer.keepSharedFaces();", ""),
     at("FlatMap/LengthPairs.cxx", "1.0 + static_cast<double>(widest) * reach", "1.0"),
     at("FlatMap/LengthPairs.cxx", "others.size() > MostInRings", "false"),
+    at("Remeshing/RegionPreservingDecimation.cxx", "this->Next.value_or(this->keptOf(profile, true))", "this->Next.value_or(-1)"),
     # --- Regions
     at("Regions/MeanCurvature.cxx", "n.cross(m).dot(edge)", "m.cross(n).dot(edge)"),
     at("Regions/RegionExtent.cxx", "std::max(length, 0.0)", "length"),
+    at("Regions/RegionWeights.cxx", "part.IndexOf[v] == 0", "true"),
     at("Regions/RegionExtent.cxx", "pairs.insert(this->farthestApart());", ""),
     at("Regions/MeshSaliency.cxx", "v != greatest", "true"),
     at("Regions/MeshSaliency.cxx", "area >= wanted", "area > 2.0 * wanted"),

@@ -74,6 +74,10 @@ struct HeatFaces
         this->Mass[surface.origin(3 * f + k)] += area / 3.0;
       }
     }
+    for (int v = 0; v < surface.vertexCount(); ++v)
+    {
+      entries.emplace_back(v, v, 0.0); // so that every vertex has an entry to which its mass is added
+    }
     this->Laplacian.setFromTriplets(entries.begin(), entries.end());
   }
 

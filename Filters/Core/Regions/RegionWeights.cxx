@@ -60,6 +60,34 @@ std::vector<int> borderOf(const TriangleMesh& mesh, const std::vector<char>& ins
   return { border.begin(), border.end() };
 }
 
+/// A mesh without the vertices that no face has.
+struct UsedPart
+{
+  TriangleMesh Mesh;
+  std::vector<int> IndexOf; // of each vertex of the whole mesh; -1 without a face
+};
+
+UsedPart usedPart(const TriangleMesh& mesh)
+{
+  UsedPart part{ mesh, std::vector<int>(mesh.vertexCount(), -1) };
+  for (Eigen::Index i = 0; i < mesh.Faces.size(); ++i)
+  {
+    part.IndexOf[mesh.Faces.data()[i]] = 0;
+  }
+  int count = 0;
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    if (part.IndexOf[v] == 0)
+    {
+      part.Mesh.Vertices.row(count) = mesh.Vertices.row(v);
+      part.IndexOf[v] = count++;
+    }
+  }
+  part.Mesh.Vertices.conservativeResize(count, 3);
+  part.Mesh.Faces = mesh.Faces.unaryExpr([&part](int v) { return part.IndexOf[v]; });
+  return part;
+}
+
 // The share of the region in the weight of each vertex (n): 1 in the region, falling to 0 over the
 // width.
 Eigen::VectorXd softShare(const TriangleMesh& mesh,
@@ -71,9 +99,19 @@ Eigen::VectorXd softShare(const TriangleMesh& mesh,
   const std::vector<int> border = width > 0.0 ? borderOf(mesh, inside) : std::vector<int>{};
   if (!border.empty())
   {
+    const UsedPart part = usedPart(mesh);
+    std::vector<int> sources;
+    for (const int v : border)
+    {
+      sources.push_back(part.IndexOf[v]);
+    }
     const Eigen::ArrayXd t =
-      (1.0 - geodesicDistances(mesh, border, progress).array() / width).cwiseMax(0.0);
-    share = t * t * (3.0 - 2.0 * t);
+      (1.0 - geodesicDistances(part.Mesh, sources, progress).array() / width).cwiseMax(0.0);
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+    {
+      const double s = part.IndexOf[v] < 0 ? 0.0 : t[part.IndexOf[v]];
+      share[v] = s * s * (3.0 - 2.0 * s);
+    }
   }
   for (int v = 0; v < mesh.vertexCount(); ++v)
   {

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace flattening
@@ -67,8 +68,9 @@ std::vector<char> facesToKeep(const TriangleMesh& mesh, const std::vector<char>&
 // Keeps track of the original vertices and reports progress.
 struct Visitor : simplification::Edge_collapse_visitor_base<SurfaceMesh>
 {
-  Visitor(Origins origins, const ProgressCallback& progress)
+  Visitor(Origins origins, const std::vector<char>& fixed, const ProgressCallback& progress)
     : OriginOf(origins)
+    , IsFixed(fixed)
     , Report(progress)
   {
   }
@@ -87,17 +89,34 @@ struct Visitor : simplification::Edge_collapse_visitor_base<SurfaceMesh>
   template <typename Place>
   void OnCollapsing(const Profile& profile, const Place& place)
   {
-    this->Next = place && *place == profile.p0()   ? this->OriginOf[profile.v0()]
-                 : place && *place == profile.p1() ? this->OriginOf[profile.v1()]
-                                                   : -1;
+    const bool isFirst = place && *place == profile.p0();
+    const bool isSecond = place && *place == profile.p1();
+    this->Next = isFirst    ? this->keptOf(profile, isSecond)
+                 : isSecond ? this->OriginOf[profile.v1()]
+                            : -1;
   }
 
-  void OnCollapsed(const Profile&, const vertex_descriptor& kept) { this->OriginOf[kept] = this->Next; }
+  // CGAL collapses edges without length at first, and does not announce them.
+  void OnCollapsed(const Profile& profile, const vertex_descriptor& kept)
+  {
+    this->OriginOf[kept] = this->Next.value_or(this->keptOf(profile, true));
+    this->Next.reset();
+  }
+
+  // The original vertex at the first end of an edge; if the ends are at the same place, the fixed one.
+  int keptOf(const Profile& profile, bool areAtTheSamePlace) const
+  {
+    const int second = this->OriginOf[profile.v1()];
+    return areAtTheSamePlace && this->isFixed(second) ? second : this->OriginOf[profile.v0()];
+  }
+
+  bool isFixed(int original) const { return original >= 0 && this->IsFixed[original]; }
 
   Origins OriginOf;
+  const std::vector<char>& IsFixed; // of the original vertices
   ProgressCallback Report;
   long long Selected = 0;
-  int Next = -1;
+  std::optional<int> Next; // of the vertex that a collapse leaves, if it was announced
 };
 
 // Ends the decimation. CGAL has this predicate under one name up to 5.6 and under another since.
@@ -123,14 +142,20 @@ Origins collapse(SurfaceMesh& surface,
   {
     origins[v] = static_cast<int>(v.idx());
   }
+  std::vector<char> isFixed(surface.number_of_vertices(), 0);
   int kept = 0;
   for (const auto f : surface.faces())
   {
     for (const auto h : surface.halfedges_around_face(surface.halfedge(f)))
     {
       fixed[surface.edge(h)] = fixed[surface.edge(h)] || keep[f.idx()];
+      isFixed[surface.target(h).idx()] |= keep[f.idx()];
     }
     kept += keep[f.idx()];
+  }
+  for (const auto e : surface.edges())
+  {
+    fixed[e] = fixed[e] || (isFixed[surface.vertex(e, 0).idx()] && isFixed[surface.vertex(e, 1).idx()]);
   }
   const auto faces = static_cast<double>(surface.number_of_faces());
   const double edgesPerFace = static_cast<double>(surface.number_of_edges()) / faces;
@@ -145,7 +170,7 @@ Origins collapse(SurfaceMesh& surface,
       .get_cost(simplification::LindstromTurk_cost<SurfaceMesh>())
       .get_placement(placement)
       .filter(simplification::Bounded_normal_change_filter<>())
-      .visitor(Visitor(origins, progress)));
+      .visitor(Visitor(origins, isFixed, progress)));
   return origins;
 }
 

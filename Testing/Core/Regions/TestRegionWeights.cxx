@@ -101,6 +101,22 @@ TEST(RegionWeights, SoftEdgesFadeOverTheirWidth)
   EXPECT_LT(worst, 0.014 * 1.5 / width + 0.02);
 }
 
+TEST(RegionWeights, SoftEdgesDoNotSeePointsWithoutAFace)
+{
+  const TriangleMesh mesh = sheet();
+  TriangleMesh more = mesh; // with points before, after and upon the others
+  more.Vertices.resize(mesh.vertexCount() + 3, 3);
+  more.Vertices << 0.0, 0.0, 9.0, mesh.Vertices.row(7), mesh.Vertices, 5.0, 5.0, 5.0;
+  more.Faces.array() += 2;
+  const auto weightsOf = [](const TriangleMesh& surface)
+  {
+    return regionWeights(
+      surface, areasOf(surface), { ball(surface, 0.0, 0.4, 5.0) }, FactorMeaning::RelativeToRest, 0.4)
+      .Weights;
+  };
+  EXPECT_EQ(weightsOf(more).segment(2, mesh.vertexCount()), weightsOf(mesh));
+}
+
 // Over the edge of a fold the distance runs along the surface: two parallel sheets a hair apart.
 TEST(RegionWeights, SoftEdgesDoNotJumpToAnotherFold)
 {

@@ -43,8 +43,8 @@ std::vector<char> regionsOf(const TriangleMesh& mesh)
 
 int originalVertex(const DerivedMesh& derived, int v)
 {
-  const VertexOrigins::InnerIterator first(derived.Vertices, v);
-  return first.value() == 1.0 ? static_cast<int>(first.col()) : -1;
+  const bool isKept = derived.Vertices.innerVector(v).nonZeros() == 1;
+  return isKept ? static_cast<int>(VertexOrigins::InnerIterator(derived.Vertices, v).col()) : -1;
 }
 
 TEST(RegionPreservingDecimation, RegionsStayBitForBitWithTheirFaces)
@@ -93,6 +93,48 @@ TEST(RegionPreservingDecimation, RegionsStayBitForBitWithTheirFaces)
     }
   }
   EXPECT_NEAR(context, 500, 50);
+}
+
+TEST(RegionPreservingDecimation, EdgesWithoutLengthBesideARegionLeaveItsFacesAlone)
+{
+  TriangleMesh mesh = openSphere();
+  const std::vector<char> inRegion = regionsOf(mesh);
+  std::vector<char> isFixed(mesh.vertexCount(), 0);
+  std::set<std::vector<int>> faces; // with a corner in a region
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    std::vector<int> corners{ mesh.Faces(f, 0), mesh.Faces(f, 1), mesh.Faces(f, 2) };
+    if (std::any_of(corners.begin(), corners.end(), [&inRegion](int v) { return inRegion[v] != 0; }))
+    {
+      std::for_each(corners.begin(), corners.end(), [&isFixed](int v) { isFixed[v] = 1; });
+      std::sort(corners.begin(), corners.end());
+      faces.insert(corners);
+    }
+  }
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int v = mesh.Faces(f, k);
+      const int next = mesh.Faces(f, (k + 1) % 3);
+      if (isFixed[v] && !isFixed[next])
+      {
+        mesh.Vertices.row(next) = mesh.Vertices.row(v);
+      }
+    }
+  }
+  const DerivedMesh coarse = decimateContext(mesh, inRegion, 500);
+  for (int f = 0; f < coarse.Mesh.faceCount(); ++f)
+  {
+    std::vector<int> corners;
+    for (int k = 0; k < 3; ++k)
+    {
+      corners.push_back(originalVertex(coarse, coarse.Mesh.Faces(f, k)));
+    }
+    std::sort(corners.begin(), corners.end());
+    faces.erase(corners);
+  }
+  EXPECT_EQ(faces.size(), 0u);
 }
 
 TEST(RegionPreservingDecimation, TheSurfaceKeepsItsShapeAndTopology)

@@ -208,7 +208,8 @@ void checkShortest(const Triangles& part,
     }
   }
   const long double length = lengthOf(curve.Space);
-  findings.require(longest < 0.0L || length <= (1.0L + 1e-6L) * longest,
+  findings.require(
+    longest < 0.0L || length <= (1.0L + 1e-6L) * longest + 1e-12L * greatestCoordinate(part),
     "region-curves",
     std::string(isDiameter ? "the diameter" : "the extent across") + " is " +
       std::to_string(static_cast<double>(length / longest)) +

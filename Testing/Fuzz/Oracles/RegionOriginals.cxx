@@ -87,7 +87,7 @@ void checkIds(const Region& region, Findings& findings)
           std::max({ std::abs(place[0]), std::abs(place[1]), std::abs(place[2]) });
         area.Rounding += 1e-15L * coordinate * std::sqrt(square) + NeedleRounding * square;
         findings.require(
-          distanceTo(region.Surface, whole, place) <= 1e-14L * coordinate + 1e-14L * std::sqrt(square),
+          distanceTo(region.Surface, whole, place) <= 1e-14L * coordinate + 1e-12L * std::sqrt(square),
           "region-ids",
           "a corner that does not lie on the original cell");
       }
