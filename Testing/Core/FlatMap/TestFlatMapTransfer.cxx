@@ -66,6 +66,13 @@ TEST(FlatMapTransfer, EveryPointOfTheSameSurfaceKeepsItsPosition)
   EXPECT_EQ(std::count(map.Survived.begin(), map.Survived.end(), 1), flattened.Surface.vertexCount());
   EXPECT_LT((map.Positions - flattened.Positions).cwiseAbs().maxCoeff(), 1e-12);
   EXPECT_LT(map.LargestDistance, 1e-14);
+
+  TriangleMesh reversed = flattened.Surface; // and moved, so that no face is shared
+  reversed.Vertices *= 1.0 + 1e-9;
+  reversed.Faces.col(1).swap(reversed.Faces.col(2));
+  const TransferredMap other = transferFlatMap(flattened, reversed);
+  EXPECT_GT(std::count(other.Survived.begin(), other.Survived.end(), 1),
+    0.9 * flattened.Surface.vertexCount()); // some of the boundary lie beyond it now
 }
 
 TEST(FlatMapTransfer, FollowsARemeshedSurface)
@@ -284,6 +291,42 @@ TEST(FlatMapTransfer, KeepsTheFacesThatTheSurfacesShareWhereTheyMeetThemselves)
   TriangleMesh mixed = strip; // one face against its neighbours
   std::swap(mixed.Faces(100, 1), mixed.Faces(100, 2));
   expectEveryFaceInItsPlace({ mixed, flat }, mixed, transferFlatMap(flattened, mixed), 0.0);
+}
+
+TEST(FlatMapTransfer, FacesBesideSharedOnesTakeThePlacesOfTheirCorners)
+{
+  // Two sheets that lie upon each other, apart on the map, with other diagonals. The target is the first
+  // one, with a smaller face in place of its last.
+  const TriangleMesh sheet = rectangleGrid(8, 6, 2.0);
+  TriangleMesh mirrored = sheet;
+  mirrored.Vertices.col(0) *= -1.0;
+  mirrored.Faces.col(1).swap(mirrored.Faces.col(2));
+  const int n = sheet.vertexCount();
+  TriangleMesh target = sheet;
+  const int last = target.faceCount() - 1;
+  target.Vertices.conservativeResize(n + 1, 3);
+  target.Vertices.row(n) = faceCorners(sheet, last).colwise().mean();
+  target.Faces(last, 2) = n;
+  for (const bool isFirst : { true, false })
+  {
+    const TriangleMesh& lower = isFirst ? sheet : mirrored;
+    const TriangleMesh& upper = isFirst ? mirrored : sheet;
+    FlattenedSurface flattened;
+    flattened.Surface.Vertices.resize(2 * n, 3);
+    flattened.Surface.Vertices << lower.Vertices, upper.Vertices;
+    flattened.Surface.Faces.resize(2 * sheet.faceCount(), 3);
+    flattened.Surface.Faces << lower.Faces, upper.Faces.array() + n;
+    flattened.Positions = flattened.Surface.Vertices.leftCols(2);
+    flattened.Positions.bottomRows(n).array() += 10.0;
+    const TransferredMap map = transferFlatMap(flattened, target);
+    const Eigen::Index face = map.Part.Mesh.faceCount() - 1;
+    ASSERT_EQ(map.Part.Faces[face], last);
+    for (int k = 0; k < 2; ++k)
+    {
+      const int v = target.Faces(last, k) + (isFirst ? 0 : n);
+      EXPECT_EQ(map.PartPositions(map.Part.Mesh.Faces(face, k), 0), flattened.Positions(v, 0));
+    }
+  }
 }
 
 TEST(FlatMapTransfer, LosesTheOtherSideOfTwoSheetsThatLieUponEachOther)
