@@ -19,7 +19,7 @@ enum class PlacedAs : char
   Placed
 };
 
-/// Where a face of the target lies on the map.
+/// A face of the target with its places on the map.
 struct PlacedFace
 {
   PlacedAs Result = PlacedAs::Lost;

@@ -13,9 +13,9 @@
 namespace flattening
 {
 
-/// The smooth geodesic distance of every vertex of a connected manifold from vertex @p source (n, input
-/// units), by the heat method on the intrinsic Delaunay triangulation (Crane, Weischedel, Wardetzky
-/// 2013, "Geodesics in heat"), on which slivers do no harm.
+/// The smooth geodesic distance of every vertex of a connected manifold, in which every vertex has a
+/// face, from vertex @p source (n, input units), by the heat method on the intrinsic Delaunay
+/// triangulation (Crane, Weischedel, Wardetzky 2013, "Geodesics in heat"), on which slivers do no harm.
 ///
 /// The heat method is the project's own, because that of CGAL (Heat_method_3) cannot be aborted while it
 /// factors and takes faces without area as they are: here the intrinsic triangulation lengthens their

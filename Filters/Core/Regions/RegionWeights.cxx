@@ -3,12 +3,14 @@
 
 #include "Base/Errors.h"
 #include "Geodesics/GeodesicDistance.h"
+#include "Mesh/DerivedMesh.h"
 #include "Mesh/MeshTopology.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace flattening
@@ -60,34 +62,6 @@ std::vector<int> borderOf(const TriangleMesh& mesh, const std::vector<char>& ins
   return { border.begin(), border.end() };
 }
 
-/// A mesh without the vertices that no face has.
-struct UsedPart
-{
-  TriangleMesh Mesh;
-  std::vector<int> IndexOf; // of each vertex of the whole mesh; -1 without a face
-};
-
-UsedPart usedPart(const TriangleMesh& mesh)
-{
-  UsedPart part{ mesh, std::vector<int>(mesh.vertexCount(), -1) };
-  for (Eigen::Index i = 0; i < mesh.Faces.size(); ++i)
-  {
-    part.IndexOf[mesh.Faces.data()[i]] = 0;
-  }
-  int count = 0;
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-  {
-    if (part.IndexOf[v] == 0)
-    {
-      part.Mesh.Vertices.row(count) = mesh.Vertices.row(v);
-      part.IndexOf[v] = count++;
-    }
-  }
-  part.Mesh.Vertices.conservativeResize(count, 3);
-  part.Mesh.Faces = mesh.Faces.unaryExpr([&part](int v) { return part.IndexOf[v]; });
-  return part;
-}
-
 // The share of the region in the weight of each vertex (n): 1 in the region, falling to 0 over the
 // width.
 Eigen::VectorXd softShare(const TriangleMesh& mesh,
@@ -99,19 +73,23 @@ Eigen::VectorXd softShare(const TriangleMesh& mesh,
   const std::vector<int> border = width > 0.0 ? borderOf(mesh, inside) : std::vector<int>{};
   if (!border.empty())
   {
-    const UsedPart part = usedPart(mesh);
+    // Points that no face has are left out, as they have no distance.
+    std::vector<int> faces(mesh.faceCount());
+    std::iota(faces.begin(), faces.end(), 0);
+    const DerivedMesh part = extractFaces(mesh, faces);
+    std::vector<int> original;
     std::vector<int> sources;
-    for (const int v : border)
+    for (int v = 0; v < part.Mesh.vertexCount(); ++v)
     {
-      sources.push_back(part.IndexOf[v]);
+      original.push_back(VertexOrigins::InnerIterator(part.Vertices, v).col());
+      if (std::binary_search(border.begin(), border.end(), original.back()))
+      {
+        sources.push_back(v);
+      }
     }
     const Eigen::ArrayXd t =
       (1.0 - geodesicDistances(part.Mesh, sources, progress).array() / width).cwiseMax(0.0);
-    for (int v = 0; v < mesh.vertexCount(); ++v)
-    {
-      const double s = part.IndexOf[v] < 0 ? 0.0 : t[part.IndexOf[v]];
-      share[v] = s * s * (3.0 - 2.0 * s);
-    }
+    share(original) = t * t * (3.0 - 2.0 * t);
   }
   for (int v = 0; v < mesh.vertexCount(); ++v)
   {

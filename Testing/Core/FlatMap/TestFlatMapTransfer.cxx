@@ -293,40 +293,28 @@ TEST(FlatMapTransfer, KeepsTheFacesThatTheSurfacesShareWhereTheyMeetThemselves)
   expectEveryFaceInItsPlace({ mixed, flat }, mixed, transferFlatMap(flattened, mixed), 0.0);
 }
 
-TEST(FlatMapTransfer, FacesBesideSharedOnesTakeThePlacesOfTheirCorners)
+TEST(FlatMapTransfer, ASharedFaceKeepsACornerWhoseNormalPointsTheOtherWay)
 {
-  // Two sheets that lie upon each other, apart on the map, with other diagonals. The target is the first
-  // one, with a smaller face in place of its last.
-  const TriangleMesh sheet = rectangleGrid(8, 6, 2.0);
-  TriangleMesh mirrored = sheet;
-  mirrored.Vertices.col(0) *= -1.0;
-  mirrored.Faces.col(1).swap(mirrored.Faces.col(2));
-  const int n = sheet.vertexCount();
-  TriangleMesh target = sheet;
-  const int last = target.faceCount() - 1;
-  target.Vertices.conservativeResize(n + 1, 3);
-  target.Vertices.row(n) = faceCorners(sheet, last).colwise().mean();
-  target.Faces(last, 2) = n;
-  for (const bool isFirst : { true, false })
+  TriangleMesh sheet = rectangleGrid(8, 6, 2.0);
+  std::vector<int> count(sheet.vertexCount(), 0);
+  for (Eigen::Index i = 0; i < sheet.Faces.size(); ++i)
   {
-    const TriangleMesh& lower = isFirst ? sheet : mirrored;
-    const TriangleMesh& upper = isFirst ? mirrored : sheet;
-    FlattenedSurface flattened;
-    flattened.Surface.Vertices.resize(2 * n, 3);
-    flattened.Surface.Vertices << lower.Vertices, upper.Vertices;
-    flattened.Surface.Faces.resize(2 * sheet.faceCount(), 3);
-    flattened.Surface.Faces << lower.Faces, upper.Faces.array() + n;
-    flattened.Positions = flattened.Surface.Vertices.leftCols(2);
-    flattened.Positions.bottomRows(n).array() += 10.0;
-    const TransferredMap map = transferFlatMap(flattened, target);
-    const Eigen::Index face = map.Part.Mesh.faceCount() - 1;
-    ASSERT_EQ(map.Part.Faces[face], last);
-    for (int k = 0; k < 2; ++k)
+    ++count[sheet.Faces.data()[i]];
+  }
+  const Points2 flat = sheet.Vertices.leftCols(2);
+  TriangleMesh target = sheet;
+  int reversed = 0; // faces at a corner of the sheet that no other face has
+  for (int f = 0; f < sheet.faceCount(); ++f)
+  {
+    if (count[sheet.Faces(f, 0)] == 1 || count[sheet.Faces(f, 1)] == 1 || count[sheet.Faces(f, 2)] == 1)
     {
-      const int v = target.Faces(last, k) + (isFirst ? 0 : n);
-      EXPECT_EQ(map.PartPositions(map.Part.Mesh.Faces(face, k), 0), flattened.Positions(v, 0));
+      std::swap(target.Faces(f, 1), target.Faces(f, 2));
+      ++reversed;
     }
   }
+  ASSERT_EQ(reversed, 2);
+  const TransferredMap map = transferFlatMap({ sheet, flat }, target);
+  expectEveryFaceInItsPlace({ target, flat }, target, map, 0.0);
 }
 
 TEST(FlatMapTransfer, LosesTheOtherSideOfTwoSheetsThatLieUponEachOther)

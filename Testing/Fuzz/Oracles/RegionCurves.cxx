@@ -77,20 +77,6 @@ long double lengthOf(const Polyline& line)
   return length;
 }
 
-// The greatest absolute value of a coordinate.
-long double greatestCoordinate(const Triangles& mesh)
-{
-  long double size = 0.0L;
-  for (const Point& p : mesh.Points)
-  {
-    for (const double x : p)
-    {
-      size = std::max(size, std::abs(static_cast<long double>(x)));
-    }
-  }
-  return size;
-}
-
 // Whether each point of a curve lies on one face of the region, in space as well as in the plane.
 void checkPlaces(const Region& region, const Curve& curve, Findings& findings)
 {

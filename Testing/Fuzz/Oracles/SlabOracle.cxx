@@ -159,7 +159,7 @@ bool normalAt(const Slab& slab, const FlatPlace& place, Box3& normal)
   return true;
 }
 
-// Where a pixel of the stack is sampled, if it shows the given place.
+// The box in space in which the sample of a pixel of the stack lies, if the pixel shows the given place.
 Box3 boxAt(const Slab& slab, const FlatPlace& place, double depth)
 {
   Box3 normal;

@@ -29,19 +29,6 @@ constexpr long double SpaceRounding = 1e-6L;
 // Points whose way back is searched among all faces.
 constexpr vtkIdType MostPoints = 100;
 
-long double greatestCoordinate(const std::vector<Point>& points)
-{
-  long double greatest = 0.0L;
-  for (const Point& point : points)
-  {
-    for (const double x : point)
-    {
-      greatest = std::max(greatest, std::abs(static_cast<long double>(x)));
-    }
-  }
-  return greatest;
-}
-
 /// The surface, the map and the output of a transfer.
 struct Transfer
 {
@@ -116,7 +103,7 @@ void checkFigures(const Transfer& transfer, vtkPolyData* transferred, Findings& 
     area += areaOf(transfer.Original, transfer.Original.Faces[cell]);
   }
   const long double reported = figure(transferred, "SurfaceArea");
-  const long double coordinate = greatestCoordinate(transfer.Original.Points);
+  const long double coordinate = greatestCoordinate(transfer.Original);
   findings.require(std::abs(reported - area) <= 1e-6L * area + 1e-14L * coordinate * coordinate,
     "transfer-figures",
     "SurfaceArea is not the area of the cells");
@@ -125,9 +112,9 @@ void checkFigures(const Transfer& transfer, vtkPolyData* transferred, Findings& 
 // Each point comes from a face of the map that is within the tolerance of the point in space.
 void checkWayBack(const Transfer& transfer, double tolerance, Findings& findings)
 {
-  const long double mapSize = greatestCoordinate(transfer.Map.Points);
+  const long double mapSize = greatestCoordinate(transfer.Map);
   const long double greatest =
-    (1.0L + SpaceRounding) * tolerance + 1e-12L * greatestCoordinate(transfer.Original.Points);
+    (1.0L + SpaceRounding) * tolerance + 1e-12L * greatestCoordinate(transfer.Original);
   const auto count = static_cast<vtkIdType>(transfer.Flat.Points.size());
   const vtkIdType step = std::max<vtkIdType>(1, count / MostPoints);
   for (vtkIdType p = 0; p < count; p += step)
@@ -187,7 +174,7 @@ void checkSameFaces(const Transfer& transfer, Findings& findings)
     known.insert(
       placedCorners(transfer.Surface, transfer.Surface.Faces[f], transfer.Map, transfer.Map.Faces[f]));
   }
-  const long double rounding = FlatRounding * greatestCoordinate(transfer.Map.Points);
+  const long double rounding = FlatRounding * greatestCoordinate(transfer.Map);
   std::map<Corners, bool> isInPlace;
   for (std::size_t c = 0; c < transfer.Flat.Faces.size(); ++c)
   {

@@ -104,6 +104,19 @@ long double greatestSquaredSide(const Triangles& mesh, const Triangle& face)
   return greatest;
 }
 
+long double greatestCoordinate(const Triangles& mesh)
+{
+  long double size = 0.0L;
+  for (const Point& p : mesh.Points)
+  {
+    for (const double x : p)
+    {
+      size = std::max(size, std::abs(static_cast<long double>(x)));
+    }
+  }
+  return size;
+}
+
 long double distanceTo(const Triangles& mesh, const Triangle& face, const Point& point)
 {
   const Point& a = mesh.Points[face[0]];

@@ -34,6 +34,9 @@ long double totalArea(const Triangles& mesh);
 /// Greatest squared length of a side.
 long double greatestSquaredSide(const Triangles& mesh, const Triangle& face);
 
+/// Greatest absolute value of a coordinate.
+long double greatestCoordinate(const Triangles& mesh);
+
 /// Distance of a point from the face, a triangle that may have no area.
 long double distanceTo(const Triangles& mesh, const Triangle& face, const Point& point);
 

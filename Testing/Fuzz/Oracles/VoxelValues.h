@@ -17,7 +17,7 @@ namespace fuzz
 /// A box in space, in which a place lies.
 using Box3 = std::array<Interval, 3>;
 
-/// What a filter says of a place: one tuple for each array of the volume.
+/// The values that a filter gives a place: one tuple for each array of the volume.
 struct Sample
 {
   bool IsInside;
@@ -27,7 +27,7 @@ struct Sample
 /// The arrays of a volume that are sampled: those with numbers and a name.
 std::vector<vtkDataArray*> numbersOf(vtkImageData* volume);
 
-/// What is wrong with the sample at a place of the box; empty if it may be right.
+/// The fault, in words, of the sample at a place of the box; empty if it may be right.
 std::string faultOf(const Sample& sample, vtkImageData* volume, const Box3& box, bool nearestVoxel);
 
 } // namespace fuzz

@@ -40,7 +40,8 @@ struct Picture
     return { (place[0] - this->Origin[0]) / this->Spacing[0],
       (place[1] - this->Origin[1]) / this->Spacing[1] };
   }
-  // By how much a position is within the image with the outer halves of its pixels, in pixels.
+  // The distance of a position from the edge of the image with the outer halves of its pixels, in
+  // pixels; negative outside.
   long double depthAt(const Position& index) const
   {
     return std::min(std::min(index[0], this->Size[0] - 1.0L - index[0]),
@@ -108,7 +109,7 @@ bool shows(const Picture& picture,
   return true;
 }
 
-/// What a pixel can show of the image before.
+/// The values of the image before that a pixel can show.
 struct PixelContent
 {
   bool MayShow = false;    // a place of the image may have been taken to the pixel

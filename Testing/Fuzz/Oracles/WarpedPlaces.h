@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Where a mesh that was flattened in its plane takes the points of the plane, in either direction.
+/// The way of points of the plane to their places on the map of a planar mesh, and back.
 #pragma once
 
 #include "FlatPlaces.h"
@@ -32,7 +32,7 @@ struct PlanarMesh
 
 PlanarMesh planarMeshOf(Triangles mesh);
 
-/// What a warp is judged by.
+/// The meshes and the roundings by which a warp is judged.
 struct Warp
 {
   PlanarMesh Before;
@@ -40,7 +40,7 @@ struct Warp
   bool RemovesOutside; ///< whether points that are not on the mesh are removed
 };
 
-/// Where a face takes a point.
+/// The place to which a face takes a point.
 struct WarpedPlace
 {
   Position Place;

@@ -203,6 +203,43 @@ vtkSmartPointer<vtkAlgorithm> newFilter(const std::string& name,
                                        : newFilter<vtkDistortionMetrics>(input);
 }
 
+// Judges the output of a filter. Those of Mesh Saliency, Volume To Surface and Distortion Metrics have
+// no oracle here.
+void checkResult(vtkAlgorithm* filter, vtkPolyData* input, Findings& findings)
+{
+  vtkDataArray* labels = input->GetPointData()->GetArray(LabelArray);
+  vtkDataObject* second =
+    filter->GetNumberOfInputPorts() > 1 ? filter->GetInputDataObject(1, 0) : nullptr;
+  if (auto* region = vtkFlattenRegion::SafeDownCast(filter))
+  {
+    checkRegion(region, input, labels, findings);
+  }
+  else if (auto* image = vtkFlatMapImage::SafeDownCast(filter))
+  {
+    checkImage(image, findings);
+  }
+  else if (auto* slab = vtkFlatMapSlab::SafeDownCast(filter))
+  {
+    checkSlab(slab, findings);
+  }
+  else if (auto* weights = vtkAreaWeights::SafeDownCast(filter))
+  {
+    checkWeights(weights, input, labels, findings);
+  }
+  else if (auto* context = vtkContextResolution::SafeDownCast(filter))
+  {
+    checkContext(context, input, labels, findings);
+  }
+  else if (auto* warp = vtkPlanarWarp::SafeDownCast(filter))
+  {
+    checkWarp(warp, input, second, findings);
+  }
+  else if (auto* transfer = vtkFlatMapTransfer::SafeDownCast(filter))
+  {
+    checkTransfer(transfer->GetOutput(), input, vtkPolyData::SafeDownCast(second), findings);
+  }
+}
+
 } // namespace
 
 const std::vector<std::string>& otherFilters()
@@ -233,44 +270,9 @@ void runOtherFilter(const Case& one, Findings& findings)
       filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, LabelArray);
     }
     apply(one.Values, name, filter);
-    const Outcome outcome = runFilter(filter, findings);
-    if (name == "FlattenRegion" && outcome.HasResult)
+    if (runFilter(filter, findings).HasResult)
     {
-      checkRegion(vtkFlattenRegion::SafeDownCast(filter),
-        input,
-        input->GetPointData()->GetArray(LabelArray),
-        findings);
-    }
-    if (name == "FlatMapImage" && outcome.HasResult)
-    {
-      checkImage(vtkFlatMapImage::SafeDownCast(filter), findings);
-    }
-    if (name == "FlatMapSlab" && outcome.HasResult)
-    {
-      checkSlab(vtkFlatMapSlab::SafeDownCast(filter), findings);
-    }
-    if (name == "AreaWeights" && outcome.HasResult)
-    {
-      checkWeights(vtkAreaWeights::SafeDownCast(filter),
-        input,
-        input->GetPointData()->GetArray(LabelArray),
-        findings);
-    }
-    if (name == "ContextResolution" && outcome.HasResult)
-    {
-      checkContext(vtkContextResolution::SafeDownCast(filter),
-        input,
-        input->GetPointData()->GetArray(LabelArray),
-        findings);
-    }
-    if (name == "PlanarWarp" && outcome.HasResult)
-    {
-      checkWarp(vtkPlanarWarp::SafeDownCast(filter), input, filter->GetInputDataObject(1, 0), findings);
-    }
-    if (name == "FlatMapTransfer" && outcome.HasResult)
-    {
-      checkTransfer(
-        vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0)), input, one.Surface, findings);
+      checkResult(filter, input, findings);
     }
   }
 }
