@@ -37,9 +37,11 @@ constexpr double NearCentre = 10.0;
 // Number of times that another vertex is sent to infinity: a choice, as each costs a whole flow. Each
 // brings the centre closer by up to the sixteen digits that the positions have.
 constexpr int MostCloser = 3;
-// Number of times that a surface too coarse for any of them is subdivided: a guard, for one subdivision
-// gives every boundary edge a vertex with interior neighbours.
-constexpr int MostSubdivisions = 4;
+// A surface without a vertex for infinity is subdivided once, which gives every boundary edge a vertex
+// with interior neighbours, and further while it has at most this number of faces. A guard: surfaces of
+// 1 to 30 faces needed two or three times, and with more faces it is not coarse but nearly degenerate.
+// One of 536 faces had such a vertex after four times, and then a flow of a minute failed.
+constexpr int MostFacesOfCoarse = 2000;
 
 // A surface and its intrinsic Delaunay triangulation.
 struct IntrinsicSurface
@@ -233,7 +235,8 @@ ConformalDiskMap ricciFlowDisk(const TriangleMesh& mesh,
   map.AddedLength = surface.Triangulation.addedLength();
   std::vector<int> candidates = verticesForInfinity(surface.Triangulation);
   TriangleMesh fine = mesh;
-  for (int round = 0; candidates.empty() && round < MostSubdivisions; ++round)
+  while (candidates.empty() &&
+         (fine.faceCount() == mesh.faceCount() || fine.faceCount() <= MostFacesOfCoarse))
   {
     fine = subdivided(fine);
     surface = intrinsicSurface(fine, map.Flips, progress);
