@@ -23,12 +23,14 @@ struct RicciFlowOptions
 /// The flow stopped before its tolerance was met.
 struct RicciFlowStopped : ConvergenceError
 {
-  RicciFlowStopped(const std::string& message, int newtonIterations)
+  RicciFlowStopped(const std::string& message, int newtonIterations, long long excessiveFlips)
     : ConvergenceError(message)
     , NewtonIterations(newtonIterations)
+    , ExcessiveFlips(excessiveFlips)
   {
   }
-  int NewtonIterations; ///< steps until then
+  int NewtonIterations;     ///< steps until then
+  long long ExcessiveFlips; ///< flips until then of evaluations that flipped too many edges
 };
 
 struct RicciFlowResult

@@ -27,6 +27,8 @@ constexpr int MostAttempts = 4;
 // nearly degenerate triangles, are enough. A guard for the time; with one, surfaces with many slivers
 // are given up that the second vertex maps.
 constexpr int LateSteps = 90;
+// The same for excessive flips: about ten seconds.
+constexpr long long LateFlips = 8000000;
 // Distance of the centre of the disk from the origin of the half-plane, in units of its height, above
 // which another vertex is sent to infinity. Derived: the disk loses as many digits as this has, and six
 // of sixteen leave faces of a millionth of the radius in order.
@@ -123,7 +125,8 @@ HalfPlaneMap mapToHalfPlane(const IntrinsicSurface& surface,
   const ProgressCallback& progress)
 {
   const int attempts = std::min(static_cast<int>(candidates.size()), MostAttempts);
-  int steps = 0; // of the attempts that failed
+  int steps = 0;       // of the attempts that failed
+  long long flips = 0; // the excessive ones of the same
   for (int k = 0; k < attempts; ++k)
   {
     try
@@ -136,7 +139,8 @@ HalfPlaneMap mapToHalfPlane(const IntrinsicSurface& surface,
     {
       const auto* flow = dynamic_cast<const RicciFlowStopped*>(&error);
       steps += flow ? flow->NewtonIterations : 0;
-      if (k + 1 == attempts || steps >= LateSteps)
+      flips += flow ? flow->ExcessiveFlips : 0;
+      if (k + 1 == attempts || steps >= LateSteps || flips >= LateFlips)
       {
         throw;
       }
