@@ -496,11 +496,13 @@ TEST(BoundaryFirst, SpreadsTheEndOfATube)
 // that are spread are counted, not those of the parts.
 TEST(RicciFlow, CountsSpreadVerticesOfTheSurfaceThatWasGiven)
 {
-  const TriangleMesh needle = surfaceToDisk(
-    samples::meshOf({ { -12964636130576.727, -12236305799851.115, -4611197400399.479 },
-                      { -12964636130948.016, -12236305799850.883, -4611197400399.479 },
-                      { -12964636137190.785, -12236305799850.836, -4611197400399.479 } },
-      { { 0, 1, 2 } })).Surface.Mesh;
+  const TriangleMesh needle = surfaceToDisk(samples::meshOf({ { 0.0, 0.0, 0.0 },
+                                                              { 0.02, 0.05, 0.0 },
+                                                              { 1.0, 0.0, 0.0 },
+                                                              { 1.02, 0.05, 0.0 },
+                                                              { 2.1, 0.0, 0.0 } },
+                                              { { 0, 2, 1 }, { 2, 3, 1 }, { 2, 4, 3 } }))
+                                .Surface.Mesh;
   ASSERT_LE(needle.vertexCount(), 100);
   ConformalDiskOptions options;
   options.Method = ConformalMethod::RicciFlow;
