@@ -7,9 +7,9 @@
  * not 0 in the regions of interest, such as `SaliencyRegion` of vtkMeshSaliency. Edges outside the
  * regions are collapsed until about ContextFaces triangles are left there (CGAL's edge collapse with
  * the cost and placement of Lindstrom and Turk 1998). The points of the regions and all triangles
- * around them stay as they are. Flattening then takes the time of a small surface while the regions
- * keep their detail (Zhao et al. 2013, section 5). vtkFlatMapTransfer brings all original points to the
- * flat map afterwards.
+ * around them stay as they are, and so do triangles at a point where parts of the surface touch.
+ * Flattening then takes the time of a small surface while the regions keep their detail (Zhao et al.
+ * 2013, section 5). vtkFlatMapTransfer brings all original points to the flat map afterwards.
  *
  * If the array is a cell array, the corners of the cells that are not 0 form the regions.
  *

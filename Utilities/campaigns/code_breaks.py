@@ -221,10 +221,11 @@ BREAKS = [
     ),
     at(
         "Remeshing/RegionPreservingDecimation.cxx",
-        "keep[f.idx()]",
+        "fix[f.idx()]",
         "false",
-        "fixed[surface.edge(h)] || keep[f.idx()]",
+        "fixed[surface.edge(h)] || fix[f.idx()]",
     ),
+    at("Remeshing/RegionPreservingDecimation.cxx", "keep[f.idx()] = 1;", ""),
     at("Remeshing/IsotropicRemeshing.cxx", "tangential.norm() < SmallestStep * this->Length", "true"),
     at("Remeshing/SliverRemoval.cxx", "smallestSine(change.After) > Gain * smallestSine(change.Before)", "false"),
     # --- Handles

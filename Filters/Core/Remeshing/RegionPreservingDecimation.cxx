@@ -5,6 +5,7 @@
 #include "Mesh/ClosestPointTree.h"
 #include "Mesh/EditableSurface.h"
 
+#include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/Surface_mesh_simplification/Edge_collapse_visitor_base.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Constrained_placement.h>
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <string>
 
@@ -61,6 +63,25 @@ std::vector<char> facesToKeep(const TriangleMesh& mesh, const std::vector<char>&
   {
     const auto face = mesh.Faces.row(f);
     keep[f] = std::any_of(face.begin(), face.end(), [&inRegion](int v) { return inRegion[v] != 0; });
+  }
+  return keep;
+}
+
+// Flags the faces that collapses must leave: those to keep, and those around a vertex in which fans of
+// faces meet. CGAL promises nothing of such a vertex, and takes a fan of a single face away from it.
+std::vector<char> facesToFix(const SurfaceMesh& surface, std::vector<char> keep)
+{
+  std::vector<SurfaceMesh::Halfedge_index> sides; // one of each fan, towards the vertex
+  CGAL::Polygon_mesh_processing::non_manifold_vertices(surface, std::back_inserter(sides));
+  for (const auto side : sides)
+  {
+    for (const auto f : surface.faces_around_target(side))
+    {
+      if (f != SurfaceMesh::null_face())
+      {
+        keep[f.idx()] = 1;
+      }
+    }
   }
   return keep;
 }
@@ -142,21 +163,21 @@ Origins collapse(SurfaceMesh& surface,
   {
     origins[v] = static_cast<int>(v.idx());
   }
+  const std::vector<char> fix = facesToFix(surface, keep);
   std::vector<char> isFixed(surface.number_of_vertices(), 0);
-  int kept = 0;
   for (const auto f : surface.faces())
   {
     for (const auto h : surface.halfedges_around_face(surface.halfedge(f)))
     {
-      fixed[surface.edge(h)] = fixed[surface.edge(h)] || keep[f.idx()];
-      isFixed[surface.target(h).idx()] |= keep[f.idx()];
+      fixed[surface.edge(h)] = fixed[surface.edge(h)] || fix[f.idx()];
+      isFixed[surface.target(h).idx()] |= fix[f.idx()];
     }
-    kept += keep[f.idx()];
   }
   for (const auto e : surface.edges())
   {
     fixed[e] = fixed[e] || (isFixed[surface.vertex(e, 0).idx()] && isFixed[surface.vertex(e, 1).idx()]);
   }
+  const auto kept = static_cast<double>(std::count(keep.begin(), keep.end(), 1));
   const auto faces = static_cast<double>(surface.number_of_faces());
   const double edgesPerFace = static_cast<double>(surface.number_of_edges()) / faces;
   const double edges = edgesPerFace * (kept + std::min<double>(contextFaces, faces - kept));

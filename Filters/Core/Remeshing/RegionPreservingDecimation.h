@@ -13,7 +13,8 @@ namespace flattening
 /// Collapses edges outside of the regions until about @p contextFaces faces (> 0) are left there: CGAL's
 /// edge_collapse with the cost and placement of Lindstrom and Turk 1998 ("Fast and memory efficient
 /// polygonal simplification"), which preserve the volume and the boundary, and a bound on how far a face
-/// may turn. The vertices of the regions and all faces around them stay as they are. The topology stays.
+/// may turn. The vertices of the regions and all faces around them stay as they are, and so do the faces
+/// around a vertex in which fans of faces meet. The topology stays.
 /// If there are no more than @p contextFaces faces outside, nothing changes.
 ///
 /// A kept vertex has itself as origin, a new one the corners of the original face nearest to it; a

@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -161,6 +164,83 @@ TEST(RegionPreservingDecimation, TheSurfaceKeepsItsShapeAndTopology)
     EXPECT_LT((from - coarse.Mesh.Vertices.row(v)).norm(), 0.02);
   }
   EXPECT_LT(greatest, 0.02);
+}
+
+// A chain of square patches that share only a corner with the next: one or two faces of each meet there.
+TriangleMesh chainOfPatches(int patches, int cells)
+{
+  const int corners = (cells + 1) * (cells + 1);
+  TriangleMesh mesh;
+  mesh.Vertices.resize(patches * (corners - 1) + 1, 3);
+  std::vector<Eigen::RowVector3i> faces;
+  for (int p = 0; p < patches; ++p)
+  {
+    const auto id = [&](int i, int j) { return p * (corners - 1) + i * (cells + 1) + j; };
+    for (int i = 0; i <= cells; ++i)
+    {
+      for (int j = 0; j <= cells; ++j)
+      {
+        mesh.Vertices.row(id(i, j)) << p * cells + i, p * cells + j, 0.1 * ((i + 2 * j) % 3);
+      }
+    }
+    for (int i = 0; i < cells; ++i)
+    {
+      for (int j = 0; j < cells; ++j)
+      {
+        const int a = p % 2 ? id(i, j) : id(i + 1, j); // where a diagonal begins
+        const int b = p % 2 ? id(i + 1, j) : id(i + 1, j + 1);
+        const int c = p % 2 ? id(i + 1, j + 1) : id(i, j + 1);
+        const int d = p % 2 ? id(i, j + 1) : id(i, j);
+        faces.emplace_back(a, b, c);
+        faces.emplace_back(a, c, d);
+      }
+    }
+  }
+  mesh.Faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    mesh.Faces.row(static_cast<Eigen::Index>(f)) = faces[f];
+  }
+  return mesh;
+}
+
+// The Euler number, and the number of pieces if what shares a vertex is one piece.
+std::pair<long, long> shapeOf(const TriangleMesh& mesh)
+{
+  std::vector<int> piece(mesh.vertexCount());
+  std::iota(piece.begin(), piece.end(), 0);
+  std::set<std::pair<int, int>> edges;
+  std::set<int> vertices;
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int a = mesh.Faces(f, k);
+      const int b = mesh.Faces(f, (k + 1) % 3);
+      vertices.insert(a);
+      edges.insert(std::minmax(a, b));
+      std::replace(piece.begin(), piece.end(), int{ piece[a] }, int{ piece[b] });
+    }
+  }
+  std::set<int> pieces;
+  std::for_each(vertices.begin(), vertices.end(), [&](int v) { pieces.insert(piece[v]); });
+  return { static_cast<long>(vertices.size() + mesh.faceCount()) - static_cast<long>(edges.size()),
+    static_cast<long>(pieces.size()) };
+}
+
+TEST(RegionPreservingDecimation, PatchesThatShareOnlyAVertexStayJoined)
+{
+  for (const int cells : { 1, 4 })
+  {
+    const TriangleMesh mesh = chainOfPatches(10, cells);
+    std::vector<char> inRegion(mesh.vertexCount(), 0);
+    inRegion[0] = 1;
+    const DerivedMesh coarse = decimateContext(mesh, inRegion, 1);
+    EXPECT_EQ(shapeOf(mesh), std::make_pair(1L, 1L));
+    EXPECT_EQ(shapeOf(coarse.Mesh), shapeOf(mesh)) << cells;
+    // All faces of single squares are at a shared corner, and stay.
+    EXPECT_LE(coarse.Mesh.faceCount(), cells == 1 ? mesh.faceCount() : mesh.faceCount() / 2);
+  }
 }
 
 TEST(RegionPreservingDecimation, AContextThatIsCoarseStaysAsItIs)
