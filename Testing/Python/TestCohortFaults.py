@@ -33,8 +33,8 @@ from case_files import CaseError, extension, read
 from case_list import Case
 from case_records import CaseRecords, RunError
 from child_process import in_child
-from ranks import printable
 from run_lock import RunLock
+from shown_text import printable
 
 folder = tempfile.mkdtemp(dir=os.environ.get("TEMPORARY_DIRECTORY"))
 sphere = vtkSphereSource()
@@ -330,3 +330,11 @@ assert sorted(os.listdir(path_of(f"output {ODD}/results"))) == [f"{ODD}.vtp", f"
 status, text = answer(*arguments)
 assert status == 1 and "5 cases, 2 finished before" in text, text
 assert printable("ä 脳 \udcff") == "ä 脳 \\udcff"
+
+# A null character in a message, which pvbatch's standard output does not take.
+with open(path_of("null.ply"), "wb") as stream:
+    stream.write(b"ply\nformat ascii 1.0\nelement vertex 1\nproperty \0loat x\nend_header\n0\n")
+status, text = answer("--output", path_of("output null"), path_of("null.ply"))
+assert status == 1 and r"failed: null: the header is damaged: property \x00loat x" in text, text
+with open(path_of("output null/summary.csv"), encoding="utf-8", newline="") as stream:
+    assert [row["Reason"] for row in csv.DictReader(stream)] == [r"the header is damaged: property \x00loat x"]

@@ -35,6 +35,7 @@ from case_files import CaseError, Messages
 from case_pipeline import CONTOUR, CUTS, HANDLES, READING, flatten, flatten_data
 from child_process import in_child
 from mutations import mutated
+from shown_text import printable
 from small_files import ISOVALUE, write_small_files
 from vtkmodules.vtkIOImage import vtkDICOMImageReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter
@@ -147,7 +148,7 @@ class Campaign:
         self.worst[name] = max(self.worst[name], seconds)
         slow = seconds > self.arguments.slow
         if column in ("ours", "hangs") or slow or self.arguments.verbose:
-            print(f"{column}: {seconds:.1f} s, seed {seed}, {kind} of {os.path.basename(source)}: {text}; {settings}",
+            print(f"{column}: {seconds:.1f} s, seed {seed}, {kind} of {os.path.basename(source)}: {printable(text)}; {settings}",
                   flush=True)
         if (slow or column in ("ours", "hangs")) and self.arguments.keep:
             self.keep(path, os.path.join(self.arguments.keep, f"{seed}-{kind}.{name}"))

@@ -17,6 +17,7 @@ import json
 import os
 import socket
 
+from shown_text import without_controls
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 FINISHED = "finished"
@@ -176,6 +177,8 @@ class CaseRecords:
         self._end(case, status=FAILED, reason=reason, figures={}, costs={}, warnings=[])
 
     def _end(self, case, **row):
+        row["reason"] = without_controls(row["reason"])
+        row["warnings"] = [without_controls(warning) for warning in row["warnings"]]
         row.update(case=case.name, settings=self.settings, identity=self._identities[case.name])
         path = self._path(case, "json")
         with whole_file(path) as stream:  # before the mark goes, so that no other rank takes the case

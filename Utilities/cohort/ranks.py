@@ -2,16 +2,10 @@
 """The processes of a run: one, or those that mpiexec started."""
 
 import json
-import sys
 
+from shown_text import printable
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
-
-
-def printable(text):
-    """The text as standard output can take it: names of files need not be text in its encoding, nor in any."""
-    encoding = getattr(sys.stdout, "encoding", None) or "utf-8"  # pvbatch's standard output tells none
-    return text.encode(encoding, "backslashreplace").decode(encoding)
 
 
 class Ranks:
