@@ -81,7 +81,7 @@ TEST(LongestEdgeBisection, TooManyVerticesAreAnErrorThatNamesTheSetting)
 {
   const std::string message =
     messageOf<InvalidInput>([] { refineBoundary(cylinder(20, 6, 3.0), 1000000); });
-  EXPECT_TRUE(contains(message, "a million new points: lower Minimum Boundary Vertices")) << message;
+  EXPECT_TRUE(contains(message, "200,000 new points: lower Minimum Boundary Vertices")) << message;
 }
 
 TEST(LongestEdgeBisection, EndsWhereDoublePrecisionDoes)
