@@ -148,8 +148,8 @@ class Campaign:
         self.worst[name] = max(self.worst[name], seconds)
         slow = seconds > self.arguments.slow
         if column in ("ours", "hangs") or slow or self.arguments.verbose:
-            print(f"{column}: {seconds:.1f} s, seed {seed}, {kind} of {os.path.basename(source)}: {printable(text)}; {settings}",
-                  flush=True)
+            cause = f"{kind} of {os.path.basename(source)}: {text}; {settings}"
+            print(printable(f"{column}: {seconds:.1f} s, seed {seed}, {cause}"), flush=True)
         if (slow or column in ("ours", "hangs")) and self.arguments.keep:
             self.keep(path, os.path.join(self.arguments.keep, f"{seed}-{kind}.{name}"))
 
