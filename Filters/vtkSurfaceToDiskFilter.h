@@ -537,8 +537,8 @@ public:
   /**
    * Least number of vertices of a boundary that the filter cuts: edges there are split where needed. A
    * boundary of the input gets at least 8 vertices, or this number if it is smaller, as a triangle
-   * covers less than half of its circle. A hole (CutMode HOLE) with more than about two thousand may
-   * take more than 200,000 new points, which is an error. Range [3, 10000]. Default: 128.
+   * covers less than half of its circle. A hole (CutMode HOLE) in place of a few triangles can have
+   * about three thousand; more are an error. Range [3, 10000]. Default: 128.
    */
   vtkSetClampMacro(MinimumBoundaryVertices, int, 3, 10000);
   vtkGetMacro(MinimumBoundaryVertices, int);

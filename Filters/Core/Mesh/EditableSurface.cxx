@@ -89,10 +89,8 @@ namespace
 
 // The greatest number of new vertices beside as many as the surface has: a guard. Cuts add some
 // thousands. Beside triangles that are 1e20 times smaller, as around a point that lies far off by
-// mistake, bisection would go on until memory is gone. This bounds memory and not time, because the
-// paths over ever longer edges grow, too: a million vertices took 45 s, these take 3 s, and 54 s on a
-// surface that is larger still.
-constexpr std::size_t MostNewVertices = 200000;
+// mistake, bisection would go on until memory is gone.
+constexpr std::size_t MostNewVertices = 1000000;
 
 } // namespace
 
@@ -102,7 +100,7 @@ EditableSurface::Split EditableSurface::splitEdge(Halfedge edge, double t)
       2 * static_cast<std::size_t>(this->OriginalVertices) + MostNewVertices)
   {
     throw InvalidInput(
-      "the cut would take more than 200,000 new points: lower Minimum Boundary Vertices or, if the "
+      "the cut would take more than a million new points: lower Minimum Boundary Vertices or, if the "
       "triangles beside it differ very much in size, remove points that lie far off or set Remesh");
   }
   const Vertex source = this->Mesh.source(edge);

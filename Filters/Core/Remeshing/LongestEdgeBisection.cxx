@@ -17,6 +17,7 @@ namespace
 
 using Halfedge = EditableSurface::Halfedge;
 using Face = EditableSurface::Face;
+using Vertex = EditableSurface::Vertex;
 
 // How much a squared length may exceed its limit: an edge as long as the limit is then kept at any scale
 // of the mesh. A guard against rounding (1e-16), so that any value between that and a visible length
@@ -43,20 +44,31 @@ Halfedge longestSide(const EditableSurface& surface, Face face)
   return isLonger(surface, ab, c) ? ab : c;
 }
 
-// The edge at the end of the path over ever longer edges: it is the longest edge of both its faces.
-Halfedge endOfPropagation(const EditableSurface& surface, Halfedge side)
+// Splits the longest side of a face at its middle. The longer edges that a path from face to face leads
+// to are split before, so that every split edge is the longest one of both its faces. The path goes on
+// from where the last split left it: every step of it ends in one split, so that time grows with the
+// number of new vertices.
+template <typename OnSplit>
+void splitWithLongerEdges(EditableSurface& surface, Halfedge side, const OnSplit& onSplit)
 {
   const SurfaceMesh& mesh = surface.mesh();
-  while (!mesh.is_border(mesh.opposite(side)))
+  std::vector<Halfedge> path{ side };
+  while (!path.empty())
   {
-    const Halfedge longer = longestSide(surface, mesh.face(mesh.opposite(side)));
-    if (mesh.edge(longer) == mesh.edge(side))
+    const Halfedge last = path.back();
+    const Halfedge opposite = mesh.opposite(last);
+    const Halfedge longest =
+      mesh.is_border(opposite) ? opposite : longestSide(surface, mesh.face(opposite));
+    if (longest == opposite)
     {
-      break;
+      path.pop_back();
+      onSplit(surface.splitEdge(last, 0.5));
     }
-    side = longer;
+    else
+    {
+      path.push_back(longest);
+    }
   }
-  return side;
 }
 
 double squaredLimit(double longestEdge)
@@ -112,32 +124,60 @@ std::vector<Face> facesAround(const SurfaceMesh& mesh, Halfedge border)
   return faces;
 }
 
+bool hasCorner(const SurfaceMesh& mesh, Face face, Vertex vertex)
+{
+  const auto corners = mesh.vertices_around_face(mesh.halfedge(face));
+  return std::find(corners.begin(), corners.end(), vertex) != corners.end();
+}
+
+// Bisects the faces around a vertex once that have an edge longer than a limit, and returns their
+// number.
+int bisectAround(EditableSurface& surface, Vertex vertex, double squaredLimit)
+{
+  const SurfaceMesh& mesh = surface.mesh();
+  const auto around = mesh.faces_around_target(mesh.halfedge(vertex));
+  const std::vector<Face> faces(around.begin(), around.end());
+  int bisected = 0;
+  for (const Face face : faces)
+  {
+    // A face may have been bisected, and this part of it not touch the vertex, when its neighbour was.
+    if (face == SurfaceMesh::null_face() || !hasCorner(mesh, face, vertex))
+    {
+      continue;
+    }
+    const Halfedge side = longestSide(surface, face);
+    if (surface.squaredLength(side) > squaredLimit)
+    {
+      splitWithLongerEdges(surface, side, [](const EditableSurface::Split&) {});
+      ++bisected;
+    }
+  }
+  return bisected;
+}
+
 // Bisects the faces with a vertex on a boundary loop until none of them has an edge longer than a limit.
 // The parts of a face that do not touch the loop stay as large as they are.
 void bisectAlongBoundary(EditableSurface& surface, Halfedge border, double longestEdge)
 {
   const double limit = squaredLimit(longestEdge);
-  bool isDone = false;
-  while (!isDone) // every split halves an edge longer than the limit
+  int bisected = 0;
+  do // every bisection halves an edge longer than the limit
   {
-    isDone = true;
-    for (const Face face : facesAround(surface.mesh(), border))
+    const auto along = surface.mesh().vertices_around_face(border);
+    const std::vector<Vertex> loop(along.begin(), along.end());
+    bisected = 0;
+    for (const Vertex vertex : loop)
     {
-      const Halfedge side = longestSide(surface, face);
-      if (surface.squaredLength(side) > limit)
-      {
-        surface.splitEdge(endOfPropagation(surface, side), 0.5);
-        isDone = false;
-      }
+      bisected += bisectAround(surface, vertex, limit);
     }
-  }
+  } while (bisected > 0);
 }
 
 } // namespace
 
 void bisectLongEdges(EditableSurface& surface, const std::vector<Face>& faces, double longestEdge)
 {
-  SurfaceMesh& mesh = surface.mesh();
+  const SurfaceMesh& mesh = surface.mesh();
   requireResolvable(surface, faces, longestEdge);
   std::vector<char> wanted(mesh.num_faces(), 0);
   for (const Face f : faces)
@@ -146,16 +186,8 @@ void bisectLongEdges(EditableSurface& surface, const std::vector<Face>& faces, d
   }
   const double limit = squaredLimit(longestEdge);
   std::deque<Face> queue(faces.begin(), faces.end());
-  while (!queue.empty())
+  const auto follow = [&](const EditableSurface::Split& split)
   {
-    const Face face = queue.front();
-    const Halfedge side = longestSide(surface, face);
-    if (surface.squaredLength(side) <= limit)
-    {
-      queue.pop_front();
-      continue;
-    }
-    const auto split = surface.splitEdge(endOfPropagation(surface, side), 0.5);
     wanted.resize(mesh.num_faces(), 0);
     for (const auto& [half, rest] : split.Halves)
     {
@@ -165,6 +197,17 @@ void bisectLongEdges(EditableSurface& surface, const std::vector<Face>& faces, d
         queue.push_back(rest);
       }
     }
+  };
+  while (!queue.empty())
+  {
+    const Face face = queue.front();
+    const Halfedge side = longestSide(surface, face);
+    if (surface.squaredLength(side) <= limit)
+    {
+      queue.pop_front();
+      continue;
+    }
+    splitWithLongerEdges(surface, side, follow);
   }
 }
 

@@ -81,7 +81,28 @@ TEST(LongestEdgeBisection, TooManyVerticesAreAnErrorThatNamesTheSetting)
 {
   const std::string message =
     messageOf<InvalidInput>([] { refineBoundary(cylinder(20, 6, 3.0), 1000000); });
-  EXPECT_TRUE(contains(message, "200,000 new points: lower Minimum Boundary Vertices")) << message;
+  EXPECT_TRUE(contains(message, "a million new points: lower Minimum Boundary Vertices")) << message;
+}
+
+// Needles around an apex that lies far off: the path over ever longer edges visits all of them before it
+// ends, and each is halved some forty times. A path that began anew after every split took ten times as
+// long.
+// long.
+TEST(LongestEdgeBisection, ManyNeedlesAreAnErrorToo)
+{
+  constexpr int count = 40000;
+  TriangleMesh needles;
+  needles.Vertices.resize(count + 1, 3);
+  needles.Faces.resize(count, 3);
+  for (int v = 0; v < count; ++v)
+  {
+    const double angle = 2.0 * Pi * v / count;
+    needles.Vertices.row(v) << std::cos(angle), std::sin(angle), 1e-6 * v;
+    needles.Faces.row(v) << v, (v + 1) % count, count;
+  }
+  needles.Vertices.row(count) << 1e9, 0.0, 0.0;
+  const std::string message = messageOf<InvalidInput>([&] { refineBoundary(needles, 100000); });
+  EXPECT_TRUE(contains(message, "remove points that lie far off")) << message;
 }
 
 TEST(LongestEdgeBisection, EndsWhereDoublePrecisionDoes)
