@@ -219,6 +219,7 @@ BREAKS = [
         "surface.squaredLength(side) > limit",
         "surface.squaredLength(side) > 4.0 * limit",
     ),
+    at("Remeshing/LongestEdgeBisection.cxx", "!hasCorner(mesh, face, vertex)", "false"),
     at(
         "Remeshing/RegionPreservingDecimation.cxx",
         "fix[f.idx()]",

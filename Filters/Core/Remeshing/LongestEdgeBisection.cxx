@@ -130,9 +130,9 @@ bool hasCorner(const SurfaceMesh& mesh, Face face, Vertex vertex)
   return std::find(corners.begin(), corners.end(), vertex) != corners.end();
 }
 
-// Bisects the faces around a vertex once that have an edge longer than a limit, and returns their
-// number.
-int bisectAround(EditableSurface& surface, Vertex vertex, double squaredLimit)
+// Bisects once each face around a vertex whose squared longest edge exceeds a limit, and returns how
+// many these were.
+int bisectAround(EditableSurface& surface, Vertex vertex, double limit)
 {
   const SurfaceMesh& mesh = surface.mesh();
   const auto around = mesh.faces_around_target(mesh.halfedge(vertex));
@@ -146,7 +146,7 @@ int bisectAround(EditableSurface& surface, Vertex vertex, double squaredLimit)
       continue;
     }
     const Halfedge side = longestSide(surface, face);
-    if (surface.squaredLength(side) > squaredLimit)
+    if (surface.squaredLength(side) > limit)
     {
       splitWithLongerEdges(surface, side, [](const EditableSurface::Split&) {});
       ++bisected;
