@@ -87,9 +87,8 @@ EditableSurface::EditableSurface(const TriangleMesh& mesh)
 namespace
 {
 
-// The greatest number of new vertices beside as many as the surface has: a guard. Cuts add some
-// thousands. Beside triangles that are 1e20 times smaller, as around a point that lies far off by
-// mistake, bisection would go on until memory is gone.
+// The greatest number of new vertices beside as many as the surface has: a guard of memory. Cuts add
+// some thousands, and a boundary between triangles that are 1e12 times larger may ask for more.
 constexpr std::size_t MostNewVertices = 1000000;
 
 } // namespace

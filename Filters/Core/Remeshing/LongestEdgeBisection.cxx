@@ -24,13 +24,22 @@ using Vertex = EditableSurface::Vertex;
 // works.
 constexpr double LengthRounding = 1e-6;
 
+// A number rounded to the 24 bits of single precision, but with the exponents of double precision (Dekker
+// 1971, "A floating-point technique for extending the available precision").
+double toSinglePrecision(double number)
+{
+  const double product = 0x20000001p0 * number; // 2^29 + 1
+  return product - (product - number);
+}
+
 // A strict order of the edges, without which the propagation could run in circles. Lengths are compared
 // in single precision, so that edges equal up to rounding tie, and the same mesh at another scale is
-// split alike.
+// split alike. Edges of any length have an order by it, as an edge that is not the longest one of a face
+// leaves parts that are no shorter when it is split.
 bool isLonger(const EditableSurface& surface, Halfedge a, Halfedge b)
 {
-  const auto lengthA = static_cast<float>(surface.squaredLength(a));
-  const auto lengthB = static_cast<float>(surface.squaredLength(b));
+  const double lengthA = toSinglePrecision(surface.squaredLength(a));
+  const double lengthB = toSinglePrecision(surface.squaredLength(b));
   return lengthA != lengthB ? lengthA > lengthB : surface.mesh().edge(a) < surface.mesh().edge(b);
 }
 

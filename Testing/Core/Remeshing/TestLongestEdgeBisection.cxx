@@ -87,7 +87,6 @@ TEST(LongestEdgeBisection, TooManyVerticesAreAnErrorThatNamesTheSetting)
 // Needles around an apex that lies far off: the path over ever longer edges visits all of them before it
 // ends, and each is halved some forty times. A path that began anew after every split took ten times as
 // long.
-// long.
 TEST(LongestEdgeBisection, ManyNeedlesAreAnErrorToo)
 {
   constexpr int count = 40000;
@@ -103,6 +102,24 @@ TEST(LongestEdgeBisection, ManyNeedlesAreAnErrorToo)
   needles.Vertices.row(count) << 1e9, 0.0, 0.0;
   const std::string message = messageOf<InvalidInput>([&] { refineBoundary(needles, 100000); });
   EXPECT_TRUE(contains(message, "remove points that lie far off")) << message;
+}
+
+// A vertex far from the rest, though not at the boundary. Around it most squared lengths lie below what
+// single precision holds, if the far ones are about 1: bisected in another order than that of their
+// lengths, such edges took a million new vertices, or minutes.
+TEST(LongestEdgeBisection, EdgesOfAnyLengthsAreInOrder)
+{
+  int expected = 0;
+  for (const double distance : { 1e9, 1e12, 1e23, 1e30, 1e38 })
+  {
+    TriangleMesh tube = cylinder(20, 6, 3.0);
+    tube.Vertices.row(65) << distance, 0.0, 0.0;
+    tube.Vertices /= distance;
+    const DerivedMesh refined = refineBoundary(tube, 128);
+    expected = expected == 0 ? refined.Mesh.faceCount() : expected;
+    EXPECT_EQ(refined.Mesh.faceCount(), expected) << distance;
+    EXPECT_LT(refined.Mesh.faceCount(), 2500) << distance;
+  }
 }
 
 TEST(LongestEdgeBisection, EndsWhereDoublePrecisionDoes)
