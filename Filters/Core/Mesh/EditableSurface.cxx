@@ -88,7 +88,7 @@ namespace
 {
 
 // The greatest number of new vertices beside as many as the surface has: a guard of memory. Cuts add
-// some thousands, and a boundary between triangles that are 1e12 times larger may ask for more.
+// some thousands; a boundary of 40,000 long needles asks for more.
 constexpr std::size_t MostNewVertices = 1000000;
 
 } // namespace

@@ -24,8 +24,8 @@ using Vertex = EditableSurface::Vertex;
 // works.
 constexpr double LengthRounding = 1e-6;
 
-// A number rounded to the 24 bits of single precision, but with the exponents of double precision (Dekker
-// 1971, "A floating-point technique for extending the available precision").
+// A number below 1e299 rounded to the 24 bits of single precision, but with the exponents of double
+// precision (Dekker 1971, "A floating-point technique for extending the available precision").
 double toSinglePrecision(double number)
 {
   const double product = 0x20000001p0 * number; // 2^29 + 1
@@ -34,8 +34,9 @@ double toSinglePrecision(double number)
 
 // A strict order of the edges, without which the propagation could run in circles. Lengths are compared
 // in single precision, so that edges equal up to rounding tie, and the same mesh at another scale is
-// split alike. Edges of any length have an order by it, as an edge that is not the longest one of a face
-// leaves parts that are no shorter when it is split.
+// split alike. Exponents are those of double precision: in single precision the squared lengths of all
+// edges shorter than 1e-23 would tie, and parts of a face that is not split at its longest edge need not
+// become shorter.
 bool isLonger(const EditableSurface& surface, Halfedge a, Halfedge b)
 {
   const double lengthA = toSinglePrecision(surface.squaredLength(a));
@@ -139,8 +140,8 @@ bool hasCorner(const SurfaceMesh& mesh, Face face, Vertex vertex)
   return std::find(corners.begin(), corners.end(), vertex) != corners.end();
 }
 
-// Bisects once each face around a vertex whose squared longest edge exceeds a limit, and returns how
-// many these were.
+// Bisects each face around a vertex once if its squared longest edge exceeds the limit, and returns the
+// number of these faces.
 int bisectAround(EditableSurface& surface, Vertex vertex, double limit)
 {
   const SurfaceMesh& mesh = surface.mesh();
@@ -149,7 +150,8 @@ int bisectAround(EditableSurface& surface, Vertex vertex, double limit)
   int bisected = 0;
   for (const Face face : faces)
   {
-    // A face may have been bisected, and this part of it not touch the vertex, when its neighbour was.
+    // When its neighbour was bisected, a face may have been, too; the part of it that keeps its index
+    // need not touch the vertex.
     if (face == SurfaceMesh::null_face() || !hasCorner(mesh, face, vertex))
     {
       continue;

@@ -104,9 +104,9 @@ TEST(LongestEdgeBisection, ManyNeedlesAreAnErrorToo)
   EXPECT_TRUE(contains(message, "remove points that lie far off")) << message;
 }
 
-// A vertex far from the rest, though not at the boundary. Around it most squared lengths lie below what
-// single precision holds, if the far ones are about 1: bisected in another order than that of their
-// lengths, such edges took a million new vertices, or minutes.
+// A tube of which one vertex, not at a boundary, lies far from the rest. With the far edges of length 1
+// the squared lengths of the others are 0 in single precision. The number of new faces may not depend on
+// it: bisected in another order than that of their lengths, the edges took a million new vertices.
 TEST(LongestEdgeBisection, EdgesOfAnyLengthsAreInOrder)
 {
   int expected = 0;
