@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
 #include <string>
 
 namespace flattening
@@ -82,22 +83,21 @@ vtkSmartPointer<vtkPolyData> triangulate(vtkPolyData* input)
   requireFinitePoints(input, input->GetPolys());
   requireFinitePoints(input, input->GetStrips());
 
+  // Without vertices and lines: vtkTriangleFilter of VTK 9.3 passes them on if all polygons are
+  // triangles. They are the first cells of the input.
+  const vtkIdType first = input->GetNumberOfVerts() + input->GetNumberOfLines();
   vtkNew<vtkPolyData> bare;
-  bare->CopyStructure(input);
   bare->SetPoints(pointsForTriangulation(input));
+  bare->SetPolys(input->GetPolys());
+  bare->SetStrips(input->GetStrips());
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName(OriginalCellIdsName);
-  ids->SetNumberOfTuples(input->GetNumberOfCells());
-  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
-  {
-    ids->SetValue(cell, cell);
-  }
+  ids->SetNumberOfTuples(bare->GetNumberOfCells());
+  std::iota(ids->Begin(), ids->End(), first);
   bare->GetCellData()->AddArray(ids);
 
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputData(bare);
-  triangles->PassVertsOff();
-  triangles->PassLinesOff();
   triangles->Update();
   triangles->GetOutput()->SetPoints(input->GetPoints());
   return triangles->GetOutput();

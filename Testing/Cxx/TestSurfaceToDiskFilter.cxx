@@ -61,6 +61,51 @@ TEST(SurfaceToDiskFilter, TriangulatesQuadsAndTracesThem)
   EXPECT_EQ(figure(output, "ReorientedFaces"), 0);
 }
 
+namespace
+{
+
+void expectThatLinesAndVerticesAreDropped(vtkPolyData* input)
+{
+  const vtkIdType vertex[] = { 0 };
+  vtkNew<vtkCellArray> vertices;
+  vertices->InsertNextCell(1, vertex);
+  const vtkIdType line[] = { 0, 1, 2 };
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(3, line);
+  input->SetVerts(vertices);
+  input->SetLines(lines);
+  input->GetCellData()->Initialize();
+  addAttributes(input);
+
+  vtkNew<vtkSurfaceToDiskFilter> filter;
+  const auto output = run(filter, input);
+  expectDisk(output);
+  EXPECT_EQ(output->GetNumberOfCells(), 72);
+  EXPECT_EQ(figure(output, "DroppedCells"), 2);
+  EXPECT_NEAR(areaOf(output), 1.0, 1e-14);
+  // Two cells come before the others; every triangle's corners are points of the cell that it comes
+  // from.
+  for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
+  {
+    const auto original =
+      static_cast<vtkIdType>(output->GetCellData()->GetArray("vtkOriginalCellIds")->GetTuple1(c));
+    ASSERT_GE(original, 2);
+    EXPECT_EQ(output->GetCellData()->GetArray("CellNumber")->GetTuple1(c), original + 1);
+    vtkNew<vtkIdList> cell;
+    input->GetCellPoints(original, cell);
+    vtkNew<vtkIdList> corners;
+    output->GetCellPoints(c, corners);
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto id = static_cast<vtkIdType>(
+        output->GetPointData()->GetArray("vtkOriginalPointIds")->GetTuple1(corners->GetId(k)));
+      EXPECT_GE(cell->IsId(id), 0);
+    }
+  }
+}
+
+} // namespace
+
 TEST(SurfaceToDiskFilter, TakesStripsAndDropsLinesAndVertices)
 {
   vtkNew<vtkTriangleFilter> triangles;
@@ -68,43 +113,16 @@ TEST(SurfaceToDiskFilter, TakesStripsAndDropsLinesAndVertices)
   vtkNew<vtkStripper> stripper;
   stripper->SetInputConnection(triangles->GetOutputPort());
   stripper->Update();
-  vtkPolyData* strips = stripper->GetOutput();
-  ASSERT_GT(strips->GetNumberOfStrips(), 0);
-  const vtkIdType vertex[] = { 0 };
-  vtkNew<vtkCellArray> vertices;
-  vertices->InsertNextCell(1, vertex);
-  const vtkIdType line[] = { 0, 1, 2 };
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell(3, line);
-  strips->SetVerts(vertices);
-  strips->SetLines(lines);
-  strips->GetCellData()->Initialize();
-  addAttributes(strips);
+  ASSERT_GT(stripper->GetOutput()->GetNumberOfStrips(), 0);
+  expectThatLinesAndVerticesAreDropped(stripper->GetOutput());
+}
 
-  vtkNew<vtkSurfaceToDiskFilter> filter;
-  const auto output = run(filter, strips);
-  expectDisk(output);
-  EXPECT_EQ(output->GetNumberOfCells(), 72);
-  EXPECT_EQ(figure(output, "DroppedCells"), 2);
-  EXPECT_NEAR(areaOf(output), 1.0, 1e-14);
-  // Two cells come before the strips; every triangle's corners are points of its strip.
-  for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
-  {
-    const auto original =
-      static_cast<vtkIdType>(output->GetCellData()->GetArray("vtkOriginalCellIds")->GetTuple1(c));
-    ASSERT_GE(original, 2);
-    EXPECT_EQ(output->GetCellData()->GetArray("CellNumber")->GetTuple1(c), original + 1);
-    vtkNew<vtkIdList> strip;
-    strips->GetCellPoints(original, strip);
-    vtkNew<vtkIdList> corners;
-    output->GetCellPoints(c, corners);
-    for (int k = 0; k < 3; ++k)
-    {
-      const auto id = static_cast<vtkIdType>(
-        output->GetPointData()->GetArray("vtkOriginalPointIds")->GetTuple1(corners->GetId(k)));
-      EXPECT_GE(strip->IsId(id), 0);
-    }
-  }
+TEST(SurfaceToDiskFilter, DropsLinesAndVerticesBesideTriangles)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(square(6));
+  triangles->Update();
+  expectThatLinesAndVerticesAreDropped(triangles->GetOutput());
 }
 
 // vtkSphereSource's poles and an area that the hole shares, on a mesh too coarse for a round hole.

@@ -89,11 +89,13 @@ colours.ColorSpace = "RGB"
 save_texture(image, "Ramp", file("ramp.png"))
 
 # The picture on the map and its surface, as an array: red is 0 at -45, 255 at 75.
-try:
-    sampled(OpenDataFile(file("ramp.png")), flat)
-    raise AssertionError("GDAL's values at cells were taken")
-except ValueError as error:
-    assert "PNGSeriesReader" in str(error)
+opened = OpenDataFile(file("ramp.png"))
+if opened.SMProxy.GetXMLName() != "PNGSeriesReader":  # ParaView 5.11 opens it with GDAL
+    try:
+        sampled(opened, flat)
+        raise AssertionError("GDAL's values at cells were taken")
+    except ValueError as error:
+        assert "PNGSeriesReader" in str(error)
 coloured = surface_of(sampled(PNGSeriesReader(FileNames=[file("ramp.png")]), flat))
 data = fetched(coloured)
 assert data.GetNumberOfPoints() == fetched(flat).GetNumberOfPoints()
