@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FlatteningClient.h"
 
+#include "AbortButton.h"
 #include "ApplyNotice.h"
 #include "CutDisplays.h"
 #include "FlatMapCameras.h"
@@ -79,5 +80,6 @@ void FlatteningClient::startup()
   new PercentBars(this);
   new RegionViews(this);
   new SeamPreviews(this);
+  new AbortButton(this);
   new ApplyNotice(this);
 }
