@@ -90,7 +90,8 @@ class DICOMScan(Scan):
             pixels = item.pixel_array
             slope, intercept = _number(item, "RescaleSlope", 1.0), _number(item, "RescaleIntercept", 0.0)
         except (ImportError, RuntimeError, NotImplementedError) as error:
-            absent = "handlers" in str(error)  # what pydicom says of them helps nobody
+            # What pydicom says of its handlers, or of plugins since its version 3, helps nobody.
+            absent = "handlers" in str(error) or "plugins" in str(error)
             raise ScanError(
                 f"{file}: its compression, {item.file_meta.TransferSyntaxUID.name}, cannot be read here (the package "
                 f"python3-gdcm brings most of them): {CONVERTER}{'' if absent else f'. {error}'}"

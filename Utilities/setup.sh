@@ -6,6 +6,8 @@
 #   Utilities/setup.sh --package for the ParaView plugin and to make a Debian package of it
 set -euo pipefail
 
+release=$(. /etc/os-release && echo "${VERSION_CODENAME:-sid}")
+
 packages=(
   cmake ninja-build g++
   libcgal-dev libeigen3-dev libsuitesparse-dev libtbb-dev
@@ -20,11 +22,12 @@ packages=(
 if [ "${1:-}" = --vtk ]; then
   # python3-vtk9 and python3-paraview exclude each other on Debian 12 and 13.
   packages+=(libvtk9-dev python3-vtk9)
+  [ "$release" = bookworm ] || packages+=(python3-pyvista) # for its tests
 else
   packages+=(paraview paraview-dev python3-paraview)
   # Qt puts the icons and the part in ParaView's window into the plugin, which goes without them otherwise. The other
   # packages make the plugin's pages in ParaView's help. Without libqt5svg5 or qt6-svg-plugins ParaView shows no icons.
-  case $(. /etc/os-release && echo "${VERSION_CODENAME:-sid}") in
+  case $release in
     bookworm) # ParaView 5.11, with Qt 5
       packages+=(qtbase5-dev qttools5-dev qtxmlpatterns5-dev-tools libqt5svg5 python3-markdown python3-pil)
       ;;

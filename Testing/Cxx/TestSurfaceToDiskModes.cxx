@@ -190,7 +190,8 @@ TEST(SurfaceToDiskModes, ReliefOpensSurfacesThatHadHandles)
     const auto output = run(filter, torus(60, 30));
     expectDisk(output);
     EXPECT_GT(output->GetFieldData()->GetArray("ReliefStrain")->GetComponent(0, 0), 0.0) << mode;
-    EXPECT_GE(figure(output, "SeamLength"), figure(output, "ReliefLength")) << mode;
+    // At least as long, but for the rounding of sums in another order.
+    EXPECT_GE(figure(output, "SeamLength"), (1.0 - 1e-12) * figure(output, "ReliefLength")) << mode;
   }
 }
 

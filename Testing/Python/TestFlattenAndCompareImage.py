@@ -28,6 +28,8 @@ views = simple.GetViewsInLayout(comparison.layout)
 for view in views:
     if view.GetXMLName() == "RenderView":
         view.UseFXAA = 0
+        view.UseColorPaletteForBackground = 0  # ParaView 6 has another colour
+        view.Background = [0.32, 0.34, 0.43]
 
 
 def screenshot(name):

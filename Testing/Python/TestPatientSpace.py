@@ -2,6 +2,7 @@
 """A marker comes out where nibabel says that it lies in the patient, from every format and orientation."""
 
 import contextlib
+import importlib
 import os
 import tempfile
 
@@ -11,7 +12,6 @@ import numpy as np
 import pydicom
 import VolumeFiles
 from paraview import servermanager, simple
-from pydicom.pixel_data_handlers import numpy_handler
 from surfaceflattening_scans import ScanError, open_scan, read_scan, scan_of
 from surfaceflattening_volume import isosurface
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -533,16 +533,29 @@ def check_compressed(folder):
 
 def check_without_decoder(path):
     """Without GDCM the message says which compression it is, and what to install or to do."""
-    handlers, pydicom.config.pixel_data_handlers = pydicom.config.pixel_data_handlers, [numpy_handler]
-    try:
-        read_scan(path)
-        raise AssertionError("JPEG-LS was read without a decoder")
-    except ScanError as error:
-        for word in ("JPEG-LS Lossless", "package python3-gdcm", "package dcm2niix"):
-            assert word in str(error), error
-        print(error)
-    finally:
+    with without_gdcm():
+        try:
+            read_scan(path)
+            raise AssertionError("JPEG-LS was read without a decoder")
+        except ScanError as error:
+            for word in ("JPEG-LS Lossless", "package python3-gdcm", "package dcm2niix"):
+                assert word in str(error), error
+            assert "plugins" not in str(error) and "handlers" not in str(error), error
+            print(error)
+
+
+@contextlib.contextmanager
+def without_gdcm():
+    if int(pydicom.__version__.split(".", maxsplit=1)[0]) < 3:
+        handlers = pydicom.config.pixel_data_handlers
+        pydicom.config.pixel_data_handlers = [importlib.import_module("pydicom.pixel_data_handlers.numpy_handler")]
+        yield
         pydicom.config.pixel_data_handlers = handlers
+    else:
+        decoder = importlib.import_module("pydicom.pixels").get_decoder(pydicom.uid.JPEGLSLossless)
+        decoder.remove_plugin("gdcm")
+        yield
+        decoder.add_plugin("gdcm", ("pydicom.pixels.decoders.gdcm", "_decode_frame"))
 
 
 with tempfile.TemporaryDirectory() as scratch:
