@@ -333,7 +333,8 @@ def _gifti(path):
         order = "F" if array.ind_ord == 2 else "C"
         if array.encoding == 1:
             array.data = np.ravel(array.data, order="K").reshape(array.dims, order=order)
-            array.data = array.data.astype(array.data.dtype.newbyteorder("="), copy=False)
+        # Since 5.3 nibabel leaves the file's order of bytes.
+        array.data = array.data.astype(array.data.dtype.newbyteorder("="), copy=False)
     return image
 
 
