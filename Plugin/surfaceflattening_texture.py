@@ -7,7 +7,9 @@ both written to files that other programs read.
     image = FlatMapImage(Input=flat, Size=1024)
     save_texture(image, "AreaDistortion", "texture.png")
     surface = surface_of(flat)  # in space, with the texture coordinates of the map
-    Show(surface).Texture = CreateTexture("texture.png")
+    texture = CreateTexture("texture.png")
+    texture.FileName = "texture.png"  # which CreateTexture of ParaView 5.13 forgets
+    Show(surface).Texture = texture
 
 The module comes with the plugin: once that is loaded, ParaView's Python Shell and pvpython can import it.
 docs/textures.md has the same as clicks.
