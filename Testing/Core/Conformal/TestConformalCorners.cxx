@@ -115,7 +115,7 @@ TEST(ConformalCorners, SeamOpensIntoTheCircle)
     const double c = std::cos(halfAngle);
     const double s = std::sin(halfAngle);
     const SeamOpenedSurface opened =
-      cutGeodesicSeam(samples::sphere(4), { { { c, -s, 0 }, { 1, 0, 0 }, { c, s, 0 } }, 64 });
+      cutGeodesicSeam(samples::sphere(4), { { { c, -s, 0 }, { 1, 0, 0 }, { c, s, 0 } }, 64, {} });
     const TriangleMesh& mesh = opened.Cut.Surface.Mesh;
     const auto nearest = [&mesh](const Eigen::Vector3d& p)
     {

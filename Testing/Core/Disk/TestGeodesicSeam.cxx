@@ -320,8 +320,8 @@ TEST(GeodesicSeam, RejectsPointsThatMakeNoSeam)
                            seamThrough(both(sphere(1), moved(sphere(1), 5, 0, 0)), { a, b });
                          }),
     "2 components"));
-  EXPECT_THROW(
-    cutGeodesicSeam(closed, { { a, b }, 128 }, [](double, const char*) { return false; }), Cancelled);
+  EXPECT_THROW(cutGeodesicSeam(closed, { { a, b }, 128, {} }, [](double, const char*) { return false; }),
+    Cancelled);
 }
 
 // Three arcs that meet at the pole, in two paths of which the second begins on the first, at one of its

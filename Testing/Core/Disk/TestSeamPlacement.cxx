@@ -28,7 +28,7 @@ TriangleMesh ellipsoid()
 
 SeamOpenedSurface cutAt(const TriangleMesh& mesh, const std::vector<Eigen::Vector3d>& points)
 {
-  SeamOpenedSurface opened = cutGeodesicSeam(mesh, { points, 128 });
+  SeamOpenedSurface opened = cutGeodesicSeam(mesh, { points, 128, {} });
   requireDisk(opened.Cut.Surface.Mesh);
   return opened;
 }

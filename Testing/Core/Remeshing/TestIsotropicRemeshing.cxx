@@ -68,7 +68,8 @@ double meanSmallestAngle(const TriangleMesh& mesh)
   {
     TriangleMesh face;
     face.Vertices = mesh.Vertices(mesh.Faces.row(f), flattening::all);
-    face.Faces = Eigen::RowVector3i(0, 1, 2);
+    face.Faces.resize(1, 3);
+    face.Faces << 0, 1, 2;
     sum += smallestAngle(face);
   }
   return sum / mesh.faceCount();

@@ -185,7 +185,7 @@ void runJobs(const std::vector<Job>& jobs,
 Record runInChild(const Case& one, const Limits& limits)
 {
   Record record;
-  record.Of = { one.SurfaceClass, one.Seed };
+  record.Of = { one.SurfaceClass, one.Seed, {} };
   const std::string end = runChild(
     [&](const Tell& tell)
     {

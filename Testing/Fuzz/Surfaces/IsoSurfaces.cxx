@@ -233,15 +233,15 @@ Soup voxelFaces(Random& random, int faces)
       for (int i = 1; i < n; ++i)
       {
         const bool in = volume.at(i, j, k) > value;
-        if (in != volume.at(i - 1, j, k) > value)
+        if (in != (volume.at(i - 1, j, k) > value))
         {
           squares.add({ i, j, k }, { 0, 1, 0 }, { 0, 0, 1 }, in);
         }
-        if (in != volume.at(i, j - 1, k) > value)
+        if (in != (volume.at(i, j - 1, k) > value))
         {
           squares.add({ i, j, k }, { 0, 0, 1 }, { 1, 0, 0 }, in);
         }
-        if (in != volume.at(i, j, k - 1) > value)
+        if (in != (volume.at(i, j, k - 1) > value))
         {
           squares.add({ i, j, k }, { 1, 0, 0 }, { 0, 1, 0 }, in);
         }
