@@ -22,7 +22,7 @@ namespace
 
 constexpr int PollMilliseconds = 20;
 constexpr int MostMilliseconds = 300'000;
-constexpr int WorkBeforeAbortMilliseconds = 1'000;
+constexpr int WorkBeforeAbortMilliseconds = 300;
 constexpr int UntouchedAfterAbortMilliseconds = 1'000;
 
 template <class Type>
