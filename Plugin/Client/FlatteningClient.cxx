@@ -39,8 +39,8 @@ constexpr const char* ReportNames[] = {
   "^(RingDistanceError|RootMeanSquareStretch|SD(Log)?AreaRatio|SeamLength|SeamRegionPoints)$",
   "^(SelfIntersections(Before)?|ShareBelow|SmallestAngle|SmoothingLength|SplitPoints)$",
   "^(SurfaceArea|UnusedPoints|(Mean|StandardError|P95)(Local|WithinMap|Global)LengthError)$",
-  "^((Mean|AreaWeightedMean|P95|P99|Max)(AreaError|AreaDistortion|AngleDistortion|BeltramiMagnitude|"
-  "StretchL2|SymmetricDirichlet|AngleError))$"
+  "^((Mean|AreaWeightedMean|P95|P99|Max)(AreaError|AreaDistortion|AngleDistortion|AngleError))$",
+  "^((Mean|AreaWeightedMean|P95|P99|Max)(BeltramiMagnitude|StretchL2|SymmetricDirichlet))$"
 };
 
 void hideReports()
