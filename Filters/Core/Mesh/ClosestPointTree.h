@@ -17,7 +17,7 @@ namespace flattening
 struct SurfacePoint
 {
   int Face; ///< row of the mesh's faces
-  Eigen::Vector3d Position;
+  Eigen::Vector3d Position = Eigen::Vector3d::Zero();
   std::array<double, 3> Weights; ///< barycentric, >= 0, sum 1, in the order of the face's vertices
 };
 
