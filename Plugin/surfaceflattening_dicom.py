@@ -90,7 +90,7 @@ class DICOMScan(Scan):
             pixels = item.pixel_array
             slope, intercept = _number(item, "RescaleSlope", 1.0), _number(item, "RescaleIntercept", 0.0)
         except (ImportError, RuntimeError, NotImplementedError) as error:
-            # What pydicom says of its handlers, or of plugins since its version 3, helps nobody.
+            # pydicom's message names its handlers (since version 3: plugins), which helps nobody.
             absent = "handlers" in str(error) or "plugins" in str(error)
             raise ScanError(
                 f"{file}: its compression, {item.file_meta.TransferSyntaxUID.name}, cannot be read here (the package "

@@ -328,8 +328,8 @@ def _gifti(path):
     # Not mapped into memory: nibabel takes mapped columns for rows.
     image = nibabel().gifti.GiftiImage.from_filename(path, mmap=False)
     for array in image.darrays:
-        # Of text nibabel before 5.3 makes a row of each line, which the format does not ask for. In memory the numbers are in
-        # the order of the text, whatever the version.
+        # Before version 5.3 nibabel makes a row of each line of text, which the format does not ask for. In memory the numbers
+        # are in the order of the text, whatever the version.
         order = "F" if array.ind_ord == 2 else "C"
         if array.encoding == 1:
             array.data = np.ravel(array.data, order="K").reshape(array.dims, order=order)
