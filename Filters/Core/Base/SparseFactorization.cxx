@@ -83,7 +83,9 @@ public:
 
 private:
   std::unique_lock<std::mutex> Lock;
+#ifdef SURFACEFLATTENING_OPENMP
   int OpenMPLevels = 0; // of nested parallel regions, as it was before
+#endif
 };
 
 } // namespace
