@@ -45,7 +45,7 @@ public:
     }
     else
     {
-      this->BlockedOriginals.emplace_back(mesh.vertexCount(), 0);
+      this->BlockedOriginals.emplace_back();
     }
   }
 
@@ -94,19 +94,11 @@ private:
     for (const std::vector<char>& blocked : this->BlockedOriginals)
     {
       this->block(blocked);
-      const Eigen::VectorXd distance = distancesAlongEdges(this->mesh(), { tip }, this->Blocked);
-      Vertex nearest;
-      for (const Vertex v : this->mesh().vertices())
+      const NearestTarget end = nearestTarget(
+        this->mesh(), tip, [this](Vertex v) { return this->Seams.isTaken(v); }, this->Blocked);
+      if (end.Vertex.is_valid())
       {
-        if (this->Seams.isTaken(v) && std::isfinite(distance[v]) &&
-            (!nearest.is_valid() || distance[v] < distance[nearest]))
-        {
-          nearest = v;
-        }
-      }
-      if (nearest.is_valid())
-      {
-        const std::vector<int> path = shortestPath(this->mesh(), distance, nearest);
+        const std::vector<int> path = shortestPath(this->mesh(), end.Distances, end.Vertex);
         this->follow(path, 0, path.size() - 1, progress);
         return true;
       }
@@ -114,9 +106,13 @@ private:
     return false;
   }
 
-  // Vertices on edges of the original are blocked if one of the ends is.
+  // Vertices on edges of the original are blocked if one of the ends is. Without flags none is.
   void block(const std::vector<char>& original)
   {
+    if (original.empty())
+    {
+      return;
+    }
     this->Blocked.assign(this->mesh().num_vertices(), 0);
     for (const Vertex v : this->mesh().vertices())
     {

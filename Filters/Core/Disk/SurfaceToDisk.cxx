@@ -10,8 +10,8 @@
 #include "Mesh/CoordinateFrame.h"
 #include "Mesh/MeshMeasures.h"
 #include "Mesh/MeshTopology.h"
-#include "Mesh/SelfIntersections.h"
 #include "Mesh/SliverThresholds.h"
+#include "Mesh/TrackedIntersections.h"
 #include "Remeshing/IsotropicRemeshing.h"
 #include "Remeshing/SelfIntersectionRemoval.h"
 #include "Remeshing/SliverRemoval.h"
@@ -33,7 +33,9 @@ constexpr int RemeshIterations = 3; // a convention, as in CGAL's examples
 
 // Counts pairs of intersecting faces. The two sides of a seam coincide, so their vertices are joined
 // first.
-int countIntersections(const TriangleMesh& mesh, const ProgressCallback& progress)
+int countIntersections(const TriangleMesh& mesh,
+  TrackedIntersections& known,
+  const ProgressCallback& progress)
 {
   const std::vector<int> representative = coincidentPoints(mesh.Vertices, 0.0);
   TriangleMesh joined = mesh;
@@ -44,7 +46,8 @@ int countIntersections(const TriangleMesh& mesh, const ProgressCallback& progres
       joined.Faces(f, k) = representative[mesh.Faces(f, k)];
     }
   }
-  return static_cast<int>(countSelfIntersections(joined, progress));
+  known.update(joined, progress);
+  return static_cast<int>(known.count());
 }
 
 // A surface on its way to a disk; make() lists the steps.
@@ -71,7 +74,8 @@ public:
     report(progress, 0.98, "looking for self-intersections");
     if (this->Options.CountSelfIntersections)
     {
-      this->Report.SelfIntersections = countIntersections(this->mesh(), subrange(progress, 0.98, 1.0));
+      this->Report.SelfIntersections =
+        countIntersections(this->mesh(), this->Intersections, subrange(progress, 0.98, 1.0));
     }
     report(progress, 1.0, "done");
     return std::move(this->Disk);
@@ -89,7 +93,7 @@ private:
     {
       report(progress, 0.17, "looking for self-intersections");
       this->Report.SelfIntersectionsBefore =
-        countIntersections(this->mesh(), subrange(progress, 0.17, 0.19));
+        countIntersections(this->mesh(), this->Intersections, subrange(progress, 0.17, 0.19));
     }
     if (this->Options.FlattenFolds && this->Options.Handles != HandleMode::Keep)
     {
@@ -315,7 +319,8 @@ private:
                                       : this->Options.RelativeEdgeLength * meanEdgeLength(this->mesh());
     const double before = this->area();
     follow(this->Disk.Surface,
-      remeshIsotropically(this->mesh(), this->Report.RemeshEdgeLength, RemeshIterations, progress));
+      remeshIsotropically(
+        this->mesh(), this->Report.RemeshEdgeLength, RemeshIterations, progress, &this->Intersections));
     this->Report.RemeshAreaChange = this->area() - before;
   }
 
@@ -323,7 +328,8 @@ private:
   {
     if (this->Pierced || flattening::smallestAngle(this->mesh()) < this->Options.SmallestAngle)
     {
-      follow(this->Disk.Surface, conditionFaces(this->mesh(), this->Options.SmallestAngle, progress));
+      follow(this->Disk.Surface,
+        conditionFaces(this->mesh(), this->Options.SmallestAngle, progress, &this->Intersections));
     }
   }
 
@@ -356,7 +362,8 @@ private:
   std::vector<char> OneSided; // per face: whether its component is one-sided
   OpenEnds Ends;
   int BorderOfLabel = -1; // a vertex on the border of the label that was removed
-  bool Pierced = false;   // whether a patch or a cap intersects other faces
+  TrackedIntersections Intersections;
+  bool Pierced = false; // whether a patch or a cap intersects other faces
 };
 
 DiskSurface diskInFrame(const TriangleMesh& soup,

@@ -14,9 +14,17 @@ namespace flattening
 
 using Vertex = SurfaceMesh::Vertex_index;
 
-Eigen::VectorXd distancesAlongEdges(const SurfaceMesh& mesh,
+namespace
+{
+
+// Sets the distances of the vertices from the nearest source, in the order of their distances. The
+// visitor may end the search by an exception.
+template <typename Visitor>
+void searchAlongEdges(const SurfaceMesh& mesh,
   const std::vector<Vertex>& sources,
-  const std::vector<char>& blocked)
+  const std::vector<char>& blocked,
+  Eigen::VectorXd& distances,
+  const Visitor& visitor)
 {
   const auto length = [&mesh, &blocked](SurfaceMesh::Edge_index edge)
   {
@@ -25,7 +33,7 @@ Eigen::VectorXd distancesAlongEdges(const SurfaceMesh& mesh,
     const bool isFree = blocked.empty() || !(blocked[from] || blocked[to]);
     return isFree ? std::sqrt(CGAL::squared_distance(mesh.point(from), mesh.point(to))) : HUGE_VAL;
   };
-  Eigen::VectorXd distances(mesh.number_of_vertices());
+  distances.resize(mesh.number_of_vertices());
   const auto index = get(boost::vertex_index, mesh);
   boost::dijkstra_shortest_paths(mesh,
     sources.begin(),
@@ -38,8 +46,56 @@ Eigen::VectorXd distancesAlongEdges(const SurfaceMesh& mesh,
     std::plus<double>(),
     HUGE_VAL,
     0.0,
-    boost::default_dijkstra_visitor());
+    visitor);
+}
+
+struct TargetFound
+{
+  Vertex Target;
+};
+
+struct EndAtTarget : boost::default_dijkstra_visitor
+{
+  const std::function<bool(Vertex)>* IsTarget = nullptr;
+
+  template <typename Graph>
+  void examine_vertex(Vertex v, const Graph&) const
+  {
+    if ((*this->IsTarget)(v))
+    {
+      throw TargetFound{ v };
+    }
+  }
+};
+
+} // namespace
+
+Eigen::VectorXd distancesAlongEdges(const SurfaceMesh& mesh,
+  const std::vector<Vertex>& sources,
+  const std::vector<char>& blocked)
+{
+  Eigen::VectorXd distances;
+  searchAlongEdges(mesh, sources, blocked, distances, boost::default_dijkstra_visitor());
   return distances;
+}
+
+NearestTarget nearestTarget(const SurfaceMesh& mesh,
+  Vertex source,
+  const std::function<bool(Vertex)>& isTarget,
+  const std::vector<char>& blocked)
+{
+  NearestTarget nearest;
+  EndAtTarget visitor;
+  visitor.IsTarget = &isTarget;
+  try
+  {
+    searchAlongEdges(mesh, { source }, blocked, nearest.Distances, visitor);
+  }
+  catch (const TargetFound& found)
+  {
+    nearest.Vertex = found.Target;
+  }
+  return nearest;
 }
 
 Eigen::VectorXd distancesFromFlagged(const SurfaceMesh& mesh, const std::vector<char>& flags)

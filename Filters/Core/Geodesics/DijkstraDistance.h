@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <vector>
 
 namespace flattening
@@ -18,6 +19,20 @@ namespace flattening
 Eigen::VectorXd distancesAlongEdges(const SurfaceMesh& mesh,
   const std::vector<SurfaceMesh::Vertex_index>& sources,
   const std::vector<char>& blocked = {});
+
+/// The target that is nearest to a source, and the distances of the vertices that are nearer than it.
+struct NearestTarget
+{
+  SurfaceMesh::Vertex_index Vertex; ///< invalid if no path leads to a target
+  Eigen::VectorXd Distances; ///< from the source, as distancesAlongEdges; of farther vertices too large
+};
+
+/// Looks for the target that is nearest to @p source along edges, and no farther.
+/// @param blocked  as for distancesAlongEdges
+NearestTarget nearestTarget(const SurfaceMesh& mesh,
+  SurfaceMesh::Vertex_index source,
+  const std::function<bool(SurfaceMesh::Vertex_index)>& isTarget,
+  const std::vector<char>& blocked);
 
 /// The distance of every vertex from the nearest flagged one (n, input units); infinite if none is
 /// flagged.

@@ -92,84 +92,6 @@ std::vector<PlacedTriangle> placedFaces(const TriangleMesh& mesh)
   return triangles;
 }
 
-// The pairs that a search has found. Several threads add them, in any order.
-struct PairList
-{
-  void add(int i, int j) { this->Pairs.local().push_back(std::minmax(i, j)); }
-  PairsOfThreads Pairs;
-};
-
-struct PairCount
-{
-  void add(int, int) { ++this->Count; }
-  std::atomic<std::size_t> Count{ 0 };
-};
-
-template <typename Found>
-struct PairSearch
-{
-  std::vector<PlacedTriangle> Triangles;
-  Found Result;
-  std::atomic<bool> IsAborted{ false };
-};
-
-// Adds the indices of all pairs of triangles that intersect. @throws Cancelled if the search is aborted.
-template <typename Found>
-void findIntersectingPairs(PairSearch<Found>& search)
-{
-  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
-  const std::vector<PlacedTriangle>& triangles = search.Triangles;
-  std::vector<Box> boxes;
-  std::vector<const Box*> pointers; // sorted instead of the boxes themselves: half the time
-  boxes.reserve(triangles.size());
-  pointers.reserve(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-  {
-    const auto& [a, b, c] = triangles[i].Vertices;
-    if (a != b && b != c && c != a)
-    {
-      Eigen::AlignedBox3d box = triangles[i].box();
-      boxes.emplace_back(box.min().data(), box.max().data(), static_cast<int>(i));
-      pointers.push_back(&boxes.back());
-    }
-  }
-  CGAL::box_self_intersection_d<CGAL::Parallel_tag>(
-    pointers.begin(),
-    pointers.end(),
-    [&](const Box* a, const Box* b)
-    {
-      if (search.IsAborted)
-      {
-        throw Cancelled();
-      }
-      if (intersect(triangles[a->info()], triangles[b->info()]))
-      {
-        search.Result.add(a->info(), b->info());
-      }
-    },
-    Cutoff);
-}
-
-// The search when it is over. An abort returns at once, and all threads of the search see it.
-template <typename Found>
-std::shared_ptr<PairSearch<Found>> intersectionSearch(std::vector<PlacedTriangle> triangles,
-  const ProgressCallback& progress)
-{
-  const auto search = std::make_shared<PairSearch<Found>>();
-  search->Triangles = std::move(triangles);
-  try
-  {
-    callInterruptibly(
-      [search] { findIntersectingPairs(*search); }, progress, 0.0, "looking for self-intersections");
-  }
-  catch (const Cancelled&)
-  {
-    search->IsAborted = true;
-    throw;
-  }
-  return search;
-}
-
 // Triangles that are found by their boxes.
 class TriangleBoxes
 {
@@ -213,6 +135,114 @@ private:
 
   boost::geometry::index::rtree<Value, boost::geometry::index::linear<16>> Tree;
 };
+
+// What a search needs and finds. An abandoned search shares it with nobody.
+struct PairSearch
+{
+  std::vector<PlacedTriangle> Triangles;
+  std::size_t Most = std::numeric_limits<std::size_t>::max(); // so many pairs are kept
+  std::atomic<std::size_t> Count{ 0 };
+  PairsOfThreads Found;
+  std::atomic<bool> IsAborted{ false };
+
+  // Called by several threads, in any order. @throws Cancelled if the search is aborted.
+  void compare(int i, int j)
+  {
+    if (this->IsAborted)
+    {
+      throw Cancelled();
+    }
+    if (intersect(this->Triangles[i], this->Triangles[j]) && this->Count++ < this->Most)
+    {
+      this->Found.local().push_back(std::minmax(i, j));
+    }
+  }
+};
+
+bool hasVertexTwice(const PlacedTriangle& triangle)
+{
+  const auto& [a, b, c] = triangle.Vertices;
+  return a == b || b == c || c == a;
+}
+
+// Compares all triangles.
+void compareAll(PairSearch& search)
+{
+  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
+  const std::vector<PlacedTriangle>& triangles = search.Triangles;
+  std::vector<Box> boxes;
+  std::vector<const Box*> pointers; // sorted instead of the boxes themselves: half the time
+  boxes.reserve(triangles.size());
+  pointers.reserve(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    if (!hasVertexTwice(triangles[i]))
+    {
+      Eigen::AlignedBox3d box = triangles[i].box();
+      boxes.emplace_back(box.min().data(), box.max().data(), static_cast<int>(i));
+      pointers.push_back(&boxes.back());
+    }
+  }
+  CGAL::box_self_intersection_d<CGAL::Parallel_tag>(
+    pointers.begin(),
+    pointers.end(),
+    [&search](const Box* a, const Box* b) { search.compare(a->info(), b->info()); },
+    Cutoff);
+}
+
+// Compares some triangles (ascending) with all.
+void compareSome(PairSearch& search, const std::vector<int>& some)
+{
+  std::vector<PlacedTriangle> chosen;
+  chosen.reserve(some.size());
+  for (const int i : some)
+  {
+    chosen.push_back(search.Triangles[i]);
+  }
+  const TriangleBoxes tree(chosen);
+  tbb::parallel_for(0,
+    static_cast<int>(search.Triangles.size()),
+    [&](int j)
+    {
+      if (hasVertexTwice(search.Triangles[j]))
+      {
+        return;
+      }
+      const bool isChosen = std::binary_search(some.begin(), some.end(), j);
+      tree.query(search.Triangles[j],
+        [&](int n)
+        {
+          const int i = some[n];
+          if ((!isChosen || i < j) && !hasVertexTwice(search.Triangles[i]))
+          {
+            search.compare(i, j);
+          }
+        });
+    });
+}
+
+// The search when it is over. An abort returns at once, and all threads of the search see it.
+template <typename Compare>
+std::shared_ptr<PairSearch> searched(std::vector<PlacedTriangle> triangles,
+  std::size_t most,
+  const ProgressCallback& progress,
+  const Compare& compare)
+{
+  const auto search = std::make_shared<PairSearch>();
+  search->Triangles = std::move(triangles);
+  search->Most = most;
+  try
+  {
+    callInterruptibly(
+      [search, compare] { compare(*search); }, progress, 0.0, "looking for self-intersections");
+  }
+  catch (const Cancelled&)
+  {
+    search->IsAborted = true;
+    throw;
+  }
+  return search;
+}
 
 } // namespace
 
@@ -291,12 +321,31 @@ std::size_t countOverlappingBoxes(const std::vector<PlacedTriangle>& some,
 
 Pairs intersectingPairs(const std::vector<PlacedTriangle>& triangles, const ProgressCallback& progress)
 {
-  return sorted(intersectionSearch<PairList>(triangles, progress)->Result.Pairs);
+  const std::size_t most = std::numeric_limits<std::size_t>::max();
+  return sorted(searched(triangles, most, progress, compareAll)->Found);
 }
 
 std::size_t countSelfIntersections(const TriangleMesh& mesh, const ProgressCallback& progress)
 {
-  return intersectionSearch<PairCount>(placedFaces(mesh), progress)->Result.Count;
+  return fewSelfIntersections(mesh, 0, progress).Count;
+}
+
+FewPairs fewSelfIntersections(const TriangleMesh& mesh,
+  std::size_t most,
+  const ProgressCallback& progress)
+{
+  const auto search = searched(placedFaces(mesh), most, progress, compareAll);
+  return { search->Count, sorted(search->Found) };
+}
+
+FewPairs fewIntersectionsOf(const TriangleMesh& mesh,
+  const std::vector<int>& some,
+  std::size_t most,
+  const ProgressCallback& progress)
+{
+  const auto search =
+    searched(placedFaces(mesh), most, progress, [some](PairSearch& s) { compareSome(s, some); });
+  return { search->Count, sorted(search->Found) };
 }
 
 std::vector<int> intersectionsPerGroup(const TriangleMesh& mesh,

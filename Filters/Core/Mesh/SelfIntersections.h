@@ -58,10 +58,27 @@ std::size_t countOverlappingBoxes(const std::vector<PlacedTriangle>& some,
   const std::vector<PlacedTriangle>& all,
   const std::function<bool(int, int)>& counts);
 
-/// The number of pairs of faces that intersect, the ones that CGAL's self_intersections finds. They are
-/// not kept: ten thousand faces can have fifty million. A face that has a vertex twice intersects
-/// nothing. Precondition: no other face is without area.
+/// The number of pairs of faces that intersect, the ones that CGAL's self_intersections finds. A face
+/// that has a vertex twice intersects nothing. Precondition: no other face is without area.
 std::size_t countSelfIntersections(const TriangleMesh& mesh, const ProgressCallback& progress = {});
+
+/// Intersecting pairs of faces, and their number.
+struct FewPairs
+{
+  std::size_t Count = 0;
+  std::vector<std::pair<int, int>> Pairs; ///< i < j, sorted; not all of them if there are too many
+};
+
+/// The pairs that countSelfIntersections counts, all of them if there are at most @p most.
+FewPairs fewSelfIntersections(const TriangleMesh& mesh,
+  std::size_t most,
+  const ProgressCallback& progress = {});
+
+/// The same pairs, but only those with a face of @p some in them (ascending).
+FewPairs fewIntersectionsOf(const TriangleMesh& mesh,
+  const std::vector<int>& some,
+  std::size_t most,
+  const ProgressCallback& progress = {});
 
 /// For each group of faces of @p mesh the number of pairs of a face in it and any other face of the mesh
 /// that intersect; a pair within the group counts twice.

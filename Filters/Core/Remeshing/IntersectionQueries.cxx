@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Remeshing/IntersectionQueries.h"
 
+#include "Mesh/EditableSurface.h"
+
 #include <CGAL/boost/graph/selection.h>
 #include <CGAL/property_map.h>
 
@@ -57,9 +59,22 @@ bool intersect(const MeshOnSurface& surface, const FacePair& pair)
   return intersect(placed(surface.triangle(pair.first)), placed(surface.triangle(pair.second)));
 }
 
-FacePairs intersectingFaces(const MeshOnSurface& surface, const ProgressCallback& progress)
+std::optional<FacePairs> intersectingFaces(const MeshOnSurface& surface,
+  TrackedIntersections& known,
+  const ProgressCallback& progress)
 {
-  return intersectingFaces(surface, allFaces(surface), progress);
+  known.update(toTriangleMesh(surface.mesh()), progress);
+  if (!known.pairs())
+  {
+    return std::nullopt;
+  }
+  const std::vector<Face> faces = allFaces(surface); // in the order of that mesh
+  FacePairs pairs;
+  for (const auto& [i, j] : *known.pairs())
+  {
+    pairs.emplace_back(faces[i], faces[j]);
+  }
+  return pairs;
 }
 
 FacePairs intersectingFaces(const MeshOnSurface& surface,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Mesh/SelfIntersections.h"
+#include "Mesh/TrackedIntersections.h"
 #include "Remeshing/MeshOnSurface.h"
 
 #include <cstddef>
@@ -26,8 +27,11 @@ PlacedTriangle placed(const CornerTriangle& triangle);
 /// Whether the two faces intersect.
 bool intersect(const MeshOnSurface& surface, const FacePair& pair);
 
-/// All pairs of faces that intersect.
-FacePairs intersectingFaces(const MeshOnSurface& surface, const ProgressCallback& progress = {});
+/// Updates what is known of the surface's intersections. Returns all pairs of faces that intersect, or
+/// nothing if there are more of them than faces.
+std::optional<FacePairs> intersectingFaces(const MeshOnSurface& surface,
+  TrackedIntersections& known,
+  const ProgressCallback& progress = {});
 
 /// The pairs of faces in @p faces that intersect.
 FacePairs intersectingFaces(const MeshOnSurface& surface,

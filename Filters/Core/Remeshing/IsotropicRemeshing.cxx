@@ -3,6 +3,7 @@
 
 #include "Base/Memory.h"
 #include "Mesh/SliverThresholds.h"
+#include "Remeshing/EdgeQueue.h"
 #include "Remeshing/MeshOnSurface.h"
 #include "Remeshing/SelfIntersectionRemoval.h"
 #include "Remeshing/SliverRemoval.h"
@@ -13,7 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
+#include <functional>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -37,6 +38,9 @@ constexpr int ReportInterval = 1 << 14;
 // collapsed. Nearer to 1, splits and collapses would undo each other.
 constexpr double LongEdge = 4.0 / 3.0;
 constexpr double ShortEdge = 4.0 / 5.0;
+
+// Lengths that differ by less than this part of the target length may come in any order: a convention.
+constexpr double BandsPerLength = 16.0;
 
 // Cosine of 60 degrees: no operation may leave a face steeper against the old surface, unless it
 // replaces a steeper one. A smaller cosine lets faces fold, a larger one keeps edges short where the
@@ -183,32 +187,7 @@ public:
   void flipToDelaunay(const ProgressCallback& progress);
 
 private:
-  // Edges of nearly the same length are in the same band and taken in the order of memory, which is
-  // faster than jumping all over the surface.
-  struct QueuedEdge
-  {
-    double Length;
-    int Band;
-    Edge Descriptor;
-
-    bool operator<(const QueuedEdge& other) const
-    {
-      return std::make_pair(this->Band, other.Descriptor) < std::make_pair(other.Band, this->Descriptor);
-    }
-    bool operator>(const QueuedEdge& other) const
-    {
-      return std::make_pair(this->Band, this->Descriptor) > std::make_pair(other.Band, other.Descriptor);
-    }
-  };
-
-  QueuedEdge queued(double length, Edge e) const
-  {
-    constexpr double BandsPerLength = 16.0;
-    constexpr double LastBand = 1e6;
-    return { length, static_cast<int>(std::min(BandsPerLength * length / this->Length, LastBand)), e };
-  }
-
-  template <typename Queue, typename IsWanted, typename Change>
+  template <typename Order, typename IsWanted, typename Change>
   void changeEdges(IsWanted&& isWanted, Change&& change, const ProgressCallback& progress);
   void splitLongEdges(const ProgressCallback& progress);
   void collapseShortEdges(const ProgressCallback& progress);
@@ -221,18 +200,18 @@ private:
 
 // Calls `change` for every edge whose length is wanted, in the order of the queue. It returns a vertex
 // whose edges may have become wanted, or no vertex.
-template <typename Queue, typename IsWanted, typename Change>
+template <typename Order, typename IsWanted, typename Change>
 void IsotropicRemesher::changeEdges(IsWanted&& isWanted,
   Change&& change,
   const ProgressCallback& progress)
 {
   const MeshOnSurface::Mesh& mesh = this->Surface.mesh();
-  Queue queue;
+  EdgeQueue<Order> queue(this->Length / BandsPerLength);
   const auto enqueue = [this, &mesh, &queue, &isWanted](Halfedge h)
   {
     if (const double length = this->Surface.length(h); isWanted(length))
     {
-      queue.push(this->queued(length, mesh.edge(h)));
+      queue.push(mesh.edge(h), length);
     }
   };
   for (const Edge e : mesh.edges())
@@ -245,15 +224,13 @@ void IsotropicRemesher::changeEdges(IsWanted&& isWanted,
     {
       report(progress, static_cast<double>(done) / (done + queue.size()), "remeshing");
     }
-    const QueuedEdge next = queue.top();
-    queue.pop();
+    const auto next = queue.pop();
     // The edge may be gone, or may have another length by now.
-    if (mesh.is_removed(next.Descriptor) ||
-        this->Surface.length(mesh.halfedge(next.Descriptor)) != next.Length)
+    if (mesh.is_removed(next.Edge) || this->Surface.length(mesh.halfedge(next.Edge)) != next.Length)
     {
       continue;
     }
-    if (const Vertex changed = change(next.Descriptor); changed != MeshOnSurface::Mesh::null_vertex())
+    if (const Vertex changed = change(next.Edge); changed != MeshOnSurface::Mesh::null_vertex())
     {
       for (const Halfedge h : mesh.halfedges_around_target(mesh.halfedge(changed)))
       {
@@ -265,7 +242,6 @@ void IsotropicRemesher::changeEdges(IsWanted&& isWanted,
 
 void IsotropicRemesher::splitLongEdges(const ProgressCallback& progress)
 {
-  using LongestFirst = std::priority_queue<QueuedEdge>;
   const auto split = [this](Edge e)
   {
     if (this->Surface.mesh().number_of_vertices() > this->MostVertices)
@@ -277,13 +253,12 @@ void IsotropicRemesher::splitLongEdges(const ProgressCallback& progress)
     }
     return this->Surface.split(e, staysSound);
   };
-  this->changeEdges<LongestFirst>(
+  this->changeEdges<std::greater<>>(
     [bound = LongEdge * this->Length](double length) { return length > bound; }, split, progress);
 }
 
 void IsotropicRemesher::collapseShortEdges(const ProgressCallback& progress)
 {
-  using ShortestFirst = std::priority_queue<QueuedEdge, std::vector<QueuedEdge>, std::greater<>>;
   const auto makesNoLongEdge = [limit = LongEdge * this->Length](const LocalChange& change)
   {
     const double after = longestSpoke(change.After);
@@ -300,7 +275,7 @@ void IsotropicRemesher::collapseShortEdges(const ProgressCallback& progress)
     }
     return mesh.is_removed(source) ? target : source;
   };
-  this->changeEdges<ShortestFirst>(
+  this->changeEdges<std::less<>>(
     [bound = ShortEdge * this->Length](double length) { return length < bound; }, collapse, progress);
 }
 
@@ -377,7 +352,8 @@ void IsotropicRemesher::relax(const ProgressCallback& progress)
 DerivedMesh remeshIsotropically(const TriangleMesh& mesh,
   double targetEdgeLength,
   int iterations,
-  const ProgressCallback& progress)
+  const ProgressCallback& progress,
+  TrackedIntersections* intersections)
 {
   requireSensibleLength(mesh, targetEdgeLength);
   report(progress, 0.0, "remeshing");
@@ -389,7 +365,7 @@ DerivedMesh remeshIsotropically(const TriangleMesh& mesh,
   }
   remesher.flipToDelaunay(subrange(progress, 0.8, 0.9));
   removeSlivers(surface, slivers::RemeshedAngle, subrange(progress, 0.85, 0.9));
-  removeSelfIntersections(surface, subrange(progress, 0.9, 0.95));
+  removeSelfIntersections(surface, subrange(progress, 0.9, 0.95), intersections);
   return surface.derived(subrange(progress, 0.95, 1.0));
 }
 

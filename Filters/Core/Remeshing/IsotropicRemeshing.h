@@ -4,6 +4,7 @@
 
 #include "Base/Progress.h"
 #include "Mesh/DerivedMesh.h"
+#include "Mesh/TrackedIntersections.h"
 
 namespace flattening
 {
@@ -24,12 +25,15 @@ namespace flattening
 /// brains it left up to 41 pairs of intersecting faces and angles below 1 degree.
 /// @param targetEdgeLength input units, > 0.
 /// @param iterations >= 0.
+/// @param intersections  of the old surface, if it is not null; of the new one afterwards, but for what
+///        removeSelfIntersections changed.
 /// @throws InvalidInput if the length is not positive and finite, so large that fewer than 20 faces
 /// would be left, or so small that more than 20 million points would be made, or more than
 /// there is memory for.
 DerivedMesh remeshIsotropically(const TriangleMesh& mesh,
   double targetEdgeLength,
   int iterations = 3,
-  const ProgressCallback& progress = {});
+  const ProgressCallback& progress = {},
+  TrackedIntersections* intersections = nullptr);
 
 } // namespace flattening

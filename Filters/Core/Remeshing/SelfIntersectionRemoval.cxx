@@ -151,15 +151,20 @@ bool PairSeparation::changeAround(Face face)
 
 } // namespace
 
-int removeSelfIntersections(MeshOnSurface& surface, const ProgressCallback& progress)
+int removeSelfIntersections(MeshOnSurface& surface,
+  const ProgressCallback& progress,
+  TrackedIntersections* known)
 {
   const char* stage = "removing self-intersections";
   report(progress, 0.0, stage);
-  FacePairs pairs = intersectingFaces(surface, subrange(progress, 0.0, 0.5));
-  if (static_cast<double>(pairs.size()) > LargestPairShare * surface.mesh().number_of_faces())
+  TrackedIntersections unknown;
+  TrackedIntersections& tracked = known != nullptr ? *known : unknown;
+  const auto found = intersectingFaces(surface, tracked, subrange(progress, 0.0, 0.5));
+  if (!found || static_cast<double>(found->size()) > LargestPairShare * surface.mesh().number_of_faces())
   {
-    return static_cast<int>(pairs.size());
+    return static_cast<int>(tracked.count());
   }
+  FacePairs pairs = *found;
   for (int round = 0; !pairs.empty() && round < Rounds; ++round)
   {
     const ProgressCallback part =
@@ -193,11 +198,14 @@ int removeSelfIntersections(MeshOnSurface& surface, const ProgressCallback& prog
     smoothIntersections(surface, std::move(pairs), subrange(progress, 0.75, 1.0)).size());
 }
 
-DerivedMesh conditionFaces(const TriangleMesh& mesh, double degrees, const ProgressCallback& progress)
+DerivedMesh conditionFaces(const TriangleMesh& mesh,
+  double degrees,
+  const ProgressCallback& progress,
+  TrackedIntersections* known)
 {
   MeshOnSurface surface(mesh);
   removeSlivers(surface, degrees, subrange(progress, 0.0, 0.5));
-  removeSelfIntersections(surface, subrange(progress, 0.5, 1.0));
+  removeSelfIntersections(surface, subrange(progress, 0.5, 1.0), known);
   return surface.derived();
 }
 
