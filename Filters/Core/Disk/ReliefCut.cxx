@@ -5,7 +5,6 @@
 #include "Disk/PathInsertion.h"
 #include "Geodesics/DijkstraDistance.h"
 #include "Geodesics/GeodesicPath.h"
-#include "Mesh/ClosestPointTree.h"
 #include "Mesh/MeshTopology.h"
 
 #include <algorithm>
@@ -52,8 +51,11 @@ public:
   ReliefOpenedSurface cut(const std::vector<Eigen::Vector3d>& tips, const ProgressCallback& progress)
   {
     ReliefOpenedSurface relief;
-    // All of them before the first branch, of which they would split edges.
-    const std::vector<Vertex> vertices = this->inserted(tips, atFraction(progress, 0.0, CuttingStage));
+    std::vector<Vertex> vertices;
+    for (const Eigen::Vector3d& tip : tips)
+    {
+      vertices.push_back(this->nearestVertex(tip));
+    }
     for (std::size_t i = 0; i < vertices.size(); ++i)
     {
       const double done = static_cast<double>(i) / static_cast<double>(vertices.size());
@@ -76,16 +78,12 @@ public:
 private:
   const SurfaceMesh& mesh() const { return this->Seams.mesh(); }
 
-  std::vector<Vertex> inserted(const std::vector<Eigen::Vector3d>& tips,
-    const ProgressCallback& progress)
+  // Distances are compared in single precision, so that of vertices as near the first one is chosen.
+  Vertex nearestVertex(const Eigen::Vector3d& point) const
   {
-    const ClosestPointTree surface(this->Original, progress);
-    std::vector<Vertex> vertices;
-    for (const Eigen::Vector3d& tip : tips)
-    {
-      vertices.push_back(insertPoint(this->Seams.surface(), surface.closest(tip), HUGE_VAL));
-    }
-    return vertices;
+    const Eigen::VectorXd squares =
+      (this->Original.Vertices.rowwise() - point.transpose()).rowwise().squaredNorm();
+    return Vertex(indexOfLargest(-squares));
   }
 
   // Joins the tip to what is taken. Returns whether a free path leads there.
