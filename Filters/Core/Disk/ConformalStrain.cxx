@@ -19,7 +19,9 @@ ConformalStrain::ConformalStrain(const TriangleMesh& mesh)
   : Curvature(Eigen::VectorXd::Constant(mesh.vertexCount(), 2.0 * std::acos(-1.0)))
   , Area(vertexAreas(mesh))
   , Laplacian(mesh.vertexCount(), mesh.vertexCount())
+  , Cholesky(EliminationOrder(), SparseCholesky::Kernel::Entries)
 {
+  this->Cholesky.expectConstantPattern();
   IntrinsicTriangulation surface(mesh);
   surface.flipToDelaunay();
   std::vector<Eigen::Triplet<double>> entries;
@@ -45,46 +47,30 @@ ConformalStrain::ConformalStrain(const TriangleMesh& mesh)
 }
 
 Eigen::VectorXd ConformalStrain::conformalFactors(const std::vector<char>& outline,
-  const ProgressCallback& progress) const
+  const ProgressCallback& progress)
 {
-  std::vector<int> row(outline.size(), -1);
-  std::vector<int> inner;
-  for (std::size_t v = 0; v < outline.size(); ++v)
+  // The factors of the outline stay among the unknowns, each with an equation of its own, so that the
+  // pattern of the matrix is always the same.
+  SparseMatrix matrix = this->Laplacian;
+  Eigen::VectorXd curvature = -this->Curvature;
+  for (int v = 0; v < matrix.cols(); ++v)
   {
-    if (!outline[v])
+    for (SparseMatrix::InnerIterator entry(matrix, v); entry; ++entry)
     {
-      row[v] = static_cast<int>(inner.size());
-      inner.push_back(static_cast<int>(v));
-    }
-  }
-  Eigen::VectorXd factors = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(outline.size()));
-  if (inner.empty())
-  {
-    return factors;
-  }
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(static_cast<std::size_t>(this->Laplacian.nonZeros()));
-  for (const int v : inner)
-  {
-    for (SparseMatrix::InnerIterator entry(this->Laplacian, v); entry; ++entry)
-    {
-      if (row[entry.row()] >= 0)
+      if (outline[v] || outline[entry.row()])
       {
-        entries.emplace_back(row[entry.row()], row[v], entry.value());
+        entry.valueRef() = entry.row() == v ? 1.0 : 0.0;
       }
     }
+    curvature[v] = outline[v] ? 0.0 : curvature[v];
   }
-  SparseMatrix matrix(static_cast<Eigen::Index>(inner.size()), static_cast<Eigen::Index>(inner.size()));
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  SparseCholesky cholesky(SparseCholesky::Ordering::Quick);
-  cholesky.compute(std::move(matrix), progress, 0.0, StrainStage);
-  if (cholesky.info() != Eigen::Success)
+  this->Cholesky.compute(std::move(matrix), progress, 0.0, StrainStage);
+  if (this->Cholesky.info() != Eigen::Success)
   {
     throw ConvergenceError("the strain of the surface could not be computed, as the cotangent Laplacian "
                            "could not be factored: remesh the surface");
   }
-  factors(inner) = -cholesky.solve(this->Curvature(inner).eval());
-  return factors;
+  return this->Cholesky.solve(curvature);
 }
 
 double ConformalStrain::of(const Eigen::VectorXd& factors) const

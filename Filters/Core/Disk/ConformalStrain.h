@@ -28,7 +28,7 @@ public:
   /// @param outline  one flag per vertex, at least one of them set on each component
   /// @throws ConvergenceError if the system cannot be factored; Cancelled.
   Eigen::VectorXd conformalFactors(const std::vector<char>& outline,
-    const ProgressCallback& progress = {}) const;
+    const ProgressCallback& progress = {});
 
   /// The standard deviation of the factors over the area of the surface, without unit. A map that keeps
   /// all areas must stretch each place by e^s one way and e^-s the other, and the root mean square of s
@@ -41,6 +41,7 @@ private:
   Eigen::VectorXd Curvature; // angle defect of every vertex, radians; without meaning on the boundary
   Eigen::VectorXd Area;      // of every vertex, input units squared
   SparseMatrix Laplacian;    // positive semi-definite
+  SparseCholesky Cholesky;   // of the Laplacian with the outline's rows and columns set to 0 but for a 1
 };
 
 } // namespace flattening

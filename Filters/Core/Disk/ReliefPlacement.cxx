@@ -219,7 +219,7 @@ private:
 
   // The branch that lowers the strain most for its length, of those that keep the bound on the length of
   // all branches; without a path if there is none.
-  Branch bestBranch(const ProgressCallback& progress) const
+  Branch bestBranch(const ProgressCallback& progress)
   {
     const Eigen::VectorXd distance = this->distances();
     Branch best;
@@ -269,7 +269,7 @@ private:
   }
 
   // The shortest path of edges from the outline to the tip, and the strain with it.
-  Branch branchTo(int tip, const Eigen::VectorXd& distance, const ProgressCallback& progress) const
+  Branch branchTo(int tip, const Eigen::VectorXd& distance, const ProgressCallback& progress)
   {
     Branch branch;
     branch.Length = distance[tip];
@@ -297,7 +297,7 @@ private:
 
   const TriangleMesh& Coarse;
   const ReliefOptions& Options;
-  const ConformalStrain Strain;
+  ConformalStrain Strain;
   const SurfaceMesh Surface;
   const double Unit;                   // the square root of the area
   Eigen::VectorXd DistanceFromAvoided; // infinite if there is no region

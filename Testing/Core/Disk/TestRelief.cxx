@@ -102,7 +102,7 @@ TEST(ConformalStrain, OfAHemisphereIsThatOfTheStereographicProjection)
   for (const int levels : { 3, 4, 5 })
   {
     const TriangleMesh mesh = hemisphere(levels);
-    const ConformalStrain strain(mesh);
+    ConformalStrain strain(mesh);
     const Eigen::VectorXd factors = strain.conformalFactors(boundaryFlags(mesh));
     double error = 0.0;
     for (int v = 0; v < mesh.vertexCount(); ++v)
@@ -123,7 +123,7 @@ TEST(ConformalStrain, OfDevelopableSurfacesIsNone)
 {
   for (const TriangleMesh& mesh : { rectangleGrid(12, 8, 1.5), cylinder(24, 10, 3.0) })
   {
-    const ConformalStrain strain(mesh);
+    ConformalStrain strain(mesh);
     EXPECT_LT(strain.of(strain.conformalFactors(boundaryFlags(mesh))), 1e-12);
   }
 }
