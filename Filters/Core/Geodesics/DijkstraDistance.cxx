@@ -57,11 +57,13 @@ struct TargetFound
 struct EndAtTarget : boost::default_dijkstra_visitor
 {
   const std::function<bool(Vertex)>* IsTarget = nullptr;
+  const Eigen::VectorXd* Distances = nullptr;
 
   template <typename Graph>
   void examine_vertex(Vertex v, const Graph&) const
   {
-    if ((*this->IsTarget)(v))
+    // Boost also visits the vertices to which no path leads, after all others.
+    if (std::isfinite((*this->Distances)[v]) && (*this->IsTarget)(v))
     {
       throw TargetFound{ v };
     }
@@ -87,6 +89,7 @@ NearestTarget nearestTarget(const SurfaceMesh& mesh,
   NearestTarget nearest;
   EndAtTarget visitor;
   visitor.IsTarget = &isTarget;
+  visitor.Distances = &nearest.Distances;
   try
   {
     searchAlongEdges(mesh, { source }, blocked, nearest.Distances, visitor);
