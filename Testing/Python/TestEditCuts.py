@@ -102,8 +102,13 @@ without = SurfaceToDisk(Input=fingers, Cut="Seam", SeamLines=kept)
 total = sum(map(length, before))
 left = sum(map(length, pieces(without)))
 assert math.isclose(left, total - length(before[last]), rel_tol=0.01), (left, total, length(before[last]))
-branch = simple.PolyLineSource(Points=[*before[0][len(before[0]) // 2], -10, 0, 0])
+# A branch is added to the place that is farthest from the cuts.
+cut = [point for line in pieces(without) for point in line]
+data = servermanager.Fetch(without)
+corners = [data.GetPoint(k) for k in range(0, data.GetNumberOfPoints(), 7)]
+far = max(corners, key=lambda corner: min(math.dist(point, corner) for point in cut))
+branch = simple.PolyLineSource(Points=[*min(cut, key=lambda point: math.dist(point, far)), *far])
 more = SurfaceToDisk(Input=fingers, Cut="Seam", SeamLines=simple.AppendGeometry(Input=[kept, branch]))
 added = sum(map(length, pieces(more))) - left
 assert added > 5.0, added
-assert min(math.dist(point, (-10, 0, 0)) for line in pieces(more) for point in line) < 0.5
+assert min(math.dist(point, far) for line in pieces(more) for point in line) < 0.5

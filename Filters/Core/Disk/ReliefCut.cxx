@@ -22,6 +22,11 @@ using Vertex = EditableSurface::Vertex;
 // edges are about as long.
 constexpr double BranchClearance = 0.01;
 
+// Branches shorter than this are not cut, in square roots of the surface's area: an edge of the coarse
+// copy. A shorter one is where a branch before it came nearer to the tip on the surface than on the
+// copy, so that the tip is reached as well as the copy can tell.
+constexpr double ShortestBranch = 0.02;
+
 constexpr const char* CuttingStage = "Cutting the relief";
 
 class ReliefCutter
@@ -29,14 +34,14 @@ class ReliefCutter
 public:
   ReliefCutter(const TriangleMesh& mesh, const std::vector<char>& avoided)
     : Original(mesh)
+    , Unit(std::sqrt(faceAreas(mesh.Vertices, mesh.Faces).sum()))
     , Topology(analyseTopology(mesh.Faces, mesh.vertexCount()))
     , Seams(mesh, Topology)
   {
     if (!avoided.empty())
     {
-      const double unit = std::sqrt(faceAreas(mesh.Vertices, mesh.Faces).sum());
       const Eigen::VectorXd distance = distancesFromFlagged(this->Seams.mesh(), avoided);
-      for (const double clearance : { BranchClearance * unit, 0.0 })
+      for (const double clearance : { BranchClearance * this->Unit, 0.0 })
       {
         const auto isNear = (distance.array() <= clearance).cast<char>();
         this->BlockedOriginals.emplace_back(isNear.begin(), isNear.end());
@@ -86,7 +91,7 @@ private:
     return Vertex(indexOfLargest(-squares));
   }
 
-  // Joins the tip to what is taken. Returns whether a free path leads there.
+  // Joins the tip to what is taken. Returns whether a free path leads there that is not too short.
   bool addBranch(Vertex tip, const ProgressCallback& progress)
   {
     for (const std::vector<char>& blocked : this->BlockedOriginals)
@@ -94,6 +99,11 @@ private:
       this->block(blocked);
       const NearestTarget end = nearestTarget(
         this->mesh(), tip, [this](Vertex v) { return this->Seams.isTaken(v); }, this->Blocked);
+      if (end.Vertex.is_valid() && this->isOpen() &&
+          end.Distances[end.Vertex] < ShortestBranch * this->Unit)
+      {
+        return false;
+      }
       if (end.Vertex.is_valid())
       {
         const std::vector<int> path = shortestPath(this->mesh(), end.Distances, end.Vertex);
@@ -145,7 +155,7 @@ private:
     }
     snapToVertices(
       this->mesh(), leg, [this](Vertex v) { return this->Seams.isTaken(v) || this->isBlocked(v); });
-    if (leg.size() == 2 && this->Seams.edgeCount() == 0 && this->Topology.BoundaryLoops.empty())
+    if (leg.size() == 2 && !this->isOpen())
     {
       // A cut of a single edge would not open the surface.
       leg.insert(leg.begin() + 1,
@@ -182,7 +192,10 @@ private:
                                 this->isBlocked(this->mesh().target(point.Edge));
   }
 
+  bool isOpen() const { return this->Seams.edgeCount() > 0 || !this->Topology.BoundaryLoops.empty(); }
+
   const TriangleMesh& Original;
+  const double Unit; // the square root of the area
   const MeshTopology Topology;
   SeamInsertion Seams;
   // Flags of the original vertices that branches may not touch: with a clearance, and without.

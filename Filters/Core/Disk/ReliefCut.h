@@ -22,10 +22,11 @@ struct ReliefOpenedSurface
 /// Joins one tip after the other to the boundary and the branches before it by the geodesic from the
 /// tip to the nearest of their vertices (along edges), as far as the first place where it meets them;
 /// the first tip of a closed surface is joined to by the second. The geodesics are cut into the faces as
-/// cutGeodesicSeam does. A tip that a branch before it has reached already gets no branch, nor does one
-/// that no free path leads to.
+/// cutGeodesicSeam does. A tip gets no branch if a branch before it comes nearer to it than 0.02 square
+/// roots of the surface's area, or if no free path leads to it.
 /// @param mesh  connected, with one boundary or none
-/// @param tips  points on the surface or near it, as placeRelief finds them
+/// @param tips  points on the surface or near it, as placeRelief finds them; the nearest vertices are
+///        joined
 /// @param avoided  one flag per vertex, not 0 where no branch may run; empty: branches may run anywhere.
 ///        Branches keep a distance from the flagged vertices where there is room.
 /// @throws Cancelled.

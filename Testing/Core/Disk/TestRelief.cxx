@@ -182,7 +182,8 @@ TEST(ReliefCut, OpensATreeAndLosesNothing)
     const ReliefOpenedSurface relief = cutRelief(mesh, placed.Tips);
     const TriangleMesh& opened = relief.Opened.Cut.Surface.Mesh;
     const std::vector<int> boundary = requireDisk(opened); // a forest or a loop would leave no disk
-    EXPECT_EQ(relief.Branches, static_cast<int>(placed.Tips.size()) - 1);
+    EXPECT_LT(relief.Branches, static_cast<int>(placed.Tips.size())); // fewer where tips are reached
+    EXPECT_GE(relief.Branches, static_cast<int>(directionsOfBumps().size()) - 1);
     EXPECT_NEAR(totalArea(opened), totalArea(mesh), 1e-12 * totalArea(mesh));
     double length = 0.0;
     for (std::size_t i = 0; i < boundary.size(); ++i)
