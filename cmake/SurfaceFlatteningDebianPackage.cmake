@@ -1,14 +1,27 @@
 # What cpack makes of the project: a Debian package beside Debian's own ParaView. Utilities/package.sh runs it.
 option(SURFACEFLATTENING_AUTOLOAD
-  "Install a paraview.conf beside ParaView's programs, so that they load the plugin when they start" OFF)
+  "Install a paraview.conf where ParaView's programs look for it, so that they load the plugin when they start" OFF)
 if (SURFACEFLATTENING_AUTOLOAD)
-  # ParaView reads <folder of the program>/paraview.conf: one list of plugins per line, relative to that folder.
-  # Debian's ParaView has no such file.
+  # ParaView reads a paraview.conf: one list of plugins per line, relative to its folder. Debian's ParaView looks for it
+  # beside its folder of plugins, where it has one of its own from Debian 13 on, and then beside the programs.
+  cmake_path(GET PARAVIEW_PLUGIN_SUBDIR PARENT_PATH conf_folder)
+  string(PREPEND conf_folder "${CMAKE_INSTALL_LIBDIR}/")
+  set(replaced_conf "${CMAKE_INSTALL_PREFIX}/${conf_folder}/paraview.conf")
+  set(conf_lines "")
+  if (EXISTS "${replaced_conf}")
+    file(STRINGS "${replaced_conf}" conf_lines)
+    list(FILTER conf_lines EXCLUDE REGEX "surfaceflattening")
+  else ()
+    set(replaced_conf "")
+    set(conf_folder "${CMAKE_INSTALL_BINDIR}")
+  endif ()
   file(RELATIVE_PATH plugin_list
-    "/${CMAKE_INSTALL_BINDIR}"
+    "/${conf_folder}"
     "/${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/surfaceflattening.xml")
-  file(WRITE "${CMAKE_BINARY_DIR}/paraview.conf" "${plugin_list}\n")
-  install(FILES "${CMAKE_BINARY_DIR}/paraview.conf" DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  list(APPEND conf_lines "${plugin_list}")
+  list(JOIN conf_lines "\n" conf_text)
+  file(WRITE "${CMAKE_BINARY_DIR}/paraview.conf" "${conf_text}\n")
+  install(FILES "${CMAKE_BINARY_DIR}/paraview.conf" DESTINATION "${conf_folder}")
 endif ()
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/paraview-surfaceflattening" RENAME copyright)
 
@@ -37,5 +50,22 @@ set -e
 rm -rf '${CMAKE_INSTALL_PREFIX}/${SURFACEFLATTENING_PYTHON_DESTINATION}/surfaceflattening/__pycache__'
 ")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${CMAKE_BINARY_DIR}/prerm")
+# While the package is installed, dpkg keeps ParaView's own paraview.conf under another name.
+if (SURFACEFLATTENING_AUTOLOAD AND replaced_conf)
+  set(divert "dpkg-divert --package ${CPACK_PACKAGE_NAME} --rename --divert '${replaced_conf}.distrib'")
+  file(WRITE "${CMAKE_BINARY_DIR}/preinst" "#!/bin/sh
+set -e
+if [ \"$1\" = install ] || [ \"$1\" = upgrade ]; then
+  ${divert} --add '${replaced_conf}'
+fi
+")
+  file(WRITE "${CMAKE_BINARY_DIR}/postrm" "#!/bin/sh
+set -e
+if [ \"$1\" = remove ] || [ \"$1\" = abort-install ] || [ \"$1\" = disappear ]; then
+  ${divert} --remove '${replaced_conf}'
+fi
+")
+  list(APPEND CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${CMAKE_BINARY_DIR}/preinst" "${CMAKE_BINARY_DIR}/postrm")
+endif ()
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)
 include(CPack)

@@ -8,6 +8,7 @@ expected=$1
 version=$(sed -n 's/^set(SURFACEFLATTENING_VERSION \(.*\))$/\1/p' "$(dirname "$0")/../../cmake/SurfaceFlatteningVersion.cmake")
 unset PV_PLUGIN_PATH PYTHONPATH
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 LIBGL_ALWAYS_SOFTWARE=1 QT_QPA_PLATFORM=xcb
+export UCX_LOG_LEVEL=fatal # where there is no /sys the library of Open MPI says so among what a program prints
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch" # Python looks here first
@@ -96,5 +97,7 @@ if [ "$expected" = installed ]; then
 else
   [ -z "$found" ] || fail "python3 still has the package surfaceflattening"
   left=$(find /usr -iname '*surfaceflattening*' -not -path '/usr/src/*' 2>/dev/null || true)
-  [ -z "$left" ] && [ ! -e /usr/bin/paraview.conf ] || fail "left behind: $left"
+  left+=$(find /usr/bin/paraview.conf /usr/lib/*/paraview-*/paraview.conf.distrib 2>/dev/null || true)
+  left+=$(grep -ls surfaceflattening /usr/lib/*/paraview-*/paraview.conf || true)
+  [ -z "$left" ] || fail "left behind: $left"
 fi
