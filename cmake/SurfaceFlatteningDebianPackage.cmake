@@ -4,8 +4,7 @@ option(SURFACEFLATTENING_AUTOLOAD
 if (SURFACEFLATTENING_AUTOLOAD)
   # ParaView reads a paraview.conf: one list of plugins per line, relative to its folder. Debian's ParaView looks for it
   # beside its folder of plugins, where it has one of its own from Debian 13 on, and then beside the programs.
-  cmake_path(GET PARAVIEW_PLUGIN_SUBDIR PARENT_PATH conf_folder)
-  string(PREPEND conf_folder "${CMAKE_INSTALL_LIBDIR}/")
+  get_filename_component(conf_folder "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}" DIRECTORY)
   set(replaced_conf "${CMAKE_INSTALL_PREFIX}/${conf_folder}/paraview.conf")
   set(conf_lines "")
   if (EXISTS "${replaced_conf}")
