@@ -39,13 +39,7 @@ int countIntersections(const TriangleMesh& mesh,
 {
   const std::vector<int> representative = coincidentPoints(mesh.Vertices, 0.0);
   TriangleMesh joined = mesh;
-  for (int f = 0; f < mesh.faceCount(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      joined.Faces(f, k) = representative[mesh.Faces(f, k)];
-    }
-  }
+  joined.Faces = mesh.Faces.unaryExpr([&representative](int v) { return representative[v]; });
   known.update(joined, progress);
   return static_cast<int>(known.count());
 }
