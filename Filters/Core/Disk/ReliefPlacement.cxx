@@ -46,6 +46,14 @@ struct Branch
   double Strain = 0.0; // of the surface with this branch
 };
 
+// The relief after one of its branches.
+struct Stage
+{
+  std::size_t Tips;
+  double Strain;
+  double Cost; // the strain and the price of the length
+};
+
 // The coarse copy, and the branches placed on it.
 class ReliefPlacer
 {
@@ -186,14 +194,14 @@ private:
   double price() const { return this->Options.Gain * this->CountedLength / this->Unit; }
   double cost() const { return this->PresentStrain + this->price(); }
 
-  // Adds branches, and takes back those after the stage at which strain and price together were least.
+  // Adds branches, and takes back those after the stage at which strain and price together were least,
+  // but for the slack.
   // To stop at the first branch that is not worth its length would leave folds of one depth uncut, of
   // which several have to be cut before the strain falls.
   void addBranches(PlacedRelief& relief, const ProgressCallback& progress)
   {
     double leastCost = this->cost();
-    relief.StrainAfter = this->PresentStrain;
-    std::size_t tips = relief.Tips.size();
+    std::vector<Stage> stages{ { relief.Tips.size(), this->PresentStrain, leastCost } };
     // A relief whose price alone is as high cannot be better, as strain is not negative.
     while (this->price() < leastCost)
     {
@@ -207,14 +215,14 @@ private:
         break;
       }
       this->keep(branch, relief, still);
-      if (this->cost() < leastCost)
-      {
-        leastCost = this->cost();
-        relief.StrainAfter = this->PresentStrain;
-        tips = relief.Tips.size();
-      }
+      leastCost = std::min(leastCost, this->cost());
+      stages.push_back({ relief.Tips.size(), this->PresentStrain, this->cost() });
     }
-    relief.Tips.resize(tips);
+    const double bound = (1.0 + this->Options.Slack) * leastCost;
+    const auto taken = std::find_if(
+      stages.begin(), stages.end(), [bound](const Stage& stage) { return stage.Cost <= bound; });
+    relief.StrainAfter = taken->Strain;
+    relief.Tips.resize(taken->Tips);
   }
 
   // The branch that lowers the strain most for its length, of those that keep the bound on the length of
@@ -329,6 +337,11 @@ void requireValid(const TriangleMesh& mesh,
   {
     throw InvalidInput("the gain of a relief's branch is " + formatted(options.Gain) +
                        ": set it to 0 or a positive number");
+  }
+  if (!(options.Slack >= 0.0))
+  {
+    throw InvalidInput(
+      "the slack of a relief is " + formatted(options.Slack) + ": set it to 0 or a positive number");
   }
   if (!(options.Longest > 0.0))
   {

@@ -23,6 +23,9 @@ struct ReliefOptions
   /// The greatest length of all branches together, in square roots of the surface's area (> 0). The
   /// first branch of a closed surface is cut whatever its length.
   double Longest = 8.0;
+  /// Of the reliefs whose strain and price together are greater than the least by no more than this
+  /// share, the shortest is taken (>= 0).
+  double Slack = 0.0;
 };
 
 struct PlacedRelief
