@@ -136,7 +136,8 @@ private:
   boost::geometry::index::rtree<Value, boost::geometry::index::linear<16>> Tree;
 };
 
-// What a search needs and finds. An abandoned search shares it with nobody.
+// The triangles of a search and the pairs that it finds. A search that was abandoned goes on with its
+// own.
 struct PairSearch
 {
   std::vector<PlacedTriangle> Triangles;
