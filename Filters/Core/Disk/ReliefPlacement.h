@@ -23,8 +23,8 @@ struct ReliefOptions
   /// The greatest length of all branches together, in square roots of the surface's area (> 0). The
   /// first branch of a closed surface is cut whatever its length.
   double Longest = 8.0;
-  /// Of the reliefs whose strain and price together are greater than the least by no more than this
-  /// share, the shortest is taken (>= 0).
+  /// The shortest relief is taken whose sum of strain and price is greater than the least sum by this
+  /// share at most (>= 0; 0.02 means 2 %).
   double Slack = 0.0;
 };
 

@@ -47,7 +47,7 @@ public:
     ++this->Size;
     if (this->HasBegun && !Order()(this->Band, entry.Band))
     {
-      this->Late.push(entry);
+      this->Overdue.push(entry);
     }
     else
     {
@@ -58,16 +58,16 @@ public:
   /// Removes the first edge of a queue that is not empty.
   Entry pop()
   {
-    if (this->Late.empty() && this->Present.empty())
+    if (this->Overdue.empty() && this->Present.empty())
     {
       this->beginNextBand();
     }
     --this->Size;
-    if (!this->Late.empty() &&
-        (this->Present.empty() || !ComesAfter()(this->Late.top(), this->Present.back())))
+    if (!this->Overdue.empty() &&
+        (this->Present.empty() || !ComesAfter()(this->Overdue.top(), this->Present.back())))
     {
-      const Entry first = this->Late.top();
-      this->Late.pop();
+      const Entry first = this->Overdue.top();
+      this->Overdue.pop();
       return first;
     }
     const Entry first = this->Present.back();
@@ -97,10 +97,10 @@ private:
   double BandWidth;
   std::size_t Size = 0;
   bool HasBegun = false;
-  int Band = 0;                                                    // the one whose turn it is
-  std::vector<Entry> Present;                                      // of this band, the last one first
-  std::map<int, std::vector<Entry>, Order> Later;                  // of the bands after it, in any order
-  std::priority_queue<Entry, std::vector<Entry>, ComesAfter> Late; // added when their turn had come
+  int Band = 0;                                   // the one whose turn it is
+  std::vector<Entry> Present;                     // of this band, the last one first
+  std::map<int, std::vector<Entry>, Order> Later; // of the bands after it, in any order
+  std::priority_queue<Entry, std::vector<Entry>, ComesAfter> Overdue; // added when their turn had come
 };
 
 } // namespace flattening

@@ -159,6 +159,22 @@ TEST(ReliefPlacement, BranchesAreWorthTheirLength)
   EXPECT_TRUE(placeRelief(rectangleGrid(20, 20, 1.0), {}, { 1e-9, 8.0 }).Tips.empty());
 }
 
+// More slack gives a shorter relief, which leaves more strain.
+TEST(ReliefPlacement, TakesTheShortestWithinTheSlack)
+{
+  const TriangleMesh mesh = sphereWithBumps(4);
+  const PlacedRelief best = placeRelief(mesh, {}, { 0.05, 8.0, 0.0 });
+  const PlacedRelief shorter = placeRelief(mesh, {}, { 0.05, 8.0, 0.5 });
+  EXPECT_LT(shorter.Tips.size(), best.Tips.size());
+  EXPECT_GT(shorter.StrainAfter, best.StrainAfter);
+  EXPECT_EQ(placeRelief(mesh, {}, { 0.05, 8.0, 1e6 }).Tips.size(), 2u);
+  EXPECT_TRUE(contains(messageOf<InvalidInput>(
+                         [&] {
+                           placeRelief(mesh, {}, { 0.05, 8.0, -1.0 });
+                         }),
+    "set it to 0"));
+}
+
 // An open surface is cut from its boundary.
 TEST(ReliefPlacement, StartsAtTheBoundary)
 {
