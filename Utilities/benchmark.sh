@@ -4,11 +4,18 @@
 # Safe to run again. Let nothing else run meanwhile.
 #   Utilities/benchmark.sh                            all of it
 #   Utilities/benchmark.sh --benchmark_filter=brain   arguments go to Google Benchmark; the tables are printed alone
+#   Utilities/benchmark.sh --profile "half brain, raw"   the time and the memory of every stage on the named surfaces;
+#                                                     without a name, their names
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 Utilities/build.sh -DSURFACEFLATTENING_BENCHMARKS=ON
 build=${BUILD_DIRECTORY:-build}
+if [ "${1:-}" = --profile ]; then
+  shift
+  exec "$build/Testing/bin/ProfileStages" /usr/share/mricron/templates "$@"
+fi
+
 results=()
 for benchmark in BenchmarkSurfaceToDisk BenchmarkFlattening BenchmarkConformal BenchmarkAreaMaps BenchmarkLengths BenchmarkInteractive \
   BenchmarkFlatMap BenchmarkSaliency; do

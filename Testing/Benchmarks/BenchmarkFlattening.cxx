@@ -229,11 +229,6 @@ void add(const std::string& name, const Run& run)
     ->Unit(benchmark::kSecond);
 }
 
-void addSurface(const char* name, const std::function<benchmarks::BenchmarkSurface()>& load)
-{
-  add(name, [load](benchmark::State& state) { flatten(state, load); });
-}
-
 void addPaperSurface(const benchmarks::PaperSurface& surface)
 {
   add("paper: " + surface.Name,
@@ -256,22 +251,10 @@ int main(int argc, char** argv)
 {
   benchmark::Initialize(&argc, argv);
   const std::string scan = argc > 1 ? argv[1] : "/usr/share/mricron/templates/ch2bet.nii.gz";
-  const auto split = [](const std::function<benchmarks::BenchmarkSurface()>& load, int times)
-  { return [load, times] { return benchmarks::subdivided(load(), times); }; };
-  const auto half = [scan] { return benchmarks::halfBrain(scan); };
-  const auto whole = [scan] { return benchmarks::brainWithResolvedHole(scan); };
-  addSurface("hemisphere", benchmarks::hemisphere);
-  addSurface("Gaussian bump", benchmarks::gaussianSquare);
-  addSurface("half brain, remeshed", [scan] { return benchmarks::remeshedHalfBrain(scan); });
-  addSurface("half brain, raw", half);
-  addSurface("half brain, split once", split(half, 1));
-  addSurface("half brain, split twice", split(half, 2));
-  addSurface("whole brain, remeshed", [scan] { return benchmarks::remeshedBrain(scan); });
-  addSurface(
-    "whole brain, coarse hole", [scan] { return benchmarks::remeshedBrainWithCoarseHole(scan); });
-  addSurface("whole brain, raw", whole);
-  addSurface("whole brain, raw, hole 0.1 %", [scan] { return benchmarks::closedBrain(scan); });
-  addSurface("whole brain, split once", split(whole, 1));
+  for (const benchmarks::NamedSurface& surface : benchmarks::flattenedSurfaces(scan))
+  {
+    add(surface.Name, [surface](benchmark::State& state) { flatten(state, surface.Load); });
+  }
   for (const benchmarks::PaperSurface& surface : benchmarks::paperSurfaces(scan))
   {
     addPaperSurface(surface);

@@ -36,9 +36,10 @@ TriangleMesh largestComponentOf(const TriangleMesh& soup)
     .Mesh;
 }
 
-void toDisk(benchmark::State& state, const std::string& scan, double sigma, double isovalue)
+void toDisk(benchmark::State& state, const benchmarks::NamedScan& scan)
 {
-  const TriangleMesh soup = benchmarks::meshOf(benchmarks::scanSurface(scan, sigma, isovalue));
+  const TriangleMesh soup =
+    benchmarks::meshOf(benchmarks::scanSurface(scan.File, scan.Sigma, scan.Isovalue));
   const TriangleMesh component = largestComponentOf(soup);
   auto& counters = state.counters;
   for (auto _ : state)
@@ -70,32 +71,20 @@ void toDisk(benchmark::State& state, const std::string& scan, double sigma, doub
   }
 }
 
-void add(const std::string& scan, double sigma, double isovalue)
-{
-  const std::size_t slash = scan.find_last_of('/');
-  const std::string name = scan.substr(slash + 1, scan.find('.', slash) - slash - 1) + ", iso " +
-                           std::to_string(static_cast<int>(isovalue)) + ", sigma " +
-                           std::to_string(sigma).substr(0, 3);
-  benchmark::RegisterBenchmark(
-    name.c_str(), [=](benchmark::State& state) { toDisk(state, scan, sigma, isovalue); })
-    ->Iterations(1)
-    ->UseManualTime()
-    ->Unit(benchmark::kSecond);
-}
-
 } // namespace
 
 int main(int argc, char** argv)
 {
   benchmark::Initialize(&argc, argv);
   const std::string folder = argc > 1 ? argv[1] : "/usr/share/mricron/templates";
-  add(folder + "/ch2bet.nii.gz", 2.0, 40.0);
-  add(folder + "/ch2bet.nii.gz", 1.0, 40.0);
-  add(folder + "/ch2bet.nii.gz", 1.0, 75.0);
-  add(folder + "/ch2better.nii.gz", 1.0, 60.0);
-  add(folder + "/ch2better.nii.gz", 0.6, 75.0);
-  add(folder + "/ch2better.nii.gz", 0.3, 75.0);
-  add(folder + "/ch2better.nii.gz", 0.0, 75.0);
+  for (const benchmarks::NamedScan& scan : benchmarks::scansWithHandles(folder))
+  {
+    const std::string name = scan.name();
+    benchmark::RegisterBenchmark(name.c_str(), [scan](benchmark::State& state) { toDisk(state, scan); })
+      ->Iterations(1)
+      ->UseManualTime()
+      ->Unit(benchmark::kSecond);
+  }
   benchmark::RunSpecifiedBenchmarks();
   return 0;
 }

@@ -247,4 +247,26 @@ BenchmarkSurface remeshedHalfBrain(const std::string& scan, double edgeLength)
   return half(scan, edgeLength);
 }
 
+std::vector<NamedSurface> flattenedSurfaces(const std::string& scan)
+{
+  const auto remeshed = [scan](double edgeLength)
+  { return [scan, edgeLength] { return remeshedHalfBrain(scan, edgeLength); }; };
+  const auto split = [scan](int times)
+  { return [scan, times] { return subdivided(halfBrain(scan), times); }; };
+  return { { "hemisphere", hemisphere },
+    { "Gaussian bump", gaussianSquare },
+    { "half brain, edges of 7 mm", remeshed(7.0) },
+    { "half brain, edges of 3.5 mm", remeshed(3.5) },
+    { "half brain, remeshed", remeshed(1.2) },
+    { "half brain, raw", [scan] { return halfBrain(scan); } },
+    { "half brain, split once", split(1) },
+    { "half brain, split twice", split(2), true },
+    { "half brain, split three times", split(3), true },
+    { "whole brain, remeshed", [scan] { return remeshedBrain(scan); } },
+    { "whole brain, coarse hole", [scan] { return remeshedBrainWithCoarseHole(scan); } },
+    { "whole brain, raw", [scan] { return brainWithResolvedHole(scan); } },
+    { "whole brain, raw, hole 0.1 %", [scan] { return closedBrain(scan); } },
+    { "whole brain, split once", [scan] { return subdivided(brainWithResolvedHole(scan), 1); }, true } };
+}
+
 } // namespace flattening::benchmarks

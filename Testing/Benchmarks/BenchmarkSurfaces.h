@@ -4,7 +4,9 @@
 
 #include "Mesh/TriangleMesh.h"
 
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace flattening::benchmarks
 {
@@ -48,5 +50,16 @@ BenchmarkSurface brainWithResolvedHole(const std::string& scan);
 BenchmarkSurface unrolled(const TriangleMesh& tube, double edgeLength);
 /// Each face split in four, @p times over; the half brain twice: a million vertices.
 BenchmarkSurface subdivided(const BenchmarkSurface& coarse, int times);
+
+/// A surface that is made when it is needed.
+struct NamedSurface
+{
+  std::string Name;
+  std::function<BenchmarkSurface()> Load;
+  bool IsLarge = false; // whether its maps take half a minute or more
+};
+
+/// The surfaces on which the conformal map, the transport and the refinement are measured.
+std::vector<NamedSurface> flattenedSurfaces(const std::string& scan);
 
 } // namespace flattening::benchmarks

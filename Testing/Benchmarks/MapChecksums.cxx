@@ -2,7 +2,7 @@
 // Prints a checksum of every coordinate of the maps of the benchmark surfaces, with the figures that a
 // change must not make worse. Two versions of the code whose checksums are equal give the same maps to
 // the last bit.
-//   MapChecksums [scan] [name of a surface ...]
+//   MapChecksums [scan] [name of a surface ...]     without names: of all but the large ones
 #include "Areas/AreaPreservingDisk.h"
 #include "BenchmarkSurfaces.h"
 #include "Conformal/ConformalDisk.h"
@@ -14,9 +14,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace
@@ -77,24 +75,14 @@ int main(int argc, char** argv)
 {
   const std::string scan = argc > 1 ? argv[1] : "/usr/share/mricron/templates/ch2bet.nii.gz";
   const std::vector<std::string> chosen(argv + std::min(argc, 2), argv + argc);
-  const std::vector<std::pair<std::string, std::function<benchmarks::BenchmarkSurface()>>> surfaces = {
-    { "hemisphere", benchmarks::hemisphere },
-    { "Gaussian bump", benchmarks::gaussianSquare },
-    { "half brain, remeshed", [&] { return benchmarks::remeshedHalfBrain(scan); } },
-    { "half brain, raw", [&] { return benchmarks::halfBrain(scan); } },
-    { "whole brain, remeshed", [&] { return benchmarks::remeshedBrain(scan); } },
-    { "whole brain, coarse hole", [&] { return benchmarks::remeshedBrainWithCoarseHole(scan); } },
-    { "whole brain, raw", [&] { return benchmarks::brainWithResolvedHole(scan); } },
-    { "whole brain, raw, hole 0.1 %", [&] { return benchmarks::closedBrain(scan); } },
-    { "half brain, split once", [&] { return benchmarks::subdivided(benchmarks::halfBrain(scan), 1); } },
-  };
   std::puts(
     "| surface | vertices | disk | conformal map | flat map | faces within 2 % | mean area error (%) | "
     "mean angle error (degrees) | flipped | conformal (processor s) | area (processor s) | both (s) |");
   std::puts("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |");
-  for (const auto& [name, load] : surfaces)
+  for (const auto& [name, load, isLarge] : benchmarks::flattenedSurfaces(scan))
   {
-    if (chosen.empty() || std::find(chosen.begin(), chosen.end(), name) != chosen.end())
+    const bool isChosen = std::find(chosen.begin(), chosen.end(), name) != chosen.end();
+    if (chosen.empty() ? !isLarge : isChosen)
     {
       printChecksums(name, load());
     }

@@ -51,6 +51,25 @@ vtkSmartPointer<vtkPolyData> scanSurface(const std::string& scan, double sigma, 
   return contour->GetOutput();
 }
 
+std::string NamedScan::name() const
+{
+  const std::size_t slash = this->File.find_last_of('/');
+  return this->File.substr(slash + 1, this->File.find('.', slash) - slash - 1) + ", iso " +
+         std::to_string(static_cast<int>(this->Isovalue)) + ", sigma " +
+         std::to_string(this->Sigma).substr(0, 3);
+}
+
+std::vector<NamedScan> scansWithHandles(const std::string& folder)
+{
+  return { { folder + "/ch2bet.nii.gz", 2.0, 40.0 },
+    { folder + "/ch2bet.nii.gz", 1.0, 40.0 },
+    { folder + "/ch2bet.nii.gz", 1.0, 75.0 },
+    { folder + "/ch2better.nii.gz", 1.0, 60.0 },
+    { folder + "/ch2better.nii.gz", 0.6, 75.0 },
+    { folder + "/ch2better.nii.gz", 0.3, 75.0 },
+    { folder + "/ch2better.nii.gz", 0.0, 75.0 } };
+}
+
 TriangleMesh meshOf(vtkPolyData* data)
 {
   TriangleMesh mesh;

@@ -35,11 +35,15 @@ constexpr int LargestCorrections = 6;
 constexpr double LargestHiddenShare = 0.02;
 // A guard: shorter steps than 2^-29 change the areas by rounding only.
 constexpr int LargestHalvings = 30;
-// Below this cell error rounding is the likely reason why no step was accepted, and plain Newton steps
-// follow. Far above it they would not converge.
+// Below this cell error the rounding of large cells' areas may hide the progress of small cells from the
+// sum of the squares, and a step that lowers the cell error is accepted, too. Far above it that would
+// not converge.
 constexpr double NearlyThere = 1e-2;
-// A plain Newton step must lower the error to this share. A convention: near the solution it squares it.
+// The share to which such a step must lower the error. A convention: near the solution it squares it.
 constexpr double LeastDecrease = 0.9;
+// The halvings below that error. A guard: where so short a step is needed there, it is rounding that
+// stands in the way, and as many steps as Newton's method has would not come through.
+constexpr int LargestHalvingsNearby = 10;
 // The error of a Newton step, relative to the areas and to their change, and how often it is refined to
 // get there. Newton's method does not need more digits; one refinement is enough but for protrusions.
 constexpr double StepError = 1e-3;
@@ -198,7 +202,6 @@ public:
       ++this->Result.NewtonIterations;
       if (!this->advance(step, aims))
       {
-        this->finish();
         break;
       }
       this->measure();
@@ -256,8 +259,9 @@ private:
   // whether that succeeded; the weights are the new ones then, and those from before otherwise.
   bool advance(const PowerDiagram::Weights& step, const Eigen::VectorXd& aims)
   {
+    const int halvings = this->isNearlyThere() ? LargestHalvingsNearby : LargestHalvings;
     double length = 1.0;
-    for (int trial = 0; trial < LargestHalvings; ++trial, length *= 0.5)
+    for (int trial = 0; trial < halvings; ++trial, length *= 0.5)
     {
       PowerDiagram::Weights weights = this->Result.Weights + DoubleDouble(length) * step;
       if (this->correct(weights, aims, length))
@@ -293,7 +297,7 @@ private:
       }
       const Eigen::VectorXd& areas = this->Diagram.areas();
       if ((areas.array() >= least.array()).all() &&
-          (areas - aims).norm() <= (1.0 - 0.5 * length) * gap.norm())
+          ((areas - aims).norm() <= (1.0 - 0.5 * length) * gap.norm() || this->lowersError()))
       {
         return true;
       }
@@ -311,31 +315,13 @@ private:
     }
   }
 
-  // Makes full Newton steps as long as they help: close to the end the rounding of large cells' areas
-  // may hide the progress of small cells from the rule of acceptance.
-  void finish()
+  bool isNearlyThere() const { return this->Result.MaxCellError < NearlyThere; }
+
+  // Whether the diagram's areas are nearly there and closer to the targets than those of the result.
+  bool lowersError() const
   {
-    while (this->Result.MaxCellError<NearlyThere&& this->Result.MaxCellError> this->Options.Tolerance)
-    {
-      const PowerDiagram::Weights step =
-        newtonStep(this->Cholesky, this->Diagram, this->Targets, this->atFraction());
-      if (step.size() == 0)
-      {
-        return;
-      }
-      const PowerDiagram::Weights next = this->Result.Weights + step;
-      const double error = this->Diagram.update(next)
-                             ? relativeError(this->Diagram.areas(), this->Targets)
-                             : this->Result.MaxCellError;
-      if (!(error < LeastDecrease * this->Result.MaxCellError))
-      {
-        this->Diagram.update(this->Result.Weights);
-        return;
-      }
-      this->Result.Weights = next;
-      this->Result.MaxCellError = error;
-      ++this->Result.NewtonIterations;
-    }
+    return this->isNearlyThere() && relativeError(this->Diagram.areas(), this->Targets) <
+                                      LeastDecrease * this->Result.MaxCellError;
   }
 
   void requireTolerance() const
