@@ -203,9 +203,14 @@ private:
     return true;
   }
 
-  // Returns false and leaves the map as it was if faces remain flipped.
+  // Returns false and leaves the map as it was if faces remain flipped. The boundary stays as it is:
+  // where its vertices are out of order, faces could not be untangled.
   bool untangleIn(PatchSizes patches, DomainMap& map, const ProgressCallback& progress)
   {
+    if (!this->Map.Domain->areInOrder(map.BoundaryParameters))
+    {
+      return false;
+    }
     UntanglingOptions options;
     options.AreaWeight = UntanglingOptions::EqualAreaWeight;
     options.AllOrNone = true;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace flattening
 {
@@ -30,14 +31,14 @@ std::vector<char> flagsOf(const std::vector<int>& loop, Eigen::Index vertexCount
 class ConvexCombinations
 {
 public:
-  ConvexCombinations(const std::vector<NeighbourWeight>& weights,
+  ConvexCombinations(std::vector<NeighbourWeight> weights,
     WeightSymmetry symmetry,
     const std::vector<int>& loop,
     Eigen::Index vertexCount,
     const ProgressCallback& progress)
     : Loop(loop)
     , VertexCount(vertexCount)
-    , Means(weights, symmetry, flagsOf(loop, vertexCount), progress)
+    , Means(std::move(weights), symmetry, flagsOf(loop, vertexCount), progress)
   {
   }
 

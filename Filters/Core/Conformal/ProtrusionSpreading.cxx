@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace flattening
@@ -108,7 +109,7 @@ public:
     if (this->flippedFaces(fixed, spread) > 0)
     {
       spread = disk;
-      WeightedMeans(weights, WeightSymmetry::Symmetric, this->Fixed).extend(spread);
+      WeightedMeans(std::move(weights), WeightSymmetry::Symmetric, this->Fixed).extend(spread);
     }
     disk = spread;
   }

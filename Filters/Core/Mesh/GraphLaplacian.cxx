@@ -3,6 +3,7 @@
 
 #include "Base/Errors.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace flattening
@@ -19,12 +20,13 @@ constexpr const char* LayoutStage = "Layout";
 
 } // namespace
 
-WeightedMeans::WeightedMeans(const std::vector<NeighbourWeight>& weights,
+WeightedMeans::WeightedMeans(std::vector<NeighbourWeight> weights,
   WeightSymmetry symmetry,
   const std::vector<char>& fixed,
   const ProgressCallback& progress,
   const EliminationOrder& order)
   : Row(fixed.size(), -1)
+  , Weights(std::move(weights))
 {
   report(progress, 0.0, LayoutStage);
   for (std::size_t v = 0; v < fixed.size(); ++v)
@@ -35,13 +37,10 @@ WeightedMeans::WeightedMeans(const std::vector<NeighbourWeight>& weights,
       this->Free.push_back(static_cast<int>(v));
     }
   }
-  for (const NeighbourWeight& w : weights)
-  {
-    if (this->Row[w.From] >= 0 && w.Weight > 0.0)
-    {
-      this->Weights.push_back(w);
-    }
-  }
+  const auto isUnused = [this](const NeighbourWeight& w)
+  { return this->Row[w.From] < 0 || !(w.Weight > 0.0); };
+  this->Weights.erase(
+    std::remove_if(this->Weights.begin(), this->Weights.end(), isUnused), this->Weights.end());
   if (!this->Free.empty())
   {
     this->factor(symmetry, order, progress);
@@ -63,23 +62,37 @@ EliminationOrder WeightedMeans::orderOfFree(const EliminationOrder& order) const
   return free;
 }
 
+// Of a symmetric matrix, the lower triangle.
+SparseMatrix WeightedMeans::matrix(WeightSymmetry symmetry) const
+{
+  const auto size = static_cast<Eigen::Index>(this->Free.size());
+  Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(size);
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(this->Free.size() + this->Weights.size());
+  for (const NeighbourWeight& w : this->Weights)
+  {
+    const int i = this->Row[w.From];
+    const int j = this->Row[w.To];
+    diagonal[i] += w.Weight;
+    if (j >= 0 && (symmetry == WeightSymmetry::General || j < i))
+    {
+      entries.emplace_back(i, j, -w.Weight);
+    }
+  }
+  for (Eigen::Index i = 0; i < size; ++i)
+  {
+    entries.emplace_back(i, i, diagonal[i]);
+  }
+  SparseMatrix matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
 void WeightedMeans::factor(WeightSymmetry symmetry,
   const EliminationOrder& order,
   const ProgressCallback& progress)
 {
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(2 * this->Weights.size());
-  for (const NeighbourWeight& w : this->Weights)
-  {
-    const int i = this->Row[w.From];
-    entries.emplace_back(i, i, w.Weight);
-    if (this->Row[w.To] >= 0)
-    {
-      entries.emplace_back(i, this->Row[w.To], -w.Weight);
-    }
-  }
-  SparseMatrix matrix(this->Free.size(), this->Free.size());
-  matrix.setFromTriplets(entries.begin(), entries.end());
+  SparseMatrix matrix = this->matrix(symmetry);
   if (symmetry == WeightSymmetry::Symmetric)
   {
     this->Cholesky.emplace(this->orderOfFree(order));

@@ -42,7 +42,7 @@ public:
   /// @param order  the vertices in an order of elimination for nearly the same neighbours, fixed ones
   ///               included; empty to look for one
   /// @throws ConvergenceError if the matrix cannot be factored; Cancelled.
-  WeightedMeans(const std::vector<NeighbourWeight>& weights,
+  WeightedMeans(std::vector<NeighbourWeight> weights,
     WeightSymmetry symmetry,
     const std::vector<char>& fixed,
     const ProgressCallback& progress = {},
@@ -58,6 +58,7 @@ public:
 
 private:
   void factor(WeightSymmetry symmetry, const EliminationOrder& order, const ProgressCallback& progress);
+  SparseMatrix matrix(WeightSymmetry symmetry) const;
   EliminationOrder orderOfFree(const EliminationOrder& order) const;
 
   std::vector<int> Row; // index of every vertex among the free ones; -1 if it is fixed

@@ -222,7 +222,7 @@ void relaxPatch(FlatPatch& patch, const ProgressCallback& progress)
   std::vector<char> fixed(patch.Positions.rows(), 1);
   std::fill_n(fixed.begin(), patch.FreeVertices, 0);
   ComplexVector positions = complexOf(patch.Positions);
-  WeightedMeans(weights, WeightSymmetry::Symmetric, fixed, progress).extend(positions);
+  WeightedMeans(std::move(weights), WeightSymmetry::Symmetric, fixed, progress).extend(positions);
   patch.Positions = pointsOf(positions);
 }
 
