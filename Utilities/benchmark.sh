@@ -42,5 +42,6 @@ xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvpython Utilities/pictures/len
 echo "Picture of the errors of lengths: $build/Testing/length_errors.png"
 
 xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" pvpython Utilities/pictures/time_picture.py \
-  "$build/Testing/BenchmarkFlattening.json" "$build/Testing/BenchmarkAreaMaps.json" "$build/Testing/time_against_size.png"
-echo "Picture of the times: $build/Testing/time_against_size.png"
+  "$build/Testing/BenchmarkFlattening.json" "$build/Testing/BenchmarkAreaMaps.json" "$build/Testing/time_against_size.png" \
+  "$build/Testing/memory_against_size.png"
+echo "Pictures of the times and of the memory: $build/Testing/time_against_size.png, $build/Testing/memory_against_size.png"
