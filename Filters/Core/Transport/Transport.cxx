@@ -41,8 +41,8 @@ constexpr int LargestHalvings = 30;
 constexpr double NearlyThere = 1e-2;
 // The share to which such a step must lower the error. A convention: near the solution it squares it.
 constexpr double LeastDecrease = 0.9;
-// The halvings below that error. A guard: where so short a step is needed there, it is rounding that
-// stands in the way, and as many steps as Newton's method has would not come through.
+// The most halvings below NearlyThere. A guard: where even a step of 2^-9 fails, rounding stands in the
+// way, and still shorter steps would not reach the tolerance within the iterations that are allowed.
 constexpr int LargestHalvingsNearby = 10;
 // The error of a Newton step, relative to the areas and to their change, and how often it is refined to
 // get there. Newton's method does not need more digits; one refinement is enough but for protrusions.
