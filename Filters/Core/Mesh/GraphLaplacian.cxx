@@ -62,7 +62,7 @@ EliminationOrder WeightedMeans::orderOfFree(const EliminationOrder& order) const
   return free;
 }
 
-// Of a symmetric matrix, the lower triangle.
+// The matrix of the equations; if it is symmetric, its lower triangle alone.
 SparseMatrix WeightedMeans::matrix(WeightSymmetry symmetry) const
 {
   const auto size = static_cast<Eigen::Index>(this->Free.size());
