@@ -4,7 +4,8 @@
 # Safe to run again. Let nothing else run meanwhile.
 #   Utilities/benchmark.sh                            all of it
 #   Utilities/benchmark.sh --benchmark_filter=brain   arguments go to Google Benchmark; the tables are printed alone
-#   Utilities/benchmark.sh --profile "half brain, raw"   the time and the memory of every stage on the named surfaces;
+#   Utilities/benchmark.sh --profile "half brain, raw"
+#                                                     the time and the memory of every stage on the named surfaces;
 #                                                     without a name, their names
 set -euo pipefail
 cd "$(dirname "$0")/.."

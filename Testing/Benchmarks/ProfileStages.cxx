@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Prints how long each stage takes on a surface, how often it is begun and how much memory it needs, as
 // Markdown tables. The stages are those of the progress that users see: the time from one report to the
-// next counts for the stage of the first.
+// next counts for the stage of the first, and the memory is all that the process has.
 //   ProfileStages <folder of scans> [name of a surface ...]     without names: prints the names
 #include "Areas/AreaPreservingDisk.h"
 #include "BenchmarkSurfaces.h"

@@ -157,6 +157,7 @@ BREAKS = [
     at("Transport/Transport.cxx", "rest[side.Second] += flow;", ""),
     at("Transport/Transport.cxx", "(areas.array() >= least.array()).all()", "true"),
     at("Transport/Transport.cxx", "correction == LargestCorrections", "true"),
+    at("Transport/Transport.cxx", " || this->lowersError()", ""),
     at("Transport/TransportInterpolation.cxx", "map.Slope = spread.inverse() * moments;", ""),
     at("Transport/DomainPolygon.cxx", "convex.area() / EIGEN_PI", "convex.area()"),
     # --- Areas

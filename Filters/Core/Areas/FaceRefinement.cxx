@@ -42,7 +42,8 @@ constexpr int MostShapingDeformations = 20;
 constexpr double LeastShapeWeight = 1e-3;
 constexpr double ShapeWeightScale = 0.03;
 // Limits of a large untangling patch: its share of the mesh, which patches around a small hole need, and
-// the work per vertex, which bounds its time by that of the first stage.
+// the work per vertex, which bounds its time: by that of the first stage where the mesh has some ten
+// thousand vertices, but by minutes where it has a million.
 constexpr double LargestPatchShare = 0.25;
 constexpr double RepairWork = 30.0;
 // Shares of the way from the conformal to the transported map at which to look for a map that can be

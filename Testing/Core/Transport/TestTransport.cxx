@@ -208,7 +208,8 @@ TEST(Transport, ThinCellsOnTheCircleHoldNothingBack)
 }
 
 // The areas of large cells are rounded by more than those by which small cells are off at the end, so
-// that the sum of the squares does not tell whether a step is an improvement. It took 1,236 diagrams.
+// that the sum of the squares does not tell whether a step is an improvement. With that sum alone the
+// transport took 1,236 diagrams.
 TEST(Transport, RoundingOfLargeCellsDoesNotHideSmallOnes)
 {
   constexpr int Sites = 8000;
