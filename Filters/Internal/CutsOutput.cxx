@@ -45,7 +45,7 @@ std::vector<std::vector<int>> outlinesOfCaps(vtkPolyData* disk)
   const std::vector<FaceSide> sides = sortedSides(mesh.Faces);
   for (std::size_t s = 1; s < sides.size(); ++s)
   {
-    if (sides[s].Edge == sides[s - 1].Edge &&
+    if (sides[s].edge() == sides[s - 1].edge() &&
         filled->GetTuple1(sides[s].face()) != filled->GetTuple1(sides[s - 1].face()))
     {
       outlines.push_back({ sides[s].From, sides[s].To });

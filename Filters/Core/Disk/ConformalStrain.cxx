@@ -15,13 +15,17 @@ constexpr const char* StrainStage = "Strain of the flat map";
 
 } // namespace
 
+ConformalStrain::Solver::Solver()
+  : SparseCholesky(EliminationOrder(), Kernel::Entries)
+{
+  this->expectConstantPattern();
+}
+
 ConformalStrain::ConformalStrain(const TriangleMesh& mesh)
   : Curvature(Eigen::VectorXd::Constant(mesh.vertexCount(), 2.0 * std::acos(-1.0)))
   , Area(vertexAreas(mesh))
   , Laplacian(mesh.vertexCount(), mesh.vertexCount())
-  , Cholesky(EliminationOrder(), SparseCholesky::Kernel::Entries)
 {
-  this->Cholesky.expectConstantPattern();
   IntrinsicTriangulation surface(mesh);
   surface.flipToDelaunay();
   std::vector<Eigen::Triplet<double>> entries;
@@ -47,7 +51,7 @@ ConformalStrain::ConformalStrain(const TriangleMesh& mesh)
 }
 
 Eigen::VectorXd ConformalStrain::conformalFactors(const std::vector<char>& outline,
-  const ProgressCallback& progress)
+  const ProgressCallback& progress) const
 {
   // The factors of the outline stay among the unknowns, each with an equation of its own, so that the
   // pattern of the matrix is always the same.
@@ -64,13 +68,14 @@ Eigen::VectorXd ConformalStrain::conformalFactors(const std::vector<char>& outli
     }
     curvature[v] = outline[v] ? 0.0 : curvature[v];
   }
-  this->Cholesky.compute(std::move(matrix), progress, 0.0, StrainStage);
-  if (this->Cholesky.info() != Eigen::Success)
+  SparseCholesky& cholesky = this->Solvers.local();
+  cholesky.compute(std::move(matrix), progress, 0.0, StrainStage);
+  if (cholesky.info() != Eigen::Success)
   {
     throw ConvergenceError("the strain of the surface could not be computed, as the cotangent Laplacian "
                            "could not be factored: remesh the surface");
   }
-  return this->Cholesky.solve(curvature);
+  return cholesky.solve(curvature);
 }
 
 double ConformalStrain::of(const Eigen::VectorXd& factors) const

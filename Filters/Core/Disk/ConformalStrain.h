@@ -8,6 +8,8 @@
 
 #include <Eigen/Core>
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <vector>
 
 namespace flattening
@@ -25,10 +27,11 @@ public:
   explicit ConformalStrain(const TriangleMesh& mesh);
 
   /// The factors (n) if the surface is cut open at the flagged vertices, to which its boundary belongs.
+  /// Several threads may call it at once.
   /// @param outline  one flag per vertex, at least one of them set on each component
   /// @throws ConvergenceError if the system cannot be factored; Cancelled.
   Eigen::VectorXd conformalFactors(const std::vector<char>& outline,
-    const ProgressCallback& progress = {});
+    const ProgressCallback& progress = {}) const;
 
   /// The standard deviation of the factors over the area of the surface, without unit. A map that keeps
   /// all areas must stretch each place by e^s one way and e^-s the other, and the root mean square of s
@@ -38,10 +41,16 @@ public:
   double of(const Eigen::VectorXd& factors) const;
 
 private:
+  struct Solver : SparseCholesky
+  {
+    Solver();
+  };
+
   Eigen::VectorXd Curvature; // angle defect of every vertex, radians; without meaning on the boundary
   Eigen::VectorXd Area;      // of every vertex, input units squared
   SparseMatrix Laplacian;    // positive semi-definite
-  SparseCholesky Cholesky;   // of the Laplacian with the outline's rows and columns set to 0 but for a 1
+  // Of each thread: of the Laplacian with the outline's rows and columns set to 0 but for a 1.
+  mutable tbb::enumerable_thread_specific<Solver> Solvers;
 };
 
 } // namespace flattening

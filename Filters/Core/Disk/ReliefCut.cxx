@@ -142,8 +142,9 @@ private:
     {
       return;
     }
+    const std::vector<Vertex> near(path.begin() + from, path.begin() + to + 1);
     std::vector<PathPoint> leg =
-      geodesicPath(this->mesh(), Vertex(path[to]), Vertex(path[from]), progress).Points;
+      geodesicPath(this->mesh(), Vertex(path[to]), Vertex(path[from]), progress, near).Points;
     this->endAtTaken(leg);
     if (to - from > 1 &&
         std::any_of(leg.begin(), leg.end(), [this](const PathPoint& p) { return this->isBlocked(p); }))

@@ -8,6 +8,8 @@
 #include "Mesh/MeshTopology.h"
 #include "Remeshing/IsotropicRemeshing.h"
 
+#include <tbb/parallel_for_each.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -43,7 +45,7 @@ struct Branch
 {
   std::vector<int> Path; // from the tip to the outline
   double Length = 0.0;
-  double Strain = 0.0; // of the surface with this branch
+  double Strain = 0.0; // of the surface with this branch, where it was computed
 };
 
 // The relief after one of its branches.
@@ -147,7 +149,7 @@ private:
       }
       relief.StrainBefore = this->PresentStrain;
       relief.Tips.emplace_back(this->Coarse.Vertices.row(root));
-      this->keep(this->branchTo(tip, this->distances(), progress), relief, progress);
+      this->keep(this->branchTo(tip, this->distances()), relief, progress);
       return true;
     }
     return false;
@@ -230,15 +232,21 @@ private:
   Branch bestBranch(const ProgressCallback& progress)
   {
     const Eigen::VectorXd distance = this->distances();
-    Branch best;
-    double bestGain = -HUGE_VAL;
+    std::vector<Branch> branches;
     for (const int tip : this->peaks(distance))
     {
-      if (!(this->Length + distance[tip] <= this->Options.Longest * this->Unit))
+      if (this->Length + distance[tip] <= this->Options.Longest * this->Unit)
       {
-        continue;
+        branches.push_back(this->branchTo(tip, distance));
       }
-      Branch branch = this->branchTo(tip, distance, progress);
+    }
+    report(progress, 0.0, PlacementStage);
+    tbb::parallel_for_each(
+      branches, [this](Branch& branch) { branch.Strain = this->strainWith(branch); });
+    Branch best;
+    double bestGain = -HUGE_VAL;
+    for (Branch& branch : branches)
+    {
       const double gain = (this->PresentStrain - branch.Strain) / this->countedLength(branch);
       if (gain > bestGain)
       {
@@ -276,19 +284,20 @@ private:
     return peaks;
   }
 
-  // The shortest path of edges from the outline to the tip, and the strain with it.
-  Branch branchTo(int tip, const Eigen::VectorXd& distance, const ProgressCallback& progress)
+  // The shortest path of edges from the outline to the tip.
+  Branch branchTo(int tip, const Eigen::VectorXd& distance) const
   {
-    Branch branch;
-    branch.Length = distance[tip];
-    branch.Path = shortestPath(this->Surface, distance, Vertex(tip));
+    return { shortestPath(this->Surface, distance, Vertex(tip)), distance[tip] };
+  }
+
+  double strainWith(const Branch& branch) const
+  {
     std::vector<char> outline = this->Outline;
     for (const int v : branch.Path)
     {
       outline[v] = 1;
     }
-    branch.Strain = this->Strain.of(this->Strain.conformalFactors(outline, progress));
-    return branch;
+    return this->Strain.of(this->Strain.conformalFactors(outline));
   }
 
   void keep(const Branch& branch, PlacedRelief& relief, const ProgressCallback& progress)

@@ -135,7 +135,7 @@ void SeamInsertion::splitChords()
 int SeamInsertion::partOf(Vertex v) const
 {
   const auto label = [this](Vertex w) { return w.idx() < this->LabelOf.size() ? this->LabelOf[w] : -1; };
-  if (label(v) < 0)
+  if (label(v) < 0 && this->Surface.isNew(v))
   {
     // A new vertex of the boundary: the vertices of the original are labelled, so that the loop has one.
     auto border = CGAL::is_border(v, this->mesh());

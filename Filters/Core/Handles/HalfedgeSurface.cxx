@@ -2,7 +2,6 @@
 #include "Handles/HalfedgeSurface.h"
 
 #include "Mesh/FaceSides.h"
-#include "Mesh/MeshTopology.h"
 
 #include <boost/range/irange.hpp>
 
@@ -21,7 +20,6 @@ HalfedgeSurface::HalfedgeSurface(const TriangleMesh& mesh)
   , OriginalVertices(mesh.vertexCount())
   , FaceOrigins(mesh.faceCount())
 {
-  analyseTopology(mesh.Faces, mesh.vertexCount());
   for (int v = 0; v < this->vertexCount(); ++v)
   {
     this->Points[v] = mesh.Vertices.row(v).transpose();

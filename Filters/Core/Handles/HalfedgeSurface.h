@@ -17,7 +17,7 @@ namespace flattening
 class HalfedgeSurface
 {
 public:
-  /// @throws TopologyError if @p mesh is not an oriented manifold.
+  /// @param mesh  an oriented manifold (analyseTopology checks that)
   explicit HalfedgeSurface(const TriangleMesh& mesh);
 
   int vertexCount() const { return static_cast<int>(this->Points.size()); }

@@ -45,6 +45,7 @@ class HandleRemover
 public:
   explicit HandleRemover(const TriangleMesh& mesh)
     : Original(mesh)
+    , Before(analyseTopology(mesh.Faces, mesh.vertexCount()))
     , Surface(mesh)
   {
   }
@@ -200,11 +201,11 @@ private:
   void requireHandlesGone(const SurfaceWithoutHandles& result) const
   {
     const TriangleMesh& mesh = result.Surface.Mesh;
-    const MeshTopology before = analyseTopology(this->Original.Faces, this->Original.vertexCount());
     const MeshTopology topology = analyseTopology(mesh.Faces, mesh.vertexCount());
     if (topology.Genus != 0 || topology.Components != 1 ||
-        topology.eulerCharacteristic() != before.eulerCharacteristic() + 2 * result.Report.Handles ||
-        topology.BoundaryLoops != before.BoundaryLoops)
+        topology.eulerCharacteristic() !=
+          this->Before.eulerCharacteristic() + 2 * result.Report.Handles ||
+        topology.BoundaryLoops != this->Before.BoundaryLoops)
     {
       throw TopologyError("the handles of the surface could not be removed, genus " +
                           std::to_string(topology.Genus) +
@@ -213,6 +214,7 @@ private:
   }
 
   const TriangleMesh& Original;
+  const MeshTopology Before;
   HalfedgeSurface Surface;
   std::optional<FaceIntersections> Intersections;
   int KnownFaces = 0; // number of faces in Intersections

@@ -56,6 +56,9 @@ public:
   /// @throws InvalidInput if the surface has more than twice its vertices and a million.
   Split splitEdge(Halfedge edge, double t);
 
+  /// Whether the vertex was added where an edge was split.
+  bool isNew(Vertex vertex) const { return static_cast<int>(vertex.idx()) >= this->OriginalVertices; }
+
   double squaredLength(Halfedge edge) const;
   double longestEdge(Face face) const; ///< length of the longest edge of the face
   double area(Face face) const;

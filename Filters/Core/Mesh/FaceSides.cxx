@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
+#include <utility>
 
 namespace flattening
 {
@@ -37,9 +37,7 @@ std::vector<FaceSide> sortedSides(const FaceMatrix& faces)
   {
     const int from = faces(h / 3, h % 3);
     const int to = faces(h / 3, (h + 1) % 3);
-    const auto edge = (static_cast<std::uint64_t>(std::min(from, to)) << 32) |
-                      static_cast<std::uint64_t>(std::max(from, to));
-    sides[next[std::min(from, to)]++] = { edge, from, to, h };
+    sides[next[std::min(from, to)]++] = { from, to, h };
   }
   tbb::parallel_for(tbb::blocked_range<int>(0, vertices, VerticesPerTask),
     [&](const tbb::blocked_range<int>& range)
@@ -49,7 +47,7 @@ std::vector<FaceSide> sortedSides(const FaceMatrix& faces)
         std::sort(sides.begin() + first[v],
           sides.begin() + first[v + 1],
           [](const FaceSide& a, const FaceSide& b)
-          { return std::tie(a.Edge, a.Halfedge) < std::tie(b.Edge, b.Halfedge); });
+          { return std::make_pair(a.edge(), a.Halfedge) < std::make_pair(b.edge(), b.Halfedge); });
       }
     });
   return sides;

@@ -4,8 +4,9 @@
 
 #include "Mesh/TriangleMesh.h"
 
+#include <algorithm>
 #include <cstddef>
-#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace flattening
@@ -14,12 +15,13 @@ namespace flattening
 /// A side of a face, directed as the face is.
 struct FaceSide
 {
-  std::uint64_t Edge; ///< the same for all sides of an edge; grows with its smaller, then greater vertex
   int From;
   int To;
   int Halfedge; ///< 3 * face + corner, the corner being where the side begins
 
   int face() const { return this->Halfedge / 3; }
+  /// The vertices of the edge, the smaller one first.
+  std::pair<int, int> edge() const { return std::minmax({ this->From, this->To }); }
 };
 
 /// The sides of all @p faces, whose vertex numbers are >= 0, sorted by edge and then by half-edge.
@@ -31,7 +33,7 @@ void forEachEdge(const std::vector<FaceSide>& sortedSides, const Visit& visit)
 {
   for (std::size_t begin = 0, end = 0; begin < sortedSides.size(); begin = end)
   {
-    while (end < sortedSides.size() && sortedSides[end].Edge == sortedSides[begin].Edge)
+    while (end < sortedSides.size() && sortedSides[end].edge() == sortedSides[begin].edge())
     {
       ++end;
     }

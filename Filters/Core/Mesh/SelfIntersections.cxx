@@ -4,8 +4,6 @@
 #include "Base/InterruptibleCall.h"
 #include "Mesh/EditableSurface.h"
 
-#include <CGAL/Box_intersection_d/Box_with_info_d.h>
-#include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
 
 #include <boost/geometry/geometries/box.hpp>
@@ -23,6 +21,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 namespace flattening
@@ -33,8 +32,6 @@ namespace
 using Pairs = std::vector<std::pair<int, int>>;
 using PairsOfThreads = tbb::enumerable_thread_specific<Pairs>;
 
-// Below as many boxes, comparing them all is faster than dividing them. Results do not depend on it.
-constexpr std::ptrdiff_t Cutoff = 1000;
 Pairs sorted(const PairsOfThreads& found)
 {
   Pairs pairs;
@@ -166,39 +163,16 @@ bool hasVertexTwice(const PlacedTriangle& triangle)
   return a == b || b == c || c == a;
 }
 
-// Compares all triangles.
-void compareAll(PairSearch& search)
-{
-  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int>;
-  const std::vector<PlacedTriangle>& triangles = search.Triangles;
-  std::vector<Box> boxes;
-  std::vector<const Box*> pointers; // sorted instead of the boxes themselves: half the time
-  boxes.reserve(triangles.size());
-  pointers.reserve(triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-  {
-    if (!hasVertexTwice(triangles[i]))
-    {
-      Eigen::AlignedBox3d box = triangles[i].box();
-      boxes.emplace_back(box.min().data(), box.max().data(), static_cast<int>(i));
-      pointers.push_back(&boxes.back());
-    }
-  }
-  CGAL::box_self_intersection_d<CGAL::Parallel_tag>(
-    pointers.begin(),
-    pointers.end(),
-    [&search](const Box* a, const Box* b) { search.compare(a->info(), b->info()); },
-    Cutoff);
-}
-
 // Compares some triangles (ascending) with all.
-void compareSome(PairSearch& search, const std::vector<int>& some)
+void compare(PairSearch& search, const std::vector<int>& some)
 {
   std::vector<PlacedTriangle> chosen;
   chosen.reserve(some.size());
+  std::vector<char> isChosen(search.Triangles.size(), 0);
   for (const int i : some)
   {
     chosen.push_back(search.Triangles[i]);
+    isChosen[i] = 1;
   }
   const TriangleBoxes tree(chosen);
   tbb::parallel_for(0,
@@ -209,12 +183,11 @@ void compareSome(PairSearch& search, const std::vector<int>& some)
       {
         return;
       }
-      const bool isChosen = std::binary_search(some.begin(), some.end(), j);
       tree.query(search.Triangles[j],
         [&](int n)
         {
           const int i = some[n];
-          if ((!isChosen || i < j) && !hasVertexTwice(search.Triangles[i]))
+          if ((i < j || !isChosen[j]) && !hasVertexTwice(search.Triangles[i]))
           {
             search.compare(i, j);
           }
@@ -222,20 +195,22 @@ void compareSome(PairSearch& search, const std::vector<int>& some)
     });
 }
 
-// The search when it is over. An abort returns at once, and all threads of the search see it.
-template <typename Compare>
+// The search of all pairs of one of some triangles and any triangle when it is over. An abort returns at
+// once, and all threads of the search see it.
 std::shared_ptr<PairSearch> searched(std::vector<PlacedTriangle> triangles,
+  std::vector<int> some,
   std::size_t most,
-  const ProgressCallback& progress,
-  const Compare& compare)
+  const ProgressCallback& progress)
 {
   const auto search = std::make_shared<PairSearch>();
   search->Triangles = std::move(triangles);
   search->Most = most;
   try
   {
-    callInterruptibly(
-      [search, compare] { compare(*search); }, progress, 0.0, "looking for self-intersections");
+    callInterruptibly([search, some = std::move(some)] { compare(*search, some); },
+      progress,
+      0.0,
+      "looking for self-intersections");
   }
   catch (const Cancelled&)
   {
@@ -243,6 +218,15 @@ std::shared_ptr<PairSearch> searched(std::vector<PlacedTriangle> triangles,
     throw;
   }
   return search;
+}
+
+std::shared_ptr<PairSearch> searched(std::vector<PlacedTriangle> triangles,
+  std::size_t most,
+  const ProgressCallback& progress)
+{
+  std::vector<int> all(triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  return searched(std::move(triangles), std::move(all), most, progress);
 }
 
 } // namespace
@@ -323,7 +307,7 @@ std::size_t countOverlappingBoxes(const std::vector<PlacedTriangle>& some,
 Pairs intersectingPairs(const std::vector<PlacedTriangle>& triangles, const ProgressCallback& progress)
 {
   const std::size_t most = std::numeric_limits<std::size_t>::max();
-  return sorted(searched(triangles, most, progress, compareAll)->Found);
+  return sorted(searched(triangles, most, progress)->Found);
 }
 
 std::size_t countSelfIntersections(const TriangleMesh& mesh, const ProgressCallback& progress)
@@ -335,7 +319,7 @@ FewPairs fewSelfIntersections(const TriangleMesh& mesh,
   std::size_t most,
   const ProgressCallback& progress)
 {
-  const auto search = searched(placedFaces(mesh), most, progress, compareAll);
+  const auto search = searched(placedFaces(mesh), most, progress);
   return { search->Count, sorted(search->Found) };
 }
 
@@ -344,8 +328,7 @@ FewPairs fewIntersectionsOf(const TriangleMesh& mesh,
   std::size_t most,
   const ProgressCallback& progress)
 {
-  const auto search =
-    searched(placedFaces(mesh), most, progress, [some](PairSearch& s) { compareSome(s, some); });
+  const auto search = searched(placedFaces(mesh), some, most, progress);
   return { search->Count, sorted(search->Found) };
 }
 
