@@ -1,33 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Handles/FaceIntersections.h"
 
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
-#include <boost/geometry/index/rtree.hpp>
-
 #include <algorithm>
-#include <iterator>
 #include <limits>
-#include <utility>
 
 namespace flattening
 {
 namespace
 {
-
-namespace bg = boost::geometry;
-using Box = bg::model::box<bg::model::point<double, 3, bg::cs::cartesian>>;
-using BoxedFace = std::pair<Box, int>;
-using BoxTree = bg::index::rtree<BoxedFace, bg::index::linear<16>>; // the branching is a convention
-
-Box boxOf(const PlacedTriangle& t)
-{
-  const Eigen::AlignedBox3d box = t.box();
-  const Eigen::Vector3d& low = box.min();
-  const Eigen::Vector3d& high = box.max();
-  return { { low.x(), low.y(), low.z() }, { high.x(), high.y(), high.z() } };
-}
 
 PlacedTriangle triangleOf(const HalfedgeSurface& surface, int face)
 {
@@ -40,9 +20,20 @@ PlacedTriangle triangleOf(const HalfedgeSurface& surface, int face)
   return t;
 }
 
-BoxedFace boxedFace(const HalfedgeSurface& surface, int face)
+Eigen::AlignedBox3d boxOf(const HalfedgeSurface& surface, int face)
 {
-  return { boxOf(triangleOf(surface, face)), face };
+  return triangleOf(surface, face).box();
+}
+
+std::vector<Eigen::AlignedBox3d> boxesOf(const HalfedgeSurface& surface)
+{
+  std::vector<Eigen::AlignedBox3d> boxes;
+  boxes.reserve(surface.faceCount());
+  for (int f = 0; f < surface.faceCount(); ++f)
+  {
+    boxes.push_back(boxOf(surface, f));
+  }
+  return boxes;
 }
 
 } // namespace
@@ -75,25 +66,11 @@ std::vector<PlacedTriangle> trianglesOf(const HalfedgeSurface& surface,
   return triangles;
 }
 
-struct FaceIntersections::Tree
-{
-  BoxTree Faces;
-};
-
 FaceIntersections::FaceIntersections(const HalfedgeSurface& surface)
   : Surface(surface)
-  , Boxes(std::make_unique<Tree>())
+  , Boxes(boxesOf(surface))
 {
-  std::vector<BoxedFace> faces;
-  faces.reserve(surface.faceCount());
-  for (int f = 0; f < surface.faceCount(); ++f)
-  {
-    faces.push_back(boxedFace(surface, f));
-  }
-  this->Boxes->Faces = BoxTree(faces.begin(), faces.end());
 }
-
-FaceIntersections::~FaceIntersections() = default;
 
 int FaceIntersections::countNew(const FaceReplacement& replacement, int enough) const
 {
@@ -112,18 +89,16 @@ int FaceIntersections::count(const std::vector<PlacedTriangle>& triangles,
   int enough) const
 {
   int pairs = 0;
-  std::vector<BoxedFace> near;
   for (const PlacedTriangle& t : triangles)
   {
-    near.clear();
-    this->Boxes->Faces.query(bg::index::intersects(boxOf(t)), std::back_inserter(near));
-    for (const auto& [box, face] : near)
-    {
-      if (!std::binary_search(leftOut.begin(), leftOut.end(), face))
+    this->Boxes.query(t.box(),
+      [&](int face)
       {
-        pairs += intersect(t, triangleOf(this->Surface, face));
-      }
-    }
+        if (!std::binary_search(leftOut.begin(), leftOut.end(), face))
+        {
+          pairs += intersect(t, triangleOf(this->Surface, face));
+        }
+      });
     if (pairs > enough)
     {
       return pairs;
@@ -136,7 +111,7 @@ void FaceIntersections::remove(const std::vector<int>& faces)
 {
   for (const int f : faces)
   {
-    this->Boxes->Faces.remove(boxedFace(this->Surface, f));
+    this->Boxes.remove(boxOf(this->Surface, f), f);
   }
 }
 
@@ -144,7 +119,7 @@ void FaceIntersections::insert(const std::vector<int>& faces)
 {
   for (const int f : faces)
   {
-    this->Boxes->Faces.insert(boxedFace(this->Surface, f));
+    this->Boxes.insert(boxOf(this->Surface, f), f);
   }
 }
 

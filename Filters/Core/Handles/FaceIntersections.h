@@ -3,14 +3,13 @@
 #pragma once
 
 #include "Handles/HalfedgeSurface.h"
-
+#include "Mesh/BoxTree.h"
 #include "Mesh/SelfIntersections.h"
 
 #include <Eigen/Core>
 
 #include <array>
 #include <map>
-#include <memory>
 #include <vector>
 
 namespace flattening
@@ -35,11 +34,8 @@ std::vector<PlacedTriangle> trianglesOf(const HalfedgeSurface& surface,
 class FaceIntersections
 {
 public:
-  /// Puts the boxes of all faces into a tree (Boost rtree). The surface must outlive this.
+  /// Puts the boxes of all faces into a tree. The surface must outlive this.
   explicit FaceIntersections(const HalfedgeSurface& surface);
-  ~FaceIntersections();
-  FaceIntersections(const FaceIntersections&) = delete;
-  FaceIntersections& operator=(const FaceIntersections&) = delete;
 
   /// Pairs of intersecting faces of which at least one is new. Stops soon after more than @p enough.
   int countNew(const FaceReplacement& replacement, int enough) const;
@@ -53,14 +49,12 @@ public:
   void insert(const std::vector<int>& faces);
 
 private:
-  struct Tree;
-
   int count(const std::vector<PlacedTriangle>& triangles,
     const std::vector<int>& leftOut,
     int enough) const;
 
   const HalfedgeSurface& Surface;
-  std::unique_ptr<Tree> Boxes;
+  BoxTree Boxes; // of the faces
 };
 
 } // namespace flattening

@@ -2,15 +2,10 @@
 #include "Mesh/SelfIntersections.h"
 
 #include "Base/InterruptibleCall.h"
+#include "Mesh/BoxTree.h"
 #include "Mesh/EditableSurface.h"
 
 #include <CGAL/intersections.h>
-
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
-#include <boost/geometry/index/rtree.hpp>
-#include <boost/geometry/strategies/strategies.hpp>
-#include <boost/iterator/function_output_iterator.hpp>
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -75,63 +70,34 @@ bool overlapAcrossEdge(const PlacedTriangle& a, int cornerOfA, const PlacedTrian
          CGAL::coplanar_orientation(from, to, apexOfA, apexOfB) == CGAL::POSITIVE;
 }
 
+PlacedTriangle placedFace(const TriangleMesh& mesh, int f)
+{
+  PlacedTriangle triangle;
+  for (int k = 0; k < 3; ++k)
+  {
+    triangle.Vertices[k] = mesh.Faces(f, k);
+    triangle.Points[k] = mesh.Vertices.row(mesh.Faces(f, k));
+  }
+  return triangle;
+}
+
 std::vector<PlacedTriangle> placedFaces(const TriangleMesh& mesh)
 {
   std::vector<PlacedTriangle> triangles(mesh.faceCount());
-  for (int f = 0; f < mesh.faceCount(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      triangles[f].Vertices[k] = mesh.Faces(f, k);
-      triangles[f].Points[k] = mesh.Vertices.row(mesh.Faces(f, k));
-    }
-  }
+  tbb::parallel_for(0, mesh.faceCount(), [&](int f) { triangles[f] = placedFace(mesh, f); });
   return triangles;
 }
 
-// Triangles that are found by their boxes.
-class TriangleBoxes
+std::vector<Eigen::AlignedBox3d> boxesOf(const std::vector<PlacedTriangle>& triangles)
 {
-public:
-  explicit TriangleBoxes(const std::vector<PlacedTriangle>& triangles)
-    : Tree(values(triangles))
+  std::vector<Eigen::AlignedBox3d> boxes;
+  boxes.reserve(triangles.size());
+  for (const PlacedTriangle& triangle : triangles)
   {
+    boxes.push_back(triangle.box());
   }
-
-  // Calls back with the index of each triangle whose box overlaps or touches that of this one. Returns
-  // their number.
-  template <typename Visit>
-  std::size_t query(const PlacedTriangle& triangle, const Visit& visit) const
-  {
-    return this->Tree.query(boost::geometry::index::intersects(boxOf(triangle)),
-      boost::make_function_output_iterator([&visit](const Value& value) { visit(value.second); }));
-  }
-
-private:
-  using Corner = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
-  using Box = boost::geometry::model::box<Corner>;
-  using Value = std::pair<Box, int>;
-
-  static Box boxOf(const PlacedTriangle& triangle)
-  {
-    const Eigen::AlignedBox3d box = triangle.box();
-    const Eigen::Vector3d& low = box.min();
-    const Eigen::Vector3d& high = box.max();
-    return { { low.x(), low.y(), low.z() }, { high.x(), high.y(), high.z() } };
-  }
-
-  static std::vector<Value> values(const std::vector<PlacedTriangle>& triangles)
-  {
-    std::vector<Value> values;
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-    {
-      values.emplace_back(boxOf(triangles[i]), static_cast<int>(i));
-    }
-    return values;
-  }
-
-  boost::geometry::index::rtree<Value, boost::geometry::index::linear<16>> Tree;
-};
+  return boxes;
+}
 
 // The triangles of a search and the pairs that it finds. A search that was abandoned goes on with its
 // own.
@@ -166,15 +132,15 @@ bool hasVertexTwice(const PlacedTriangle& triangle)
 // Compares some triangles (ascending) with all.
 void compare(PairSearch& search, const std::vector<int>& some)
 {
-  std::vector<PlacedTriangle> chosen;
-  chosen.reserve(some.size());
+  std::vector<Eigen::AlignedBox3d> boxes;
+  boxes.reserve(some.size());
   std::vector<char> isChosen(search.Triangles.size(), 0);
   for (const int i : some)
   {
-    chosen.push_back(search.Triangles[i]);
+    boxes.push_back(search.Triangles[i].box());
     isChosen[i] = 1;
   }
-  const TriangleBoxes tree(chosen);
+  const BoxTree tree(boxes);
   tbb::parallel_for(0,
     static_cast<int>(search.Triangles.size()),
     [&](int j)
@@ -183,7 +149,7 @@ void compare(PairSearch& search, const std::vector<int>& some)
       {
         return;
       }
-      tree.query(search.Triangles[j],
+      tree.query(search.Triangles[j].box(),
         [&](int n)
         {
           const int i = some[n];
@@ -261,35 +227,31 @@ bool intersect(const PlacedTriangle& a, const PlacedTriangle& b)
   }
 }
 
-Pairs overlappingBoxes(const std::vector<PlacedTriangle>& some, const std::vector<PlacedTriangle>& all)
-{
-  return *fewOverlappingBoxes(some, all, std::numeric_limits<std::size_t>::max());
-}
-
-std::optional<Pairs> fewOverlappingBoxes(const std::vector<PlacedTriangle>& some,
-  const std::vector<PlacedTriangle>& all,
+std::optional<Pairs> fewOverlappingBoxes(const std::vector<Eigen::AlignedBox3d>& some,
+  int count,
+  const std::function<Eigen::AlignedBox3d(int)>& boxOf,
   std::size_t most)
 {
-  const TriangleBoxes tree(some);
+  const BoxTree tree(some);
   PairsOfThreads found;
-  std::atomic<std::size_t> count(0);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, all.size()),
-    [&](const tbb::blocked_range<std::size_t>& range)
+  std::atomic<std::size_t> pairCount(0);
+  tbb::parallel_for(tbb::blocked_range<int>(0, count),
+    [&](const tbb::blocked_range<int>& range)
     {
       Pairs& pairs = found.local();
-      for (std::size_t j = range.begin(); j < range.end() && count <= most; ++j)
+      for (int j = range.begin(); j < range.end() && pairCount <= most; ++j)
       {
-        count += tree.query(all[j], [&](int i) { pairs.emplace_back(i, static_cast<int>(j)); });
+        pairCount += tree.query(boxOf(j), [&](int i) { pairs.emplace_back(i, j); });
       }
     });
-  return count <= most ? std::optional<Pairs>(sorted(found)) : std::nullopt;
+  return pairCount <= most ? std::optional<Pairs>(sorted(found)) : std::nullopt;
 }
 
 std::size_t countOverlappingBoxes(const std::vector<PlacedTriangle>& some,
   const std::vector<PlacedTriangle>& all,
   const std::function<bool(int, int)>& counts)
 {
-  const TriangleBoxes tree(some);
+  const BoxTree tree(boxesOf(some));
   std::atomic<std::size_t> count(0);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, all.size()),
     [&](const tbb::blocked_range<std::size_t>& range)
@@ -297,7 +259,7 @@ std::size_t countOverlappingBoxes(const std::vector<PlacedTriangle>& some,
       std::size_t inRange = 0;
       for (std::size_t j = range.begin(); j < range.end(); ++j)
       {
-        tree.query(all[j], [&](int i) { inRange += counts(i, static_cast<int>(j)) ? 1 : 0; });
+        tree.query(all[j].box(), [&](int i) { inRange += counts(i, static_cast<int>(j)) ? 1 : 0; });
       }
       count += inRange;
     });
@@ -335,22 +297,26 @@ FewPairs fewIntersectionsOf(const TriangleMesh& mesh,
 std::vector<int> intersectionsPerGroup(const TriangleMesh& mesh,
   const std::vector<std::vector<int>>& groups)
 {
-  const std::vector<PlacedTriangle> all = placedFaces(mesh);
-  std::vector<PlacedTriangle> some;
+  std::vector<Eigen::AlignedBox3d> some;
   std::vector<std::pair<int, int>> groupAndFace;
   for (std::size_t group = 0; group < groups.size(); ++group)
   {
     for (const int face : groups[group])
     {
-      some.push_back(all[face]);
+      some.push_back(placedFace(mesh, face).box());
       groupAndFace.emplace_back(static_cast<int>(group), face);
     }
   }
+  const auto pairs = fewOverlappingBoxes(
+    some,
+    mesh.faceCount(),
+    [&mesh](int f) { return placedFace(mesh, f).box(); },
+    std::numeric_limits<std::size_t>::max());
   std::vector<int> count(groups.size(), 0);
-  for (const auto& [i, other] : overlappingBoxes(some, all))
+  for (const auto& [i, other] : *pairs)
   {
     const auto [group, face] = groupAndFace[i];
-    count[group] += face != other && intersect(all[face], all[other]);
+    count[group] += face != other && intersect(placedFace(mesh, face), placedFace(mesh, other));
   }
   return count;
 }

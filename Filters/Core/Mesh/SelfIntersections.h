@@ -41,19 +41,17 @@ bool intersect(const PlacedTriangle& a, const PlacedTriangle& b);
 std::vector<std::pair<int, int>> intersectingPairs(const std::vector<PlacedTriangle>& triangles,
   const ProgressCallback& progress = {});
 
-/// Pairs of indices (i in @p some, j in @p all, sorted) of triangles whose boxes overlap or touch.
-std::vector<std::pair<int, int>> overlappingBoxes(const std::vector<PlacedTriangle>& some,
-  const std::vector<PlacedTriangle>& all);
-
-/// The same, or nothing if there are more than @p most pairs, without the memory and the time for more.
+/// Pairs of indices (i in @p some, 0 <= j < @p count, sorted) of a box and the box @p boxOf(j) that
+/// overlap or touch. Nothing if there are more than @p most, without the memory and the time for more.
+/// Several threads call @p boxOf.
 std::optional<std::vector<std::pair<int, int>>> fewOverlappingBoxes(
-  const std::vector<PlacedTriangle>& some,
-  const std::vector<PlacedTriangle>& all,
+  const std::vector<Eigen::AlignedBox3d>& some,
+  int count,
+  const std::function<Eigen::AlignedBox3d(int)>& boxOf,
   std::size_t most);
 
 /// The number of pairs (i in @p some, j in @p all) of triangles whose boxes overlap or touch and for
-/// which
-/// @p counts returns true, in any order and in several threads.
+/// which @p counts returns true, in any order and in several threads.
 std::size_t countOverlappingBoxes(const std::vector<PlacedTriangle>& some,
   const std::vector<PlacedTriangle>& all,
   const std::function<bool(int, int)>& counts);

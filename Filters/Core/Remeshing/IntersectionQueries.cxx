@@ -135,7 +135,7 @@ std::vector<Face> unitedFaces(const std::vector<std::vector<Face>>& lists)
 std::optional<std::vector<std::vector<Face>>> facesNear(const MeshOnSurface& surface,
   const std::vector<std::vector<Vertex>>& groups)
 {
-  std::vector<PlacedTriangle> boxes; // each as a triangle that has the box's two extreme corners
+  std::vector<Eigen::AlignedBox3d> boxes;
   for (const std::vector<Vertex>& group : groups)
   {
     Eigen::AlignedBox3d box;
@@ -144,12 +144,14 @@ std::optional<std::vector<std::vector<Face>>> facesNear(const MeshOnSurface& sur
       box.extend(surface.mesh().point(v));
     }
     const Eigen::Vector3d margin = 0.25 * box.sizes();
-    const Eigen::Vector3d high = box.max() + margin;
-    boxes.push_back({ { -1, -1, -1 }, { box.min() - margin, high, high } });
+    boxes.emplace_back(box.min() - margin, box.max() + margin);
   }
   const std::vector<Face> faces = allFaces(surface);
   const auto pairs = fewOverlappingBoxes(
-    boxes, placed(surface, faces), std::max(MostNear, MostNearPerFace * faces.size()));
+    boxes,
+    static_cast<int>(faces.size()),
+    [&](int f) { return flattening::placed(surface.triangle(faces[f])).box(); },
+    std::max(MostNear, MostNearPerFace * faces.size()));
   if (!pairs)
   {
     return std::nullopt;

@@ -206,27 +206,30 @@ TEST(SelfIntersectionRemoval, LeavesPairsThatAreEachNearTooManyFaces)
 TEST(SelfIntersectionRemoval, CountsOverlappingBoxesUpToALimit)
 {
   const TriangleMesh mesh = diagonalStrips(20, 50);
-  std::vector<PlacedTriangle> triangles(mesh.faceCount());
+  std::vector<Eigen::AlignedBox3d> boxes(mesh.faceCount());
   for (int f = 0; f < mesh.faceCount(); ++f)
   {
     for (int k = 0; k < 3; ++k)
     {
-      triangles[f].Vertices[k] = mesh.Faces(f, k);
-      triangles[f].Points[k] = mesh.Vertices.row(mesh.Faces(f, k));
+      boxes[f].extend(mesh.Vertices.row(mesh.Faces(f, k)).transpose());
     }
   }
   std::size_t overlapping = 0;
-  for (const PlacedTriangle& a : triangles)
+  for (const Eigen::AlignedBox3d& a : boxes)
   {
-    for (const PlacedTriangle& b : triangles)
+    for (const Eigen::AlignedBox3d& b : boxes)
     {
-      overlapping += a.box().intersects(b.box());
+      overlapping += a.intersects(b);
     }
   }
   ASSERT_EQ(overlapping, 1600u);
-  EXPECT_EQ(overlappingBoxes(triangles, triangles).size(), overlapping);
-  EXPECT_TRUE(fewOverlappingBoxes(triangles, triangles, overlapping).has_value());
-  EXPECT_FALSE(fewOverlappingBoxes(triangles, triangles, overlapping - 1).has_value());
+  const auto pairs = [&](std::size_t most)
+  {
+    return fewOverlappingBoxes(
+      boxes, mesh.faceCount(), [&](int f) { return boxes[f]; }, most);
+  };
+  EXPECT_EQ(pairs(overlapping).value().size(), overlapping);
+  EXPECT_FALSE(pairs(overlapping - 1).has_value());
 }
 
 } // namespace
