@@ -80,6 +80,22 @@ Eigen::Matrix2d DegreesOfFreedom::directions(const DomainMap& map, int vertex) c
   return result;
 }
 
+Points2 DegreesOfFreedom::motions(const DomainMap& map, const Eigen::VectorXd& step) const
+{
+  Points2 motions(map.Positions.rows(), 2);
+  tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(motions.rows()), VerticesPerTask),
+    [&](const tbb::blocked_range<int>& range)
+    {
+      for (int v = range.begin(); v < range.end(); ++v)
+      {
+        Eigen::Vector2d own = Eigen::Vector2d::Zero();
+        own.head(this->countOf(v)) = step.segment(this->first(v), this->countOf(v));
+        motions.row(v) = this->directions(map, v) * own;
+      }
+    });
+  return motions;
+}
+
 DomainMap DegreesOfFreedom::moved(const DomainMap& map, const Eigen::VectorXd& step, double length) const
 {
   DomainMap result = map;

@@ -53,6 +53,10 @@ public:
   /// The derivative of a vertex's position by its dofs: one column per dof, 0 where there is none.
   Eigen::Matrix2d directions(const DomainMap& map, int vertex) const;
 
+  /// The motions of all vertices (n x 2) for @p step (count()), those of boundary vertices along their
+  /// tangents.
+  Points2 motions(const DomainMap& map, const Eigen::VectorXd& step) const;
+
   /// @p map moved by @p length times @p step (count()).
   DomainMap moved(const DomainMap& map, const Eigen::VectorXd& step, double length) const;
 

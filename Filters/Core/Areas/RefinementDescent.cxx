@@ -192,18 +192,10 @@ Eigen::VectorXd RefinementDescent::direction(const Eigen::VectorXd& gradient) co
 // straight.
 double RefinementDescent::lengthToFlip(const DomainMap& map, const Eigen::VectorXd& step) const
 {
+  const Points2 motions = this->Dofs.motions(map, step);
   const int m = static_cast<int>(this->Terms.Faces.rows());
   const int tasks = (m + PerTask - 1) / PerTask;
   std::vector<double> parts(tasks, std::numeric_limits<double>::infinity());
-  const auto motion = [&](int v) -> Eigen::Vector2d
-  {
-    Eigen::Vector2d own = Eigen::Vector2d::Zero();
-    for (int k = 0; k < this->Dofs.countOf(v); ++k)
-    {
-      own[k] = step[this->Dofs.first(v) + k];
-    }
-    return this->Dofs.directions(map, v) * own;
-  };
   tbb::parallel_for(0,
     tasks,
     [&](int task)
@@ -211,14 +203,13 @@ double RefinementDescent::lengthToFlip(const DomainMap& map, const Eigen::Vector
       for (int f = task * PerTask; f < std::min(m, (task + 1) * PerTask); ++f)
       {
         const int a = this->Terms.Faces(f, 0);
-        const Eigen::Vector2d base = motion(a);
         Eigen::Vector2d sides[2];
         Eigen::Vector2d changes[2];
         for (int k = 0; k < 2; ++k)
         {
           const int b = this->Terms.Faces(f, k + 1);
           sides[k] = map.Positions.row(b) - map.Positions.row(a);
-          changes[k] = motion(b) - base;
+          changes[k] = motions.row(b) - motions.row(a);
         }
         const double length = smallestPositiveRoot(cross(changes[0], changes[1]),
           cross(sides[0], changes[1]) + cross(changes[0], sides[1]),
@@ -244,7 +235,7 @@ RefinementDescent::LineSearch RefinementDescent::searchLine(const DomainMap& map
   {
     search.Length *= halving == 0 ? 1.0 : 0.5;
     search.Map = this->Dofs.moved(map, step, search.Length);
-    search.Energy = this->Energy.value(search.Map);
+    search.Energy = this->Energy.evaluate(search.Map);
     search.Succeeded = std::isfinite(search.Energy) &&
                        search.Energy <= energy + ArmijoShare * search.Length * slope &&
                        !edgesCross(search.Map.Positions, this->Terms.Outline);
@@ -275,8 +266,8 @@ double RefinementDescent::round(DomainMap& map, const ProgressCallback& progress
     return 0.0;
   }
   report(progress, 0.0, "Face refinement: whole mesh");
-  Eigen::VectorXd gradient;
-  const double before = this->Energy.gradient(map, gradient);
+  const double before = this->Energy.evaluate(map);
+  Eigen::VectorXd gradient = this->Energy.gradient(map);
   this->factorise(map, progress);
   double energy = before;
   for (int k = 0; k <= QuasiNewtonSteps; ++k)
@@ -297,8 +288,7 @@ double RefinementDescent::round(DomainMap& map, const ProgressCallback& progress
     {
       break;
     }
-    Eigen::VectorXd nextGradient;
-    this->Energy.gradient(search.Map, nextGradient);
+    Eigen::VectorXd nextGradient = this->Energy.gradient(search.Map);
     this->learn(search.Length * step, nextGradient - gradient);
     const double gain = energy - search.Energy;
     map = std::move(search.Map);

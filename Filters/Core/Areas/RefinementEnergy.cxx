@@ -68,7 +68,6 @@ RefinementEnergy::RefinementEnergy(const RefinementTerms& terms,
   , FacesOf(facesOf)
   , Dofs(dofs)
   , Energy(0.0)
-  , Values(terms.Faces.rows())
 {
 }
 
@@ -154,10 +153,28 @@ RefinementEnergy::ReachTerm RefinementEnergy::reachTerm(const DomainMap& map, co
       (2.0 / rest * Eigen::Matrix2d::Identity() + 4.0 / (rest * rest) * way * way.transpose()) };
 }
 
-double RefinementEnergy::value(const DomainMap& map) const
+double RefinementEnergy::evaluateFace(const Points2& positions, int face)
 {
-  double sum = orderedSum(static_cast<int>(this->Terms.Faces.rows()),
-    [&](int f) { return this->faceValue(this->flatFace(map.Positions, f), f).Energy; });
+  const FlatFace flat = this->flatFace(positions, face);
+  const FaceAreaEnergy::Value value = this->faceValue(flat, face);
+  for (int k = 0; k < 3; ++k)
+  {
+    const int next = (k + 1) % 3;
+    const int last = (k + 2) % 3;
+    const Eigen::Vector2d byDirichlet = 0.5 * (this->Terms.Cotangents(face, next) * flat.Sides[next] -
+                                                this->Terms.Cotangents(face, last) * flat.Sides[last]);
+    this->Slopes[3 * face + k] = value.ByArea * flat.areaSlope(k) + value.ByDirichlet * byDirichlet;
+  }
+  this->Values[face] = value;
+  return value.Energy;
+}
+
+double RefinementEnergy::evaluate(const DomainMap& map)
+{
+  const int faces = static_cast<int>(this->Terms.Faces.rows());
+  this->Values.resize(faces);
+  this->Slopes.resize(3 * static_cast<std::size_t>(faces));
+  double sum = orderedSum(faces, [&](int f) { return this->evaluateFace(map.Positions, f); });
   for (const BoundaryGap& gap : this->Terms.Gaps)
   {
     sum += this->gapTerm(map, gap).Energy;
@@ -169,41 +186,31 @@ double RefinementEnergy::value(const DomainMap& map) const
   return sum;
 }
 
-double RefinementEnergy::gradient(const DomainMap& map, Eigen::VectorXd& gradient)
+Eigen::VectorXd RefinementEnergy::gradient(const DomainMap& map) const
 {
-  double sum = orderedSum(static_cast<int>(this->Terms.Faces.rows()),
-    [&](int f)
-    {
-      this->Values[f] = this->faceValue(this->flatFace(map.Positions, f), f);
-      return this->Values[f].Energy;
-    });
-  gradient.setZero(this->Dofs.count());
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(this->Dofs.count());
   tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(map.Positions.rows()), ElementsPerTask),
     [&](const tbb::blocked_range<int>& range)
     {
       for (int v = range.begin(); v < range.end(); ++v)
       {
+        const int count = this->Dofs.countOf(v);
+        if (count == 0)
+        {
+          continue;
+        }
         Eigen::Vector2d slope = Eigen::Vector2d::Zero();
         for (const int f : this->FacesOf[v])
         {
-          const FlatFace flat = this->flatFace(map.Positions, f);
-          const int k = this->cornerOf(v, f);
-          const int next = (k + 1) % 3;
-          const int last = (k + 2) % 3;
-          const Eigen::Vector2d byDirichlet =
-            0.5 * (this->Terms.Cotangents(f, next) * flat.Sides[next] -
-                    this->Terms.Cotangents(f, last) * flat.Sides[last]);
-          slope +=
-            this->Values[f].ByArea * flat.areaSlope(k) + this->Values[f].ByDirichlet * byDirichlet;
+          slope += this->Slopes[3 * f + this->cornerOf(v, f)];
         }
         const Eigen::Vector2d own = this->Dofs.directions(map, v).transpose() * slope;
-        gradient.segment(this->Dofs.first(v), this->Dofs.countOf(v)) = own.head(this->Dofs.countOf(v));
+        gradient.segment(this->Dofs.first(v), count) = own.head(count);
       }
     });
   for (const BoundaryGap& gap : this->Terms.Gaps)
   {
     const GapTerm term = this->gapTerm(map, gap);
-    sum += term.Energy;
     const int own = this->Dofs.dofOfMember(gap.First);
     const int next = this->Dofs.dofOfMember(gap.Second);
     if (own >= 0)
@@ -218,10 +225,9 @@ double RefinementEnergy::gradient(const DomainMap& map, Eigen::VectorXd& gradien
   for (const VertexReach& reach : this->Terms.Reaches)
   {
     const ReachTerm term = reachTerm(map, reach);
-    sum += term.Energy;
     gradient.segment<2>(this->Dofs.first(reach.Vertex)) += term.Slope;
   }
-  return sum;
+  return gradient;
 }
 
 Eigen::VectorXd RefinementEnergy::areaRatios(const DomainMap& map) const

@@ -43,11 +43,13 @@ public:
   /// The scaled targets (m).
   Eigen::VectorXd targets() const { return this->Scale * this->Targets; }
 
-  double value(const DomainMap& map) const;
-  /// Computes the @p gradient by the degrees of freedom and returns the value.
-  double gradient(const DomainMap& map, Eigen::VectorXd& gradient);
+  /// Returns the energy of @p map, and keeps what its derivatives are made of.
+  double evaluate(const DomainMap& map);
 
-  /// A positive semidefinite approximation of the second derivative, for the map of the last gradient();
+  /// The derivative by the degrees of freedom, for the map of the last evaluate().
+  Eigen::VectorXd gradient(const DomainMap& map) const;
+
+  /// A positive semidefinite approximation of the second derivative, for the map of the last evaluate();
   /// lower triangle, always with the same pattern. The second derivative of an area is indefinite; it is
   /// replaced by a bound: the area of a displacement is at most its Dirichlet energy.
   const SparseMatrix& hessian(const DomainMap& map);
@@ -64,6 +66,7 @@ private:
     double Curvature;
   };
   FlatFace flatFace(const Points2& positions, int face) const;
+  double evaluateFace(const Points2& positions, int face);
   FaceAreaEnergy::Value faceValue(const FlatFace& flat, int face) const;
   struct ReachTerm // of a vertex with a reach, with its derivatives by the position
   {
@@ -88,7 +91,9 @@ private:
   Eigen::VectorXd AreaWeights;
   Eigen::VectorXd Counts;
   double Scale = 1.0;
-  std::vector<FaceAreaEnergy::Value> Values; // of the last gradient
+  // Of the map that was evaluated last: per face, and by the position of each corner of it.
+  std::vector<FaceAreaEnergy::Value> Values;
+  std::vector<Eigen::Vector2d> Slopes;
   SparseMatrix Hessian;
   // Per face and ordered pair of its corners: where the pair's block begins in its columns, or -1.
   std::vector<int> Rows;

@@ -66,16 +66,23 @@ public:
     {
       return false;
     }
-    this->addBorder();
+    std::vector<int>& localOf = this->Whole.LocalOf.local();
+    localOf.resize(before.Positions.rows(), -1);
+    this->addBorder(localOf);
     const std::vector<int> members = this->boundaryMembers();
     std::vector<int> localMembers;
     for (const int member : members)
     {
-      localMembers.push_back(this->local(this->Whole.Dofs.loop()[member]));
+      localMembers.push_back(localOf[this->Whole.Dofs.loop()[member]]);
+    }
+    const RefinementTerms terms = this->terms(members, localOf);
+    for (const int v : this->Vertices)
+    {
+      localOf[v] = -1;
     }
     DomainMap map{ before.Positions(this->Vertices, flattening::all),
       before.BoundaryParameters(members) };
-    this->descend(map, members, localMembers);
+    this->descend(map, terms, localMembers);
     for (std::size_t i = 0; i < this->Free; ++i)
     {
       after.Positions.row(this->Vertices[i]) = map.Positions.row(i);
@@ -91,9 +98,7 @@ public:
   }
 
 private:
-  void descend(DomainMap& map,
-    const std::vector<int>& members,
-    const std::vector<int>& localMembers) const
+  void descend(DomainMap& map, const RefinementTerms& terms, const std::vector<int>& localMembers) const
   {
     std::vector<char> stays(this->Vertices.size(), 0);
     for (std::size_t i = 0; i < this->Vertices.size(); ++i)
@@ -101,7 +106,6 @@ private:
       stays[i] = i >= this->Free || this->Whole.Dofs.countOf(this->Vertices[i]) == 0;
     }
     const DegreesOfFreedom dofs(this->Whole.Dofs.sharedDomain(), localMembers, stays);
-    const RefinementTerms terms = this->terms(members);
     const VertexFaces facesOf(terms.Faces, static_cast<int>(this->Vertices.size()));
     RefinementEnergy energy(terms, facesOf, dofs);
     energy.setTargets(this->ThePass.Targets(this->Rows),
@@ -135,34 +139,31 @@ private:
     return static_cast<double>(off) / static_cast<double>(this->Rows.size());
   }
 
-  // The vertices that stay come after those that move, each in ascending order.
-  void addBorder()
+  // Adds the vertices that stay after those that move, each in ascending order. Sets the number of each
+  // vertex in the patch; all others have -1.
+  void addBorder(std::vector<int>& localOf)
   {
-    std::vector<int> border;
+    for (std::size_t i = 0; i < this->Free; ++i)
+    {
+      localOf[this->Vertices[i]] = static_cast<int>(i);
+    }
     for (const int f : this->Rows)
     {
       for (int k = 0; k < 3; ++k)
       {
         const int v = this->Whole.Terms.Faces(f, k);
-        if (!std::binary_search(this->Vertices.begin(), this->Vertices.end(), v))
+        if (localOf[v] < 0)
         {
-          border.push_back(v);
+          localOf[v] = static_cast<int>(this->Free); // for now
+          this->Vertices.push_back(v);
         }
       }
     }
-    std::sort(border.begin(), border.end());
-    border.erase(std::unique(border.begin(), border.end()), border.end());
-    this->Vertices.insert(this->Vertices.end(), border.begin(), border.end());
-  }
-
-  int local(int vertex) const
-  {
-    const auto begin = this->Vertices.begin();
-    const auto middle = begin + static_cast<std::ptrdiff_t>(this->Free);
-    const auto own = std::lower_bound(begin, middle, vertex);
-    const auto found =
-      own != middle && *own == vertex ? own : std::lower_bound(middle, this->Vertices.end(), vertex);
-    return static_cast<int>(found - begin);
+    std::sort(this->Vertices.begin() + static_cast<std::ptrdiff_t>(this->Free), this->Vertices.end());
+    for (std::size_t i = this->Free; i < this->Vertices.size(); ++i)
+    {
+      localOf[this->Vertices[i]] = static_cast<int>(i);
+    }
   }
 
   std::vector<int> boundaryMembers() const
@@ -179,12 +180,12 @@ private:
     return members;
   }
 
-  RefinementTerms terms(const std::vector<int>& members) const
+  RefinementTerms terms(const std::vector<int>& members, const std::vector<int>& localOf) const
   {
     const RefinementTerms& all = this->Whole.Terms;
     RefinementTerms part;
     part.Faces =
-      all.Faces(this->Rows, flattening::all).unaryExpr([this](int v) { return this->local(v); });
+      all.Faces(this->Rows, flattening::all).unaryExpr([&localOf](int v) { return localOf[v]; });
     part.Cotangents = all.Cotangents(this->Rows, flattening::all);
     part.ShapeWeights = this->ThePass.ShapeFactor * all.ShapeWeights(this->Rows);
     const auto indexOf = [&](int member)
@@ -202,26 +203,26 @@ private:
         part.Gaps.push_back(gap);
       }
     }
-    this->addOutline(part);
+    this->addOutline(part, localOf);
     return part;
   }
 
   // The edges of a free boundary that move, and the reach of their vertices.
-  void addOutline(RefinementTerms& part) const
+  void addOutline(RefinementTerms& part, const std::vector<int>& localOf) const
   {
-    const auto isFree = [this](int vertex)
-    { return std::binary_search(this->Vertices.begin(), this->Vertices.begin() + this->Free, vertex); };
+    const auto isFree = [&](int vertex)
+    { return localOf[vertex] >= 0 && localOf[vertex] < static_cast<int>(this->Free); };
     for (std::size_t k = 0; k < this->Whole.Terms.Outline.size(); ++k)
     {
       const auto& [a, b] = this->Whole.Terms.Outline[k];
       if (isFree(a))
       {
         part.Reaches.push_back(this->Whole.Reaches[k]);
-        part.Reaches.back().Vertex = this->local(a);
+        part.Reaches.back().Vertex = localOf[a];
       }
       if (isFree(a) || isFree(b))
       {
-        part.Outline.push_back({ this->local(a), this->local(b) });
+        part.Outline.push_back({ localOf[a], localOf[b] });
       }
     }
   }

@@ -8,6 +8,8 @@
 #include "Mesh/OutlineReach.h"
 #include "Mesh/VertexFaces.h"
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <vector>
 
 namespace flattening
@@ -63,6 +65,8 @@ private:
   const DegreesOfFreedom& Dofs;
   const Points2& Chart;
   std::vector<VertexReach> Reaches; // of the vertices where the edges of a free boundary begin
+  // Of each thread, for the patch that it sets up: the number of each vertex in the patch, or -1.
+  mutable tbb::enumerable_thread_specific<std::vector<int>> LocalOf;
   int Passes = 0;
 };
 
