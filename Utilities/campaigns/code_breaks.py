@@ -34,6 +34,7 @@ BREAKS = [
     at("Mesh/CoordinateFrame.cxx", "spacing > LargestSpacing * meanEdge", "false"),
     at("Mesh/ClosestPointWalk.cxx", "towards / (towards + beyond)", "beyond / (towards + beyond)"),
     at("Mesh/ClosestPointWalk.cxx", "abToB >= 0.0 && acToB <= abToB", "abToB >= 0.0"),
+    at("Mesh/BoxTree.h", "= box.max()", "= box.min()"),
     at("Mesh/SelfIntersections.cxx", "intersectAtCorner(a, sumOfA, b, sumOfB)", "false"),
     at("Mesh/SelfIntersections.cxx", "CGAL::POSITIVE", "CGAL::NEGATIVE"),
     at("Mesh/SelfIntersections.cxx", "i < j || !isChosen[j]", "true"),
@@ -168,6 +169,7 @@ BREAKS = [
         "0.25 * this->Terms.Cotangents(face, k)",
         "0.5 * this->Terms.Cotangents(face, k)",
     ),
+    at("Areas/RefinementEnergy.cxx", "3 * f + this->cornerOf(v, f)", "3 * f"),
     at("Areas/RefinementEnergy.cxx", "1.0 - 1.0 / rho", "1.0 + 1.0 / rho"),
     at("Areas/RefinementEnergy.cxx", "0.5 * twice", "twice"),
     at(

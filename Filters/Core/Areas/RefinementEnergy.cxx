@@ -44,11 +44,6 @@ double orderedSum(int count, const Function& function)
   return std::accumulate(parts.begin(), parts.end(), 0.0);
 }
 
-Eigen::Vector2d quarterTurn(const Eigen::Vector2d& v)
-{
-  return { -v.y(), v.x() };
-}
-
 } // namespace
 
 struct RefinementEnergy::FlatFace
@@ -58,7 +53,10 @@ struct RefinementEnergy::FlatFace
   double Dirichlet;
 
   // The derivative of the area by the position of a corner.
-  Eigen::Vector2d areaSlope(int corner) const { return 0.5 * quarterTurn(this->Sides[corner]); }
+  Eigen::Vector2d areaSlope(int corner) const
+  {
+    return { -0.5 * this->Sides[corner].y(), 0.5 * this->Sides[corner].x() };
+  }
 };
 
 RefinementEnergy::RefinementEnergy(const RefinementTerms& terms,
@@ -194,18 +192,13 @@ Eigen::VectorXd RefinementEnergy::gradient(const DomainMap& map) const
     {
       for (int v = range.begin(); v < range.end(); ++v)
       {
-        const int count = this->Dofs.countOf(v);
-        if (count == 0)
-        {
-          continue;
-        }
         Eigen::Vector2d slope = Eigen::Vector2d::Zero();
         for (const int f : this->FacesOf[v])
         {
           slope += this->Slopes[3 * f + this->cornerOf(v, f)];
         }
         const Eigen::Vector2d own = this->Dofs.directions(map, v).transpose() * slope;
-        gradient.segment(this->Dofs.first(v), count) = own.head(count);
+        gradient.segment(this->Dofs.first(v), this->Dofs.countOf(v)) = own.head(this->Dofs.countOf(v));
       }
     });
   for (const BoundaryGap& gap : this->Terms.Gaps)
