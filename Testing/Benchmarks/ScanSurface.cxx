@@ -66,7 +66,6 @@ std::vector<NamedScan> scansWithHandles(const std::string& folder)
     { folder + "/ch2bet.nii.gz", 1.0, 75.0 },
     { folder + "/ch2better.nii.gz", 1.0, 60.0 },
     { folder + "/ch2better.nii.gz", 0.6, 75.0 },
-    { folder + "/ch2better.nii.gz", 0.3, 75.0 },
     { folder + "/ch2better.nii.gz", 0.0, 75.0 } };
 }
 
