@@ -91,7 +91,8 @@ private:
   Eigen::VectorXd AreaWeights;
   Eigen::VectorXd Counts;
   double Scale = 1.0;
-  // Of the map that was evaluated last: per face, and by the position of each corner of it.
+  // The energies of the faces of the map that was evaluated last, and their derivatives by the positions
+  // of its corners (three per face).
   std::vector<FaceAreaEnergy::Value> Values;
   std::vector<Eigen::Vector2d> Slopes;
   SparseMatrix Hessian;

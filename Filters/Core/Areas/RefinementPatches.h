@@ -65,7 +65,7 @@ private:
   const DegreesOfFreedom& Dofs;
   const Points2& Chart;
   std::vector<VertexReach> Reaches; // of the vertices where the edges of a free boundary begin
-  // Of each thread, for the patch that it sets up: the number of each vertex in the patch, or -1.
+  // Each thread numbers the vertices of the patch that it sets up; all others have -1.
   mutable tbb::enumerable_thread_specific<std::vector<int>> LocalOf;
   int Passes = 0;
 };

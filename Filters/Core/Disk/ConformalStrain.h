@@ -49,7 +49,7 @@ private:
   Eigen::VectorXd Curvature; // angle defect of every vertex, radians; without meaning on the boundary
   Eigen::VectorXd Area;      // of every vertex, input units squared
   SparseMatrix Laplacian;    // positive semi-definite
-  // Of each thread: of the Laplacian with the outline's rows and columns set to 0 but for a 1.
+  // Each thread factors the Laplacian with the outline's rows and columns set to 0 but for a 1.
   mutable tbb::enumerable_thread_specific<Solver> Solvers;
 };
 
