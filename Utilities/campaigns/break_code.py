@@ -63,6 +63,7 @@ def choice_at(text, place, entry):
         choice = f"if (brokenPlace() != {place}) {{ {entry.original} }}"
         assert not entry.broken, "a statement can only be omitted"
     else:
+        assert entry.broken, f"{entry.file}: \"{entry.original}\" is no statement and cannot be omitted"
         choice = f"(brokenPlace() == {place} ? ({entry.broken}) : ({entry.original}))"
     start = text.index(entry.text) + entry.text.index(entry.original)
     return start, start + len(entry.original), choice

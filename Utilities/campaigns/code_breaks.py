@@ -34,7 +34,7 @@ BREAKS = [
     at("Mesh/CoordinateFrame.cxx", "spacing > LargestSpacing * meanEdge", "false"),
     at("Mesh/ClosestPointWalk.cxx", "towards / (towards + beyond)", "beyond / (towards + beyond)"),
     at("Mesh/ClosestPointWalk.cxx", "abToB >= 0.0 && acToB <= abToB", "abToB >= 0.0"),
-    at("Mesh/BoxTree.h", "= box.max()", "= box.min()"),
+    at("Mesh/BoxTree.h", "box.max()", "box.min()"),
     at("Mesh/SelfIntersections.cxx", "intersectAtCorner(a, sumOfA, b, sumOfB)", "false"),
     at("Mesh/SelfIntersections.cxx", "CGAL::POSITIVE", "CGAL::NEGATIVE"),
     at("Mesh/SelfIntersections.cxx", "i < j || !isChosen[j]", "true"),
@@ -158,7 +158,7 @@ BREAKS = [
     at("Transport/Transport.cxx", "rest[side.Second] += flow;", ""),
     at("Transport/Transport.cxx", "(areas.array() >= least.array()).all()", "true"),
     at("Transport/Transport.cxx", "correction == LargestCorrections", "true"),
-    at("Transport/Transport.cxx", " || this->lowersError()", ""),
+    at("Transport/Transport.cxx", "this->lowersError()", "false"),
     at("Transport/TransportInterpolation.cxx", "map.Slope = spread.inverse() * moments;", ""),
     at("Transport/DomainPolygon.cxx", "convex.area() / EIGEN_PI", "convex.area()"),
     # --- Areas

@@ -130,7 +130,7 @@ bool hasVertexTwice(const PlacedTriangle& triangle)
 }
 
 // Compares some triangles (ascending) with all.
-void compare(PairSearch& search, const std::vector<int>& some)
+void compareWithAll(PairSearch& search, const std::vector<int>& some)
 {
   std::vector<Eigen::AlignedBox3d> boxes;
   boxes.reserve(some.size());
@@ -173,7 +173,7 @@ std::shared_ptr<PairSearch> searched(std::vector<PlacedTriangle> triangles,
   search->Most = most;
   try
   {
-    callInterruptibly([search, some = std::move(some)] { compare(*search, some); },
+    callInterruptibly([search, some = std::move(some)] { compareWithAll(*search, some); },
       progress,
       0.0,
       "looking for self-intersections");
