@@ -2,6 +2,7 @@
 """The processes of a run: one, or those that mpiexec started."""
 
 import json
+import sys
 
 from shown_text import printable
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
@@ -34,4 +35,7 @@ class Ranks:
             self.controller.Barrier()
 
     def line(self, text):
-        print(printable(f"[rank {self.own}] {text}"), flush=True)
+        # In one write with its end: print() writes the end of the line on its own in pvbatch, so that a line of
+        # another rank could come between.
+        sys.stdout.write(printable(f"[rank {self.own}] {text}") + "\n")
+        sys.stdout.flush()
