@@ -140,7 +140,7 @@ Rectangle embed(const IntrinsicTriangulation& t,
     placed[p.Vertex] = 1;
   }
   WeightedMeans(cotangentWeights(t, u), WeightSymmetry::Symmetric, placed, progress, order)
-    .extend(position);
+    .extend(position, progress);
   return rectangle;
 }
 

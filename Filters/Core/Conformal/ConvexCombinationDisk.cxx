@@ -38,6 +38,7 @@ public:
     const ProgressCallback& progress)
     : Loop(loop)
     , VertexCount(vertexCount)
+    , Progress(progress)
     , Means(std::move(weights), symmetry, flagsOf(loop, vertexCount), progress)
   {
   }
@@ -46,7 +47,7 @@ public:
   // the given weights.
   Eigen::VectorXd boundaryShares(const Eigen::VectorXd& vertexWeights) const
   {
-    const Eigen::VectorXd shares = this->Means.passedToFixed(vertexWeights)(this->Loop);
+    const Eigen::VectorXd shares = this->Means.passedToFixed(vertexWeights, this->Progress)(this->Loop);
     return shares / shares.sum();
   }
 
@@ -58,13 +59,14 @@ public:
     {
       positions[this->Loop[k]] = boundary[k];
     }
-    this->Means.extend(positions);
+    this->Means.extend(positions, this->Progress);
     return positions;
   }
 
 private:
   const std::vector<int>& Loop;
   Eigen::Index VertexCount;
+  const ProgressCallback& Progress;
   WeightedMeans Means;
 };
 

@@ -114,7 +114,7 @@ ComplexVector embedInHalfPlane(const IntrinsicTriangulation& t,
     position[v] = placed[v] ? position[v] : 0.0;
   }
   WeightedMeans(cotangentWeights(t, u), WeightSymmetry::Symmetric, fixed, progress, order)
-    .extend(position);
+    .extend(position, progress);
   return position;
 }
 

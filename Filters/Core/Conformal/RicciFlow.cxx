@@ -2,7 +2,7 @@
 #include "Conformal/RicciFlow.h"
 
 #include "Base/Errors.h"
-#include "Base/LaggedCholeskySolver.h"
+#include "Base/LaggedSolver.h"
 #include "Base/Progress.h"
 #include "Conformal/CurvatureSystem.h"
 
@@ -243,12 +243,13 @@ private:
     const double iterationsLeft = this->Solver.iterationsFor(this->Options.Tolerance / error);
     if (error < QuadraticError && iterationsLeft > WorthAFactor)
     {
-      this->Solver.forgetFactor();
+      this->Solver.forgetPreconditioner();
     }
     const double tolerance =
       std::max(std::min(LinearTolerance, error), 0.1 * this->Options.Tolerance / error);
     Eigen::VectorXd step;
-    const char* stage = this->Solver.hasFactor() ? "Ricci flow: solution" : "Ricci flow: factorization";
+    const char* stage =
+      this->Solver.hasPreconditioner() ? "Ricci flow: solution" : "Ricci flow: preconditioner";
     if (!this->Solver.solve(
           hessian, -this->System.gradient(), tolerance, step, atFraction(progress, 0.0, stage)))
     {
@@ -366,7 +367,7 @@ private:
   const RicciFlowOptions& Options;
   std::vector<char> Settled;
   CurvatureSystem System;
-  LaggedCholeskySolver Solver;
+  LaggedSolver Solver;
   long long ExcessiveFlips = 0; // the flips of excessive evaluations
   bool IsExcessive = false;     // whether the last one is, so that it may not be Delaunay
   RicciFlowResult Result;

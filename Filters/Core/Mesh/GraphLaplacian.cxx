@@ -16,6 +16,13 @@ using Complex = std::complex<double>;
 // beside the factor; without any, vertices that lie much closer together than others lose the digits of
 // their distances.
 constexpr int Refinements = 2;
+// Symmetric systems with at least this number of unknowns are solved with multigrid cycles: with fewer
+// than three hundred thousand a factor takes as long, unless its order of elimination is known, but more
+// memory.
+constexpr int LeastForLevels = 100000;
+// Share of the residual that such a solution may leave, where rounds of correction follow and where not.
+constexpr double CorrectedTolerance = 1e-6;
+constexpr double FinalTolerance = 1e-12;
 constexpr const char* LayoutStage = "Layout";
 
 } // namespace
@@ -93,6 +100,16 @@ void WeightedMeans::factor(WeightSymmetry symmetry,
   const ProgressCallback& progress)
 {
   SparseMatrix matrix = this->matrix(symmetry);
+  if (symmetry == WeightSymmetry::Symmetric && matrix.rows() >= LeastForLevels)
+  {
+    this->Levels = std::make_unique<MultigridSolver>();
+    this->Levels->setMatrix(matrix);
+    if (this->Levels->computeLevels(atFraction(progress, 0.2, LayoutStage)))
+    {
+      return;
+    }
+    this->Levels.reset();
+  }
   if (symmetry == WeightSymmetry::Symmetric)
   {
     this->Cholesky.emplace(this->orderOfFree(order));
@@ -110,7 +127,24 @@ void WeightedMeans::factor(WeightSymmetry symmetry,
   }
 }
 
-void WeightedMeans::extend(ComplexVector& positions) const
+Eigen::MatrixXd WeightedMeans::solution(const Eigen::MatrixXd& rightSides,
+  double tolerance,
+  const ProgressCallback& progress) const
+{
+  if (!this->Levels)
+  {
+    return this->Cholesky ? this->Cholesky->solve(rightSides) : this->Lu->solve(rightSides);
+  }
+  Eigen::MatrixXd solutions;
+  if (!this->Levels->solve(rightSides, tolerance, solutions, atFraction(progress, 0.8, LayoutStage)))
+  {
+    throw ConvergenceError("the means of neighbours could not be found by multigrid cycles: remesh the "
+                           "surface (Surface To Disk, Remesh)");
+  }
+  return solutions;
+}
+
+void WeightedMeans::extend(ComplexVector& positions, const ProgressCallback& progress) const
 {
   // Residuals are sums of differences, which keep their digits where neighbours are close.
   for (int round = 0; !this->Free.empty() && round < 1 + Refinements; ++round)
@@ -121,8 +155,7 @@ void WeightedMeans::extend(ComplexVector& positions) const
       const Complex pull = w.Weight * (positions[w.To] - positions[w.From]);
       residual.row(this->Row[w.From]) += Eigen::RowVector2d(pull.real(), pull.imag());
     }
-    const Eigen::MatrixXd change =
-      this->Cholesky ? this->Cholesky->solve(residual) : this->Lu->solve(residual);
+    const Eigen::MatrixXd change = this->solution(residual, CorrectedTolerance, progress);
     for (std::size_t i = 0; i < this->Free.size(); ++i)
     {
       positions[this->Free[i]] += Complex(change(i, 0), change(i, 1));
@@ -130,14 +163,15 @@ void WeightedMeans::extend(ComplexVector& positions) const
   }
 }
 
-Eigen::VectorXd WeightedMeans::passedToFixed(const Eigen::VectorXd& vertexWeights) const
+Eigen::VectorXd WeightedMeans::passedToFixed(const Eigen::VectorXd& vertexWeights,
+  const ProgressCallback& progress) const
 {
   Eigen::VectorXd all = vertexWeights;
   if (!this->Free.empty())
   {
     const Eigen::VectorXd free = vertexWeights(this->Free);
     const Eigen::VectorXd passed =
-      this->Cholesky ? this->Cholesky->solve(free) : this->Lu->solveTransposed(free);
+      this->Lu ? this->Lu->solveTransposed(free) : this->solution(free, FinalTolerance, progress);
     for (const NeighbourWeight& w : this->Weights)
     {
       all[w.To] += this->Row[w.To] < 0 ? w.Weight * passed[this->Row[w.From]] : 0.0;

@@ -3,10 +3,12 @@
 /// Dirichlet problem of a graph's Laplacian.
 #pragma once
 
+#include "Base/MultigridSolver.h"
 #include "Base/Progress.h"
 #include "Base/SparseFactorization.h"
 #include "Mesh/ComplexPositions.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -49,22 +51,28 @@ public:
     const EliminationOrder& order = {});
 
   /// Moves the free vertices to the means of their neighbours. The closer they are to that before, the
-  /// smaller are the rounding errors.
-  void extend(ComplexVector& positions) const;
+  /// smaller are the rounding errors. @throws ConvergenceError, Cancelled.
+  void extend(ComplexVector& positions, const ProgressCallback& progress = {}) const;
 
   /// The weights with which the positions of the fixed vertices give the sum of all positions, each with
   /// its own weight of @p vertexWeights (n). Only the elements of fixed vertices count.
-  Eigen::VectorXd passedToFixed(const Eigen::VectorXd& vertexWeights) const;
+  /// @throws ConvergenceError, Cancelled.
+  Eigen::VectorXd passedToFixed(const Eigen::VectorXd& vertexWeights,
+    const ProgressCallback& progress = {}) const;
 
 private:
   void factor(WeightSymmetry symmetry, const EliminationOrder& order, const ProgressCallback& progress);
+  Eigen::MatrixXd solution(const Eigen::MatrixXd& rightSides,
+    double tolerance,
+    const ProgressCallback& progress) const;
   SparseMatrix matrix(WeightSymmetry symmetry) const;
   EliminationOrder orderOfFree(const EliminationOrder& order) const;
 
   std::vector<int> Row; // index of every vertex among the free ones; -1 if it is fixed
   std::vector<int> Free;
   std::vector<NeighbourWeight> Weights; // of free vertices
-  // The factors of the matrix: Cholesky if it is symmetric, otherwise LU.
+  // The solver: multigrid if the matrix is symmetric and large, Cholesky if it is small, otherwise LU.
+  std::unique_ptr<MultigridSolver> Levels;
   std::optional<SparseCholesky> Cholesky;
   std::optional<SparseLu> Lu;
 };

@@ -329,7 +329,7 @@ TEST(ConformalDiskMethods, ReportWhileALibraryIsBusy)
 {
   const TriangleMesh mesh = spherePart(1000).Mesh;
   for (const auto& [method, stage] : std::vector<std::pair<ConformalMethod, std::string>>{
-         { ConformalMethod::RicciFlow, "Ricci flow: factorization" },
+         { ConformalMethod::RicciFlow, "Ricci flow: preconditioner" },
          { ConformalMethod::RicciFlow, "Layout" },
          { ConformalMethod::BoundaryFirst, "Cotangent Laplacian" },
          { ConformalMethod::BoundaryFirst, "Harmonic extension" },

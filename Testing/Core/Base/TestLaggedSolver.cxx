@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Base/LaggedCholeskySolver.h"
+#include "Base/LaggedSolver.h"
 
 #include "Support/AbandonedCall.h"
 
@@ -43,7 +43,7 @@ SparseMatrix springs(int side, double spread, int seed)
   return matrix;
 }
 
-double relativeResidual(LaggedCholeskySolver& solver, const SparseMatrix& lower, double tolerance)
+double relativeResidual(LaggedSolver& solver, const SparseMatrix& lower, double tolerance)
 {
   const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(lower.rows(), -1.0, 1.0);
   Eigen::VectorXd x;
@@ -51,9 +51,9 @@ double relativeResidual(LaggedCholeskySolver& solver, const SparseMatrix& lower,
   return (lower.selfadjointView<Eigen::Lower>() * x - right).norm() / right.norm();
 }
 
-TEST(LaggedCholeskySolver, OneFactorServesSimilarMatrices)
+TEST(LaggedSolver, OneFactorServesSimilarMatrices)
 {
-  LaggedCholeskySolver solver;
+  LaggedSolver solver;
   for (int seed = 0; seed < 6; ++seed)
   {
     const double tolerance = std::pow(10.0, -2 - seed);
@@ -63,13 +63,13 @@ TEST(LaggedCholeskySolver, OneFactorServesSimilarMatrices)
   EXPECT_LT(solver.iterations(), 60);
 }
 
-TEST(LaggedCholeskySolver, ReportsWhileItFactorsAndAtEveryIteration)
+TEST(LaggedSolver, ReportsWhileItFactorsAndAtEveryIteration)
 {
   const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(2500, -1.0, 1.0);
   Eigen::VectorXd quiet;
   Eigen::VectorXd x;
-  LaggedCholeskySolver quietSolver;
-  LaggedCholeskySolver solver;
+  LaggedSolver quietSolver;
+  LaggedSolver solver;
   samples::AbandonedCall busy;
   int reports = 0;
   const ProgressCallback progress = [&](double, const char*)
@@ -92,9 +92,9 @@ TEST(LaggedCholeskySolver, ReportsWhileItFactorsAndAtEveryIteration)
   EXPECT_TRUE((x.array() == quiet.array()).all());
 }
 
-TEST(LaggedCholeskySolver, AnotherMatrixIsFactored)
+TEST(LaggedSolver, AnotherMatrixIsFactored)
 {
-  LaggedCholeskySolver solver;
+  LaggedSolver solver;
   for (int seed = 0; seed < 4; ++seed)
   {
     EXPECT_LE(relativeResidual(solver, springs(50, 12.0, seed), 1e-8), 1e-8) << seed;
@@ -104,9 +104,9 @@ TEST(LaggedCholeskySolver, AnotherMatrixIsFactored)
   EXPECT_EQ(solver.factorizations(), 5);
 }
 
-TEST(LaggedCholeskySolver, ForetellsIterationsAndForgets)
+TEST(LaggedSolver, ForetellsIterationsAndForgets)
 {
-  LaggedCholeskySolver solver;
+  LaggedSolver solver;
   relativeResidual(solver, springs(50, 0.5, 1), 1e-8);
   EXPECT_EQ(solver.iterationsFor(1e-8), 0.0);
   relativeResidual(solver, springs(50, 0.5, 2), 1e-4);
@@ -115,18 +115,37 @@ TEST(LaggedCholeskySolver, ForetellsIterationsAndForgets)
   relativeResidual(solver, springs(50, 0.5, 3), 1e-8);
   EXPECT_EQ(solver.factorizations(), 1);
   EXPECT_NEAR(solver.iterations() - before, foretold, 0.3 * foretold);
-  solver.forgetFactor();
+  solver.forgetPreconditioner();
   relativeResidual(solver, springs(50, 0.5, 3), 1e-2);
   EXPECT_EQ(solver.factorizations(), 2);
 }
 
-TEST(LaggedCholeskySolver, SaysThatAMatrixIsIndefinite)
+TEST(LaggedSolver, SaysThatAMatrixIsIndefinite)
 {
-  LaggedCholeskySolver solver;
+  LaggedSolver solver;
   const SparseMatrix matrix = -springs(50, 0.5, 1);
   Eigen::VectorXd x;
   EXPECT_FALSE(solver.solve(matrix, Eigen::VectorXd::Ones(matrix.rows()), 1e-3, x));
   EXPECT_LE(relativeResidual(solver, springs(50, 0.5, 1), 1e-8), 1e-8) << "goes on afterwards";
+}
+
+TEST(LaggedSolver, LargeSystemsNeedNoFactor)
+{
+  LaggedSolver solver;
+  for (int seed = 0; seed < 3; ++seed)
+  {
+    const double tolerance = std::pow(10.0, -2 - 2 * seed);
+    EXPECT_LE(relativeResidual(solver, springs(320, 0.5, seed), tolerance), 1.001 * tolerance) << seed;
+  }
+  EXPECT_LE(relativeResidual(solver, springs(330, 0.5, 1), 1e-4), 1.001e-4) << "of another size";
+  EXPECT_EQ(solver.factorizations(), 0);
+  EXPECT_LT(solver.iterations(), 50);
+  EXPECT_TRUE(solver.hasPreconditioner());
+  EXPECT_GT(solver.iterationsFor(1e-8), 5.0);
+  const SparseMatrix indefinite = -springs(320, 0.5, 1);
+  Eigen::VectorXd x;
+  EXPECT_FALSE(solver.solve(indefinite, Eigen::VectorXd::Ones(indefinite.rows()), 1e-3, x));
+  EXPECT_LE(relativeResidual(solver, springs(320, 0.5, 1), 1e-4), 1.001e-4) << "goes on afterwards";
 }
 
 } // namespace

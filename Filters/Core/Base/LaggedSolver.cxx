@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Base/LaggedCholeskySolver.h"
+#include "Base/LaggedSolver.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace flattening
@@ -14,12 +15,17 @@ namespace
 constexpr int ManyIterations = 20;
 constexpr int MostIterations = 30;
 
+// Systems with at least this number of unknowns are solved with multigrid cycles. On brains of 35 and 66
+// thousand vertices both ways take as long on two cores; with 131 thousand, cycles take four fifths of
+// the time, with a million a third, and half of the memory.
+constexpr int LeastForLevels = 100000;
+
 constexpr const char* FactorStage = "Factorization";
 constexpr const char* SolutionStage = "Solution";
 
 } // namespace
 
-bool LaggedCholeskySolver::factor(const SparseMatrix& lower, const ProgressCallback& progress)
+bool LaggedSolver::factor(const SparseMatrix& lower, const ProgressCallback& progress)
 {
   this->Factor.compute(lower, progress, 0.0, FactorStage);
   ++this->Factorizations;
@@ -28,7 +34,41 @@ bool LaggedCholeskySolver::factor(const SparseMatrix& lower, const ProgressCallb
   return this->Size >= 0;
 }
 
-bool LaggedCholeskySolver::iterate(const SparseMatrix& lower,
+// Keeps the levels of an earlier matrix where they are expected to serve, and computes new ones where
+// they do not.
+bool LaggedSolver::solveWithLevels(const SparseMatrix& lower,
+  const Eigen::VectorXd& rightSide,
+  double tolerance,
+  Eigen::VectorXd& solution,
+  const ProgressCallback& progress)
+{
+  this->Levels.setMatrix(lower);
+  bool isNew = false;
+  while (!isNew)
+  {
+    isNew = this->Size != lower.rows();
+    if (isNew && !this->Levels.computeLevels(progress))
+    {
+      return false;
+    }
+    this->Size = -1;
+    Eigen::MatrixXd found;
+    const int before = this->Levels.iterations();
+    const bool isSolved = this->Levels.solve(rightSide, tolerance, found, progress);
+    const int iterations = this->Levels.iterations() - before;
+    this->Iterations += iterations;
+    if (isSolved)
+    {
+      this->Size = lower.rows();
+      this->LogReduction = std::log(tolerance) / std::max(iterations, 1);
+      solution = found;
+      return true;
+    }
+  }
+  return false;
+}
+
+bool LaggedSolver::iterate(const SparseMatrix& lower,
   const Eigen::VectorXd& rightSide,
   double tolerance,
   Eigen::VectorXd& solution,
@@ -64,17 +104,27 @@ bool LaggedCholeskySolver::iterate(const SparseMatrix& lower,
   return false;
 }
 
-double LaggedCholeskySolver::iterationsFor(double reduction) const
+void LaggedSolver::forgetPreconditioner()
+{
+  this->Size = -1;
+}
+
+double LaggedSolver::iterationsFor(double reduction) const
 {
   return std::log(reduction) / this->LogReduction;
 }
 
-bool LaggedCholeskySolver::solve(const SparseMatrix& lower,
+bool LaggedSolver::solve(const SparseMatrix& lower,
   const Eigen::VectorXd& rightSide,
   double tolerance,
   Eigen::VectorXd& solution,
   const ProgressCallback& progress)
 {
+  if (lower.rows() >= LeastForLevels &&
+      this->solveWithLevels(lower, rightSide, tolerance, solution, progress))
+  {
+    return true;
+  }
   if (this->Size == lower.rows() && this->iterationsFor(tolerance) <= ManyIterations &&
       this->iterate(lower, rightSide, tolerance, solution, progress))
   {

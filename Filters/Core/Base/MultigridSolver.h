@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Solves large linear systems by conjugate gradients and a multigrid method.
+#pragma once
+
+#include "Base/Multigrid.h"
+#include "Base/Progress.h"
+#include "Base/SparseFactorization.h"
+
+namespace flattening
+{
+
+/// Conjugate gradients with a cycle of Multigrid as preconditioner. From about a hundred thousand
+/// unknowns on it takes less time than a factorization, and much less memory. The bits of a solution do
+/// not depend on the number of threads.
+class MultigridSolver
+{
+public:
+  /// Takes the symmetric matrix whose lower triangle is that of @p lower, and keeps the levels that were
+  /// computed for an earlier one.
+  void setMatrix(const SparseMatrix& lower);
+  /// Computes the levels for the matrix. Returns false if it is not positive definite as far as they can
+  /// tell. @throws Cancelled; only destruction is allowed then
+  bool computeLevels(const ProgressCallback& progress = {});
+
+  /// Solves the system with levels of the same size for one or two right sides, up to a residual of @p
+  /// tolerance times the right side each, in the Euclidean norm. Returns false if the matrix is not
+  /// positive definite, or after many iterations. @throws Cancelled; only destruction is allowed then
+  bool solve(const Eigen::Ref<const Eigen::MatrixXd>& rightSides,
+    double tolerance,
+    Eigen::MatrixXd& solutions,
+    const ProgressCallback& progress = {});
+
+  int iterations() const { return this->Iterations; }
+
+private:
+  template <int K>
+  bool iterate(const Eigen::Ref<const Eigen::MatrixXd>& rightSides,
+    double tolerance,
+    Eigen::MatrixXd& solutions,
+    const ProgressCallback& progress);
+
+  Eigen::SparseMatrix<double, Eigen::RowMajor> Matrix;
+  Multigrid Levels;
+  int Iterations = 0;
+};
+
+} // namespace flattening
