@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/RecursiveBisection.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -24,6 +26,7 @@ public:
     if (points.rows() > 0)
     {
       this->halve(0, static_cast<int>(points.rows()));
+      this->collect(0, static_cast<int>(points.rows()));
     }
   }
 
@@ -34,8 +37,7 @@ private:
   {
     if (end - begin <= this->Largest)
     {
-      this->Parts.emplace_back(this->Order.begin() + begin, this->Order.begin() + end);
-      std::sort(this->Parts.back().begin(), this->Parts.back().end());
+      std::sort(this->Order.begin() + begin, this->Order.begin() + end);
       return;
     }
     Eigen::Array2d least = this->Turned.row(this->Order[begin]);
@@ -47,7 +49,7 @@ private:
     }
     const Eigen::Array2d extent = greatest - least;
     const int axis = extent[1] > extent[0] ? 1 : 0;
-    const int middle = begin + (end - begin) / 2;
+    const int middle = middleOf(begin, end);
     std::nth_element(this->Order.begin() + begin,
       this->Order.begin() + middle,
       this->Order.begin() + end,
@@ -57,9 +59,21 @@ private:
         const double second = this->Turned(b, axis);
         return first != second ? first < second : a < b;
       });
-    this->halve(begin, middle);
-    this->halve(middle, end);
+    tbb::parallel_invoke([&] { this->halve(begin, middle); }, [&] { this->halve(middle, end); });
   }
+
+  void collect(int begin, int end)
+  {
+    if (end - begin <= this->Largest)
+    {
+      this->Parts.emplace_back(this->Order.begin() + begin, this->Order.begin() + end);
+      return;
+    }
+    this->collect(begin, middleOf(begin, end));
+    this->collect(middleOf(begin, end), end);
+  }
+
+  static int middleOf(int begin, int end) { return begin + (end - begin) / 2; }
 
   int Largest;
   std::vector<int> Order;
