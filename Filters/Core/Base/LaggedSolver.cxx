@@ -20,6 +20,9 @@ constexpr int MostIterations = 30;
 // the time, with a million a third, and half of the memory.
 constexpr int LeastForLevels = 100000;
 
+// New levels take as long as this number of iterations.
+constexpr int WorthLevels = 10;
+
 constexpr const char* FactorStage = "Factorization";
 constexpr const char* SolutionStage = "Solution";
 
@@ -46,17 +49,19 @@ bool LaggedSolver::solveWithLevels(const SparseMatrix& lower,
   bool isNew = false;
   while (!isNew)
   {
-    isNew = this->Size != lower.rows();
+    isNew = this->Size != lower.rows() || this->LevelsAge;
     if (isNew && !this->Levels.computeLevels(progress))
     {
-      return false;
+      break;
     }
+    const double expected = this->Size == lower.rows() ? this->iterationsFor(tolerance) : 0.0;
     this->Size = -1;
     Eigen::MatrixXd found;
     const int before = this->Levels.iterations();
     const bool isSolved = this->Levels.solve(rightSide, tolerance, found, progress);
     const int iterations = this->Levels.iterations() - before;
     this->Iterations += iterations;
+    this->LevelsAge = this->LevelsAge || (!isNew && iterations > expected + WorthLevels);
     if (isSolved)
     {
       this->Size = lower.rows();
@@ -65,6 +70,7 @@ bool LaggedSolver::solveWithLevels(const SparseMatrix& lower,
       return true;
     }
   }
+  this->LevelsServe = false;
   return false;
 }
 
@@ -107,6 +113,7 @@ bool LaggedSolver::iterate(const SparseMatrix& lower,
 void LaggedSolver::forgetPreconditioner()
 {
   this->Size = -1;
+  this->LevelsAge = false;
 }
 
 double LaggedSolver::iterationsFor(double reduction) const
@@ -120,7 +127,7 @@ bool LaggedSolver::solve(const SparseMatrix& lower,
   Eigen::VectorXd& solution,
   const ProgressCallback& progress)
 {
-  if (lower.rows() >= LeastForLevels &&
+  if (this->LevelsServe && lower.rows() >= LeastForLevels &&
       this->solveWithLevels(lower, rightSide, tolerance, solution, progress))
   {
     return true;

@@ -53,6 +53,8 @@ private:
 
   SparseCholesky Factor{ SparseCholesky::Ordering::Quick };
   MultigridSolver Levels;
+  bool LevelsAge = false;  // whether those of an earlier matrix cost more iterations than they are worth
+  bool LevelsServe = true;   // until they fail with a matrix of their own
   Eigen::Index Size = -1;    // number of rows of the preconditioner; -1 without one
   double LogReduction = 0.0; // logarithm of the ratio by which an iteration reduced the last residual
   int Factorizations = 0;

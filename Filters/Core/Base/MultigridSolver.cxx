@@ -15,8 +15,9 @@ using DoubleRow = Eigen::Array<double, K, 1>;
 template <int K>
 using Columns = Eigen::Array<double, K, Eigen::Dynamic>; // in memory, row by row
 
-// A guard: the hardest systems of two hundred scans took a third of it.
-constexpr int MostCycles = 100;
+// A guard: systems of brains take 20 at most for a reduction by a million. Those that take more have
+// weights over many decades, for which a factor is better.
+constexpr int MostCycles = 60;
 constexpr const char* CyclesStage = "Solution of a linear system";
 
 RowMatrix inSinglePrecision(const FullMatrix& matrix)

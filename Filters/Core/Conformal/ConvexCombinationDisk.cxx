@@ -45,14 +45,14 @@ public:
 
   // The share that every boundary vertex, in the order of the loop, has in the mean of all vertices with
   // the given weights.
-  Eigen::VectorXd boundaryShares(const Eigen::VectorXd& vertexWeights) const
+  Eigen::VectorXd boundaryShares(const Eigen::VectorXd& vertexWeights)
   {
     const Eigen::VectorXd shares = this->Means.passedToFixed(vertexWeights, this->Progress)(this->Loop);
     return shares / shares.sum();
   }
 
   // The positions of all vertices for given positions of the boundary.
-  ComplexVector extended(const ComplexVector& boundary) const
+  ComplexVector extended(const ComplexVector& boundary)
   {
     ComplexVector positions(this->VertexCount, Complex(0.0, 0.0));
     for (std::size_t k = 0; k < this->Loop.size(); ++k)
@@ -71,7 +71,7 @@ private:
 };
 
 // The map after the boundary has been moved by the Moebius map that centres the boundary's shares.
-ComplexVector centredByBoundary(const ConvexCombinations& combinations,
+ComplexVector centredByBoundary(ConvexCombinations& combinations,
   const Eigen::VectorXd& angles,
   const Eigen::VectorXd& shares)
 {
@@ -87,7 +87,7 @@ ComplexVector centredByBoundary(const ConvexCombinations& combinations,
 // The map after all vertices have been moved by a Moebius map. The centre lies close to the boundary
 // vertex @p nearest: distances from it keep their digits if it is the origin of the first map, and
 // infinity in the half-plane.
-ComplexVector centredByAll(const ConvexCombinations& combinations,
+ComplexVector centredByAll(ConvexCombinations& combinations,
   const std::vector<int>& loop,
   const Eigen::VectorXd& angles,
   Eigen::Index nearest,
@@ -123,7 +123,7 @@ ComplexVector centredByAll(const ConvexCombinations& combinations,
   return disk;
 }
 
-ComplexVector centred(const ConvexCombinations& combinations,
+ComplexVector centred(ConvexCombinations& combinations,
   const std::vector<int>& loop,
   const Eigen::VectorXd& angles,
   const DiskCentring& centring)
@@ -144,7 +144,7 @@ ComplexVector convexCombinationDisk(const std::vector<NeighbourWeight>& weights,
   const DiskCentring& centring,
   const ProgressCallback& progress)
 {
-  const ConvexCombinations combinations(weights, symmetry, loop, centring.weights().size(), progress);
+  ConvexCombinations combinations(weights, symmetry, loop, centring.weights().size(), progress);
   ComplexVector disk = centred(combinations, loop, angles, centring);
   if (centring.vertex() >= 0)
   {

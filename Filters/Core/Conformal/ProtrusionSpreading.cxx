@@ -105,8 +105,9 @@ public:
     }
     ComplexVector spread = disk;
     WeightedMeans(weights, WeightSymmetry::Symmetric, fixed).extend(spread);
-    // The rim of the vertices that move need not be convex, unlike the boundary of the map.
-    if (this->flippedFaces(fixed, spread) > 0)
+    // The rim of the vertices that move need not be convex, unlike the boundary of the map. Where faces
+    // are flipped by rounding, deep in protrusions, moving all vertices flips as many or more.
+    if (this->flippedFaces(fixed, spread) > this->flippedFaces(fixed, disk))
     {
       spread = disk;
       WeightedMeans(std::move(weights), WeightSymmetry::Symmetric, this->Fixed).extend(spread);

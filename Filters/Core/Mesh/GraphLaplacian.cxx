@@ -20,6 +20,9 @@ constexpr int Refinements = 2;
 // than three hundred thousand a factor takes as long, unless its order of elimination is known, but more
 // memory.
 constexpr int LeastForLevels = 100000;
+// Their diagonal entries lie within this ratio: those of cotangents do, but not those of the weights by
+// which protrusions are spread, for which cycles do not converge.
+constexpr double MostRange = 1e6;
 // Share of the residual that such a solution may leave, where rounds of correction follow and where not.
 constexpr double CorrectedTolerance = 1e-6;
 constexpr double FinalTolerance = 1e-12;
@@ -48,9 +51,15 @@ WeightedMeans::WeightedMeans(std::vector<NeighbourWeight> weights,
   { return this->Row[w.From] < 0 || !(w.Weight > 0.0); };
   this->Weights.erase(
     std::remove_if(this->Weights.begin(), this->Weights.end(), isUnused), this->Weights.end());
-  if (!this->Free.empty())
+  if (this->Free.empty())
   {
-    this->factor(symmetry, order, progress);
+    return;
+  }
+  SparseMatrix matrix = this->matrix(symmetry);
+  const bool isLarge = symmetry == WeightSymmetry::Symmetric && matrix.rows() >= LeastForLevels;
+  if (!isLarge || !this->computeLevels(matrix, progress))
+  {
+    this->factor(std::move(matrix), symmetry, order, progress);
   }
 }
 
@@ -95,21 +104,27 @@ SparseMatrix WeightedMeans::matrix(WeightSymmetry symmetry) const
   return matrix;
 }
 
-void WeightedMeans::factor(WeightSymmetry symmetry,
+bool WeightedMeans::computeLevels(const SparseMatrix& matrix, const ProgressCallback& progress)
+{
+  const Eigen::VectorXd diagonal = matrix.diagonal();
+  if (!(diagonal.maxCoeff() <= MostRange * diagonal.minCoeff()))
+  {
+    return false;
+  }
+  this->Levels = std::make_unique<MultigridSolver>();
+  this->Levels->setMatrix(matrix);
+  if (!this->Levels->computeLevels(atFraction(progress, 0.2, LayoutStage)))
+  {
+    this->Levels.reset();
+  }
+  return this->Levels != nullptr;
+}
+
+void WeightedMeans::factor(SparseMatrix matrix,
+  WeightSymmetry symmetry,
   const EliminationOrder& order,
   const ProgressCallback& progress)
 {
-  SparseMatrix matrix = this->matrix(symmetry);
-  if (symmetry == WeightSymmetry::Symmetric && matrix.rows() >= LeastForLevels)
-  {
-    this->Levels = std::make_unique<MultigridSolver>();
-    this->Levels->setMatrix(matrix);
-    if (this->Levels->computeLevels(atFraction(progress, 0.2, LayoutStage)))
-    {
-      return;
-    }
-    this->Levels.reset();
-  }
   if (symmetry == WeightSymmetry::Symmetric)
   {
     this->Cholesky.emplace(this->orderOfFree(order));
@@ -129,22 +144,23 @@ void WeightedMeans::factor(WeightSymmetry symmetry,
 
 Eigen::MatrixXd WeightedMeans::solution(const Eigen::MatrixXd& rightSides,
   double tolerance,
-  const ProgressCallback& progress) const
+  const ProgressCallback& progress)
 {
-  if (!this->Levels)
+  const ProgressCallback here = atFraction(progress, 0.8, LayoutStage);
+  if (this->Levels)
   {
-    return this->Cholesky ? this->Cholesky->solve(rightSides) : this->Lu->solve(rightSides);
+    Eigen::MatrixXd solutions;
+    if (this->Levels->solve(rightSides, tolerance, solutions, here))
+    {
+      return solutions;
+    }
+    this->Levels.reset();
+    this->factor(this->matrix(WeightSymmetry::Symmetric), WeightSymmetry::Symmetric, {}, here);
   }
-  Eigen::MatrixXd solutions;
-  if (!this->Levels->solve(rightSides, tolerance, solutions, atFraction(progress, 0.8, LayoutStage)))
-  {
-    throw ConvergenceError("the means of neighbours could not be found by multigrid cycles: remesh the "
-                           "surface (Surface To Disk, Remesh)");
-  }
-  return solutions;
+  return this->Cholesky ? this->Cholesky->solve(rightSides) : this->Lu->solve(rightSides);
 }
 
-void WeightedMeans::extend(ComplexVector& positions, const ProgressCallback& progress) const
+void WeightedMeans::extend(ComplexVector& positions, const ProgressCallback& progress)
 {
   // Residuals are sums of differences, which keep their digits where neighbours are close.
   for (int round = 0; !this->Free.empty() && round < 1 + Refinements; ++round)
@@ -164,7 +180,7 @@ void WeightedMeans::extend(ComplexVector& positions, const ProgressCallback& pro
 }
 
 Eigen::VectorXd WeightedMeans::passedToFixed(const Eigen::VectorXd& vertexWeights,
-  const ProgressCallback& progress) const
+  const ProgressCallback& progress)
 {
   Eigen::VectorXd all = vertexWeights;
   if (!this->Free.empty())

@@ -52,26 +52,31 @@ public:
 
   /// Moves the free vertices to the means of their neighbours. The closer they are to that before, the
   /// smaller are the rounding errors. @throws ConvergenceError, Cancelled.
-  void extend(ComplexVector& positions, const ProgressCallback& progress = {}) const;
+  void extend(ComplexVector& positions, const ProgressCallback& progress = {});
 
   /// The weights with which the positions of the fixed vertices give the sum of all positions, each with
   /// its own weight of @p vertexWeights (n). Only the elements of fixed vertices count.
   /// @throws ConvergenceError, Cancelled.
   Eigen::VectorXd passedToFixed(const Eigen::VectorXd& vertexWeights,
-    const ProgressCallback& progress = {}) const;
+    const ProgressCallback& progress = {});
 
 private:
-  void factor(WeightSymmetry symmetry, const EliminationOrder& order, const ProgressCallback& progress);
+  bool computeLevels(const SparseMatrix& matrix, const ProgressCallback& progress);
+  void factor(SparseMatrix matrix,
+    WeightSymmetry symmetry,
+    const EliminationOrder& order,
+    const ProgressCallback& progress);
   Eigen::MatrixXd solution(const Eigen::MatrixXd& rightSides,
     double tolerance,
-    const ProgressCallback& progress) const;
+    const ProgressCallback& progress);
   SparseMatrix matrix(WeightSymmetry symmetry) const;
   EliminationOrder orderOfFree(const EliminationOrder& order) const;
 
   std::vector<int> Row; // index of every vertex among the free ones; -1 if it is fixed
   std::vector<int> Free;
   std::vector<NeighbourWeight> Weights; // of free vertices
-  // The solver: multigrid if the matrix is symmetric and large, Cholesky if it is small, otherwise LU.
+  // The solver: multigrid if the matrix is symmetric and large, as long as that converges, Cholesky if
+  // it is small, otherwise LU.
   std::unique_ptr<MultigridSolver> Levels;
   std::optional<SparseCholesky> Cholesky;
   std::optional<SparseLu> Lu;

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 #include <vector>
 
 namespace
@@ -28,8 +30,16 @@ std::complex<double> harmonic(int x, int y)
   return std::polar(std::exp(-decay * x), turn * y);
 }
 
-WeightedMeans meansOfGrid()
+// The means of a grid whose weights are 0.5, or random powers of ten up to those of +-@p decades.
+WeightedMeans meansOfGrid(int decades = 0)
 {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> exponent(-decades, decades);
+  std::vector<double> strengths; // of the edges from each vertex along both axes
+  for (int k = 0; k < 2 * Columns * Rows; ++k)
+  {
+    strengths.push_back(decades == 0 ? 0.5 : std::pow(10.0, exponent(random)));
+  }
   std::vector<NeighbourWeight> weights;
   std::vector<char> fixed(Columns * Rows, 0);
   const std::vector<std::array<int, 2>> steps = { { 1, 0 }, { -1, 0 }, { 0, 1 }, { 0, -1 } };
@@ -42,7 +52,9 @@ WeightedMeans meansOfGrid()
       {
         if (!isBorder(x, y))
         {
-          weights.push_back({ y * Columns + x, (y + dy) * Columns + x + dx, 0.5 });
+          const int neighbour = (y + dy) * Columns + x + dx;
+          const int first = std::min(y * Columns + x, neighbour);
+          weights.push_back({ y * Columns + x, neighbour, strengths[2 * first + (dy != 0)] });
         }
       }
     }
@@ -52,7 +64,7 @@ WeightedMeans meansOfGrid()
 
 TEST(WeightedMeans, KeepTheDigitsOfSmallPositionsOnLargeSurfaces)
 {
-  const WeightedMeans means = meansOfGrid();
+  WeightedMeans means = meansOfGrid();
   ComplexVector positions(Columns * Rows, 0.0);
   for (int v = 0; v < Columns * Rows; ++v)
   {
@@ -80,7 +92,8 @@ TEST(WeightedMeans, KeepTheDigitsOfSmallPositionsOnLargeSurfaces)
 
 TEST(WeightedMeans, PassTheWholeWeightToTheBorderOfLargeSurfaces)
 {
-  const Eigen::VectorXd passed = meansOfGrid().passedToFixed(Eigen::VectorXd::Ones(Columns * Rows));
+  WeightedMeans means = meansOfGrid();
+  const Eigen::VectorXd passed = means.passedToFixed(Eigen::VectorXd::Ones(Columns * Rows));
   double sum = 0.0;
   for (int v = 0; v < Columns * Rows; ++v)
   {
@@ -90,6 +103,35 @@ TEST(WeightedMeans, PassTheWholeWeightToTheBorderOfLargeSurfaces)
   // The longer sides get the larger shares, by symmetry the same on both.
   EXPECT_NEAR(passed[Columns / 2], passed[(Rows - 1) * Columns + Columns / 2], 1e-6);
   EXPECT_NEAR(passed[Rows / 2 * Columns], passed[Rows / 2 * Columns + Columns - 1], 1e-6);
+}
+
+// Every vertex lies between its neighbours, whatever their weights: within the square of the border.
+TEST(WeightedMeans, OfWeightsOverManyDecadesLieWithinTheBorderOfLargeSurfaces)
+{
+  for (const int decades : { 2, 3, 9 })
+  {
+    WeightedMeans means = meansOfGrid(decades);
+    ComplexVector positions(Columns * Rows, 0.0);
+    for (int v = 0; v < Columns * Rows; ++v)
+    {
+      const int x = v % Columns;
+      const int y = v / Columns;
+      positions[v] = isBorder(x, y) ? std::complex<double>(x, y) : 0.0;
+    }
+    double last = 0.0;
+    means.extend(positions,
+      [&](double fraction, const char*)
+      {
+        EXPECT_GE(fraction, last);
+        last = fraction;
+        return true;
+      });
+    for (const std::complex<double>& z : positions)
+    {
+      ASSERT_TRUE(z.real() >= -1e-6 && z.real() <= Columns - 1 + 1e-6) << decades;
+      ASSERT_TRUE(z.imag() >= -1e-6 && z.imag() <= Rows - 1 + 1e-6) << decades;
+    }
+  }
 }
 
 } // namespace
