@@ -148,4 +148,22 @@ TEST(LaggedSolver, LargeSystemsNeedNoFactor)
   EXPECT_LE(relativeResidual(solver, springs(320, 0.5, 1), 1e-4), 1.001e-4) << "goes on afterwards";
 }
 
+TEST(LaggedSolver, LevelsAreRenewedWhereTheyDoNotServe)
+{
+  LaggedSolver solver;
+  std::vector<int> iterations;
+  for (int seed = 0; seed < 5; ++seed)
+  {
+    const int before = solver.iterations();
+    EXPECT_LE(relativeResidual(solver, springs(320, 4.0, seed), 1e-3), 1.001e-3) << seed;
+    iterations.push_back(solver.iterations() - before);
+  }
+  EXPECT_GT(iterations[1], iterations[0] + 10) << "with the levels of the first matrix";
+  for (int k = 2; k < 5; ++k)
+  {
+    EXPECT_LE(iterations[k], iterations[0] + 5) << k;
+  }
+  EXPECT_EQ(solver.factorizations(), 0);
+}
+
 } // namespace
