@@ -21,7 +21,7 @@ BREAKS = [
     at("Base/LaggedSolver.cxx", "this->Size != lower.rows()", "this->Size < 0"),
     at("Base/LaggedSolver.cxx", "iterations > expected + WorthLevels", "false"),
     at("Base/RowMatrix.cxx", "static_cast<double>(a.Value[e]) * b.Value[f]", "b.Value[f]"),
-    at("Base/Multigrid.cxx", "sum.add(groups.Of[i], 1.0 - Damping);", ""),
+    at("Base/Multigrid.cxx", "rowOf<K>(level.Solution, i) + product", "rowOf<K>(level.Solution, i)"),
     at("Base/Multigrid.cxx", "smooth<K>(level, false);", ""),
     at("Base/Multigrid.cxx", "greatest = std::max(greatest, sum / diagonal[i]);", ""),
     at("Base/MultigridSolver.cxx", "residuals.col(i) -= length * products.col(i);", ""),
