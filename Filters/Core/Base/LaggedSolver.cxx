@@ -15,12 +15,7 @@ namespace
 constexpr int ManyIterations = 20;
 constexpr int MostIterations = 30;
 
-// Systems with at least this number of unknowns are solved with multigrid cycles. On brains of 35 and 66
-// thousand vertices both ways take as long on two cores; with 131 thousand, cycles take four fifths of
-// the time, with a million a third, and half of the memory.
-constexpr int LeastForLevels = 100000;
-
-// New levels take as long as this number of iterations.
+// New levels take as long as this number of iterations with them.
 constexpr int WorthLevels = 10;
 
 constexpr const char* FactorStage = "Factorization";
@@ -37,8 +32,7 @@ bool LaggedSolver::factor(const SparseMatrix& lower, const ProgressCallback& pro
   return this->Size >= 0;
 }
 
-// Keeps the levels of an earlier matrix where they are expected to serve, and computes new ones where
-// they do not.
+// Tries the levels of an earlier matrix, unless they are known to age fast, and then new ones.
 bool LaggedSolver::solveWithLevels(const SparseMatrix& lower,
   const Eigen::VectorXd& rightSide,
   double tolerance,
@@ -49,7 +43,7 @@ bool LaggedSolver::solveWithLevels(const SparseMatrix& lower,
   bool isNew = false;
   while (!isNew)
   {
-    isNew = this->Size != lower.rows() || this->LevelsAge;
+    isNew = this->Size != lower.rows() || this->LevelsAgeFast;
     if (isNew && !this->Levels.computeLevels(progress))
     {
       break;
@@ -61,7 +55,7 @@ bool LaggedSolver::solveWithLevels(const SparseMatrix& lower,
     const bool isSolved = this->Levels.solve(rightSide, tolerance, found, progress);
     const int iterations = this->Levels.iterations() - before;
     this->Iterations += iterations;
-    this->LevelsAge = this->LevelsAge || (!isNew && iterations > expected + WorthLevels);
+    this->LevelsAgeFast = this->LevelsAgeFast || (!isNew && iterations > expected + WorthLevels);
     if (isSolved)
     {
       this->Size = lower.rows();
@@ -113,7 +107,7 @@ bool LaggedSolver::iterate(const SparseMatrix& lower,
 void LaggedSolver::forgetPreconditioner()
 {
   this->Size = -1;
-  this->LevelsAge = false;
+  this->LevelsAgeFast = false;
 }
 
 double LaggedSolver::iterationsFor(double reduction) const
@@ -127,7 +121,7 @@ bool LaggedSolver::solve(const SparseMatrix& lower,
   Eigen::VectorXd& solution,
   const ProgressCallback& progress)
 {
-  if (this->LevelsServe && lower.rows() >= LeastForLevels &&
+  if (this->LevelsServe && lower.rows() >= MultigridSolver::LeastUnknowns &&
       this->solveWithLevels(lower, rightSide, tolerance, solution, progress))
   {
     return true;

@@ -53,7 +53,9 @@ private:
 
   SparseCholesky Factor{ SparseCholesky::Ordering::Quick };
   MultigridSolver Levels;
-  bool LevelsAge = false;  // whether those of an earlier matrix cost more iterations than they are worth
+  // Whether levels of an earlier matrix took so many more iterations that new ones would have been
+  // faster.
+  bool LevelsAgeFast = false;
   bool LevelsServe = true;   // until they fail with a matrix of their own
   Eigen::Index Size = -1;    // number of rows of the preconditioner; -1 without one
   double LogReduction = 0.0; // logarithm of the ratio by which an iteration reduced the last residual

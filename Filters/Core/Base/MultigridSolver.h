@@ -9,12 +9,16 @@
 namespace flattening
 {
 
-/// Conjugate gradients with a cycle of Multigrid as preconditioner. From about a hundred thousand
-/// unknowns on it takes less time than a factorization, and much less memory. The bits of a solution do
-/// not depend on the number of threads.
+/// Conjugate gradients with a cycle of Multigrid as preconditioner. The bits of a solution do not depend
+/// on the number of threads.
 class MultigridSolver
 {
 public:
+  /// The number of unknowns from which on a system is large enough. On brains of 35 and 66 thousand
+  /// vertices, factors take as long on two cores; with 131 thousand, the systems of a Ricci flow take
+  /// 0.3 instead of 0.7 seconds, with a million 2.5 instead of 9.5, and two thirds of the memory.
+  static constexpr int LeastUnknowns = 100000;
+
   /// Takes the symmetric matrix whose lower triangle is that of @p lower, and keeps the levels that were
   /// computed for an earlier one.
   void setMatrix(const SparseMatrix& lower);

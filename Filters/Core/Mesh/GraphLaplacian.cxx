@@ -16,12 +16,9 @@ using Complex = std::complex<double>;
 // beside the factor; without any, vertices that lie much closer together than others lose the digits of
 // their distances.
 constexpr int Refinements = 2;
-// Symmetric systems with at least this number of unknowns are solved with multigrid cycles: with fewer
-// than three hundred thousand a factor takes as long, unless its order of elimination is known, but more
-// memory.
-constexpr int LeastForLevels = 100000;
-// Their diagonal entries lie within this ratio: those of cotangents do, but not those of the weights by
-// which protrusions are spread, for which cycles do not converge.
+// Large symmetric systems are solved with multigrid cycles if their diagonal entries lie within this
+// ratio. Those of cotangents lay within 400 on three scans, those of the weights by which protrusions
+// are spread not within 1e40; for these, cycles do not converge.
 constexpr double MostRange = 1e6;
 // Share of the residual that such a solution may leave, where rounds of correction follow and where not.
 constexpr double CorrectedTolerance = 1e-6;
@@ -56,7 +53,8 @@ WeightedMeans::WeightedMeans(std::vector<NeighbourWeight> weights,
     return;
   }
   SparseMatrix matrix = this->matrix(symmetry);
-  const bool isLarge = symmetry == WeightSymmetry::Symmetric && matrix.rows() >= LeastForLevels;
+  const bool isLarge =
+    symmetry == WeightSymmetry::Symmetric && matrix.rows() >= MultigridSolver::LeastUnknowns;
   if (!isLarge || !this->computeLevels(matrix, progress))
   {
     this->factor(std::move(matrix), symmetry, order, progress);

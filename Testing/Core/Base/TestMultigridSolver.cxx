@@ -91,9 +91,9 @@ TEST(MultigridSolver, IterationsDoNotGrowWithTheSize)
     EXPECT_TRUE(solver.solve(randomColumns(lower.rows(), 1), 1e-8, found));
     return solver.iterations();
   };
-  EXPECT_LE(iterations(180, 1.0), 16);
-  EXPECT_LE(iterations(720, 1.0), 18);
-  EXPECT_LE(iterations(360, 100.0), 30) << "strong along one axis";
+  EXPECT_LE(iterations(180, 1.0), 12);
+  EXPECT_LE(iterations(720, 1.0), 15);
+  EXPECT_LE(iterations(360, 100.0), 15) << "strong along one axis";
 }
 
 TEST(MultigridSolver, BitsDoNotDependOnThreads)
