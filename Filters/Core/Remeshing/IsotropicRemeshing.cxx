@@ -3,6 +3,7 @@
 
 #include "Base/Memory.h"
 #include "Mesh/SliverThresholds.h"
+#include "Remeshing/BoundaryEars.h"
 #include "Remeshing/EdgeQueue.h"
 #include "Remeshing/MeshOnSurface.h"
 #include "Remeshing/SelfIntersectionRemoval.h"
@@ -186,6 +187,13 @@ public:
 
   void flipToDelaunay(const ProgressCallback& progress);
 
+  // Whether a flip keeps the surface nearly as it is.
+  MeshOnSurface::Guard keepsSurface() const
+  {
+    return [height = GreatestFlipHeight * this->Length](const LocalChange& change)
+    { return flipHeight(change) <= height && staysSound(change); };
+  }
+
 private:
   template <typename Order, typename IsWanted, typename Change>
   void changeEdges(IsWanted&& isWanted, Change&& change, const ProgressCallback& progress);
@@ -282,8 +290,8 @@ void IsotropicRemesher::collapseShortEdges(const ProgressCallback& progress)
 void IsotropicRemesher::flipToDelaunay(const ProgressCallback& progress)
 {
   const MeshOnSurface::Mesh& mesh = this->Surface.mesh();
-  const auto improves = [height = GreatestFlipHeight * this->Length](const LocalChange& change)
-  { return becomesDelaunay(change) && flipHeight(change) <= height && staysSound(change); };
+  const auto improves = [keepsSurface = this->keepsSurface()](const LocalChange& change)
+  { return becomesDelaunay(change) && keepsSurface(change); };
   constexpr int Rounds = 8; // a guard: most edges settle in two or three rounds
   std::vector<char> settled(mesh.num_edges(), 0);
   bool flipped = true;
@@ -363,8 +371,9 @@ DerivedMesh remeshIsotropically(const TriangleMesh& mesh,
   {
     remesher.iterate(subrange(progress, 0.8 * i / iterations, 0.8 * (i + 1) / iterations));
   }
-  remesher.flipToDelaunay(subrange(progress, 0.8, 0.9));
+  remesher.flipToDelaunay(subrange(progress, 0.8, 0.85));
   removeSlivers(surface, slivers::RemeshedAngle, subrange(progress, 0.85, 0.9));
+  openEars(surface, remesher.keepsSurface(), staysSound);
   removeSelfIntersections(surface, subrange(progress, 0.9, 0.95), intersections);
   return surface.derived(subrange(progress, 0.95, 1.0));
 }

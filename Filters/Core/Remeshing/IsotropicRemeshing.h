@@ -17,8 +17,9 @@ namespace flattening
 ///
 /// Vertices stay on the old surface (ClosestPointWalk), except the few that had to leave it where faces
 /// intersected. The boundary keeps its vertices, except where it is almost straight, and gets new ones
-/// where its edges are long. The topology stays. Every new vertex is made of the corners of the old face
-/// nearest to it, with barycentric weights; the origin of a face is the old face nearest to its
+/// where its edges are long. Where a face has two boundary edges, the
+/// third is flipped or split. The topology stays. Every new vertex is made of the corners of the old
+/// face nearest to it, with barycentric weights; the origin of a face is the old face nearest to its
 /// centroid.
 ///
 /// CGAL's isotropic_remeshing takes three times as long at a million vertices, and on isosurfaces of

@@ -14,7 +14,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -142,6 +145,73 @@ TEST(IsotropicRemeshing, KeepsTheBoundary)
   }
   EXPECT_GT(smallestAngle(remeshed.Mesh), 10.0);
   EXPECT_NEAR(totalArea(remeshed.Mesh) / totalArea(input), 1.0, 5e-3);
+}
+
+// Faces with two boundary edges, by their number.
+std::vector<int> earsOf(const TriangleMesh& mesh)
+{
+  std::map<std::pair<int, int>, int> sides;
+  const auto sideOf = [&mesh](int f, int k) -> std::pair<int, int>
+  { return std::minmax(mesh.Faces(f, k), mesh.Faces(f, (k + 1) % 3)); };
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      ++sides[sideOf(f, k)];
+    }
+  }
+  std::vector<int> ears;
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    int boundary = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      boundary += sides[sideOf(f, k)] == 1 ? 1 : 0;
+    }
+    if (boundary >= 2)
+    {
+      ears.push_back(f);
+    }
+  }
+  return ears;
+}
+
+// In a square of two triangles, at two corners of a grid, and along a side with teeth.
+TEST(IsotropicRemeshing, LeavesNoFaceWithTwoBoundaryEdges)
+{
+  TriangleMesh square;
+  square.Vertices.resize(4, 3);
+  square.Vertices << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0;
+  square.Faces.resize(2, 3);
+  square.Faces << 0, 1, 2, 0, 2, 3;
+  const TriangleMesh grid = rectangleGrid(21, 21, std::sqrt(Pi));
+  std::vector<int> kept; // without every other triangle along the lower side
+  for (int f = 0; f < grid.faceCount(); ++f)
+  {
+    const Eigen::Vector3d heights = grid.Vertices.col(1)(grid.Faces.row(f));
+    const double lowest = grid.Vertices.col(1).minCoeff();
+    const bool isAtSide = (heights.array() < lowest + 1e-9).count() == 2;
+    if (!isAtSide || f % 4 == 0)
+    {
+      kept.push_back(f);
+    }
+  }
+  for (const TriangleMesh& mesh : { square, grid, extractFaces(grid, kept).Mesh })
+  {
+    ASSERT_FALSE(earsOf(mesh).empty());
+    for (const double length : { 0.03, 0.06, 0.15 })
+    {
+      for (const int iterations : { 0, 3 })
+      {
+        const TriangleMesh result = remeshIsotropically(mesh, length, iterations).Mesh;
+        EXPECT_TRUE(earsOf(result).empty()) << mesh.faceCount() << ", " << length << ", " << iterations;
+        EXPECT_NEAR(faceAreas(result.Vertices, result.Faces).sum(),
+          faceAreas(mesh.Vertices, mesh.Faces).sum(),
+          1e-12);
+        requireDisk(result);
+      }
+    }
+  }
 }
 
 TEST(IsotropicRemeshing, KeepsHandles)
