@@ -14,13 +14,13 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 STAGES = ("vtkSurfaceToDiskFilter", "vtkConformalDiskFilter", "vtkOMTAreaPreservingFilter", "vtkDistortionMetrics")
 MEGABYTES = (0.5, 1, 2, 4, 8, 16, 64, 384)
 FAILED = 3  # exit status of a child whose filter reported an error; what it prints is mixed with other messages
-LONGEST = 60  # processor seconds of a child, a hundred times what it takes
+LONGEST = 60  # processor seconds of a child, fifty times what it takes
 
 
 def pipeline():
     source = vtkSphereSource()
-    source.SetThetaResolution(120)
-    source.SetPhiResolution(120)
+    source.SetThetaResolution(150)
+    source.SetPhiResolution(150)
     filters = [source]
     for name in STAGES:
         filters.append(getattr(surfaceflattening, name)())

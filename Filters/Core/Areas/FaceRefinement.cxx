@@ -155,15 +155,12 @@ private:
       }
       this->Rounds.balance(map, RefinementRounds::FinalRegionTolerance, subrange(progress, 0.2, 0.3));
     }
-    if (!this->Rounds.run(map, SecondStageRounds, Until::Enough, subrange(progress, 0.3, 0.8)))
-    {
-      this->Rounds.balance(map, RefinementRounds::FinalRegionTolerance, subrange(progress, 0.8, 0.85));
-    }
+    this->Rounds.run(map, SecondStageRounds, Until::Enough, subrange(progress, 0.3, 0.8));
+    this->Rounds.balance(map, RefinementRounds::FinalRegionTolerance, subrange(progress, 0.8, 0.85));
     const bool isSame = this->Map.Start == RefinementStart::WarmStart && map.Positions == before;
     if (this->AsksForAreas && !isSame)
     {
-      this->Rounds.polish(map, subrange(progress, 0.85, 0.95));
-      this->Rounds.balance(map, RefinementRounds::FinalRegionTolerance, subrange(progress, 0.95, 1.0));
+      this->Rounds.polish(map, subrange(progress, 0.85, 1.0));
     }
   }
 

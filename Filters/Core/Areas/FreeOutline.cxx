@@ -177,9 +177,7 @@ private:
       this->Map, MostRounds, RefinementRounds::Until::Enough, subrange(progress, 0.0, 0.6));
     this->Rounds.balance(
       this->Map, RefinementRounds::FinalRegionTolerance, subrange(progress, 0.6, 0.7));
-    this->Rounds.polish(this->Map, subrange(progress, 0.7, 0.8));
-    this->Rounds.balance(
-      this->Map, RefinementRounds::FinalRegionTolerance, subrange(progress, 0.8, 0.9));
+    this->Rounds.polish(this->Map, subrange(progress, 0.7, 0.9));
     if (this->Rounds.distortion(this->Map) < NearlyKept)
     {
       this->Rounds.settle(this->Map, LeastRoundGain, MostWholeRounds, subrange(progress, 0.9, 1.0));

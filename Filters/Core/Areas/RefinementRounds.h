@@ -63,9 +63,8 @@ public:
   /// measure. With it the errors of the demo's regions are 0.04 %.
   static constexpr double FinalRegionTolerance = 2e-4;
 
-  /// Runs at most @p most rounds. Returns whether they ended because even steps of the whole mesh
-  /// brought too little. @throws Cancelled, ConvergenceError.
-  bool run(DomainMap& map, int most, Until until, const ProgressCallback& progress);
+  /// Runs at most @p most rounds. @throws Cancelled, ConvergenceError.
+  void run(DomainMap& map, int most, Until until, const ProgressCallback& progress);
 
   /// Deforms the map smoothly, at most @p most times, until that hardly lowers the distortion of shapes
   /// any more. @p areaWeight (> 0) is the weight of areas against shapes. Returns the number of
@@ -92,11 +91,11 @@ public:
   /// less than the share @p leastGain. @throws Cancelled, ConvergenceError.
   void settle(DomainMap& map, double leastGain, int most, const ProgressCallback& progress);
 
-  /// A last round, with shapes at half their weight: the areas of the faces come nearer to their targets
-  /// than in rounds that end with the tolerance, and those that balance() has left off come right. With
-  /// area weights these are three rounds, with those of a wide range after steps of the whole mesh
-  /// (settle) unless the start was warm. It takes all patches or, after a warm start, those that need
-  /// it. @throws Cancelled, ConvergenceError.
+  /// Two last rounds, with shapes at half their weight: the areas of the faces come nearer to their
+  /// targets than in rounds that end with the tolerance, and those that balance() has left off come
+  /// right. With area weights these are three rounds, with those of a wide range after steps of the
+  /// whole mesh (settle) unless the start was warm. They take all patches or, after a warm start, those
+  /// that need it. @throws Cancelled, ConvergenceError.
   void polish(DomainMap& map, const ProgressCallback& progress);
 
   int count() const { return this->Count; } ///< number of rounds so far
