@@ -60,7 +60,7 @@ public:
   static constexpr int FirstShapeRounds = 2; ///< how many first rounds those are
 
   /// The region error above which a refinement ends with deformations (balance): regions are what people
-  /// measure. With it the errors of the demo's regions are 0.04 %.
+  /// measure. With it the errors of the demo's regions are 0.02 %.
   static constexpr double FinalRegionTolerance = 2e-4;
 
   /// Runs at most @p most rounds. @throws Cancelled, ConvergenceError.
