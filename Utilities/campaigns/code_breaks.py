@@ -243,6 +243,8 @@ BREAKS = [
         "fixed[surface.edge(h)] || fix[f.idx()]",
     ),
     at("Remeshing/RegionPreservingDecimation.cxx", "keep[f.idx()] = 1;", ""),
+    at("Remeshing/BoundaryEars.cxx", "otherBoundaryEdges(mesh, h) == 2", "false"),
+    at("Remeshing/BoundaryEars.cxx", "otherBoundaryEdges(mesh, mesh.opposite(h)) > 0", "false"),
     at("Remeshing/IsotropicRemeshing.cxx", "tangential.norm() < SmallestStep * this->Length", "true"),
     at("Remeshing/SliverRemoval.cxx", "smallestSine(change.After) > Gain * smallestSine(change.Before)", "false"),
     # --- Handles
