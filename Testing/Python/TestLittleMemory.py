@@ -14,7 +14,7 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 STAGES = ("vtkSurfaceToDiskFilter", "vtkConformalDiskFilter", "vtkOMTAreaPreservingFilter", "vtkDistortionMetrics")
 MEGABYTES = (0.5, 1, 2, 4, 8, 16, 64, 384)
 FAILED = 3  # exit status of a child whose filter reported an error; what it prints is mixed with other messages
-LONGEST = 60  # processor seconds of a child, fifty times what it takes
+LONGEST = 60  # processor seconds of a child, some twenty times what it takes
 
 
 def pipeline():
