@@ -213,6 +213,8 @@ BREAKS = [
         "closed ? volume > 0.0 : reversedArea > 0.0",
     ),
     at("Repair/ConsistentOrientation.cxx", "faces - reversedFaces", "reversedFaces"),
+    at("Repair/ConsistentOrientation.cxx", "part.MayBeCut[original]", "true"),
+    at("Repair/ConsistentOrientation.cxx", "part.MayBeCut[v] = 1;", ""),
     at("Repair/TJunctions.cxx", "height > LeastHeightRatio * distance", "true"),
     at("Repair/TJunctions.cxx", "std::replace(rest.begin(), rest.end(), before, middle);", ""),
     at("Repair/NeedlesAndCaps.cxx", "*shortest > slivers::NeedleEdge * *longest", "true"),

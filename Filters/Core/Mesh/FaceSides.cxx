@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/FaceSides.h"
 
+#include "Mesh/Halfedges.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -71,6 +73,40 @@ std::vector<int> oppositeHalfedges(const std::vector<FaceSide>& sides)
 std::vector<int> oppositeHalfedges(const FaceMatrix& faces)
 {
   return oppositeHalfedges(sortedSides(faces));
+}
+
+// A walk around a vertex, from an end of a fan if there is one, meets all of its faces if they are one
+// fan.
+std::vector<int> verticesOfSeveralFans(const std::vector<FaceSide>& sides, int vertexCount)
+{
+  const std::vector<int> opposite = oppositeHalfedges(sides);
+  std::vector<int> faces(vertexCount, 0); // not yet met
+  std::vector<int> first(vertexCount, -1);
+  for (const FaceSide& side : sides)
+  {
+    ++faces[side.From];
+    if (first[side.From] < 0 || opposite[side.Halfedge] < 0)
+    {
+      first[side.From] = side.Halfedge;
+    }
+  }
+  std::vector<int> severalFans;
+  for (int v = 0; v < vertexCount; ++v)
+  {
+    for (int h = first[v]; h >= 0; h = opposite[previousHalfedge(h)])
+    {
+      --faces[v];
+      if (opposite[previousHalfedge(h)] == first[v])
+      {
+        break;
+      }
+    }
+    if (faces[v] != 0)
+    {
+      severalFans.push_back(v);
+    }
+  }
+  return severalFans;
 }
 
 } // namespace flattening

@@ -47,4 +47,9 @@ std::vector<int> oppositeHalfedges(const FaceMatrix& faces);
 /// The same for the sides of all faces, sorted as by sortedSides().
 std::vector<int> oppositeHalfedges(const std::vector<FaceSide>& sides);
 
+/// The vertices, in ascending order, whose faces are several fans: a fan is faces that follow each other
+/// across edges which join two faces of one orientation.
+/// @param sides of all faces, sorted as by sortedSides(); the vertices are 0 to @p vertexCount - 1.
+std::vector<int> verticesOfSeveralFans(const std::vector<FaceSide>& sides, int vertexCount);
+
 } // namespace flattening

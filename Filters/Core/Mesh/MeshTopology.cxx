@@ -4,7 +4,6 @@
 #include "Base/Errors.h"
 #include "Mesh/DisjointSets.h"
 #include "Mesh/FaceSides.h"
-#include "Mesh/Halfedges.h"
 
 #include <algorithm>
 #include <string>
@@ -40,37 +39,15 @@ std::string edgeName(const FaceSide& side)
   return "edge (" + std::to_string(side.From) + ", " + std::to_string(side.To) + ")";
 }
 
-// The faces around a vertex must be one fan, in which neighbours share an edge: a walk around the vertex
-// from the boundary, if there is one, meets them all. The edges must be manifold.
+// The edges must be manifold.
 void requireOneFanPerVertex(const std::vector<FaceSide>& sides, int vertexCount)
 {
-  const std::vector<int> opposite = oppositeHalfedges(sides);
-  std::vector<int> faces(vertexCount, 0); // not yet met
-  std::vector<int> first(vertexCount, -1);
-  for (const FaceSide& side : sides)
+  const std::vector<int> severalFans = verticesOfSeveralFans(sides, vertexCount);
+  if (!severalFans.empty())
   {
-    ++faces[side.From];
-    if (first[side.From] < 0 || opposite[side.Halfedge] < 0)
-    {
-      first[side.From] = side.Halfedge;
-    }
-  }
-  for (int v = 0; v < vertexCount; ++v)
-  {
-    for (int h = first[v]; h >= 0; h = opposite[previousHalfedge(h)])
-    {
-      --faces[v];
-      if (opposite[previousHalfedge(h)] == first[v])
-      {
-        break;
-      }
-    }
-    if (faces[v] != 0)
-    {
-      throw TopologyError(
-        "vertex " + std::to_string(v) +
-        " is non-manifold (parts of the surface meet only there): run Surface To Disk first");
-    }
+    throw TopologyError(
+      "vertex " + std::to_string(severalFans.front()) +
+      " is non-manifold (parts of the surface meet only there): run Surface To Disk first");
   }
 }
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Repair/ConsistentOrientation.h"
 
-#include "Base/Errors.h"
 #include "Mesh/EditableSurface.h"
 #include "Mesh/FaceSides.h"
-#include "Mesh/MeshTopology.h"
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
@@ -23,33 +21,87 @@ namespace
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-// Most isosurfaces are oriented manifolds: finding out takes a tenth of the time of making them so.
-bool isOrientedManifold(const TriangleMesh& mesh)
-{
-  try
-  {
-    analyseTopology(mesh.Faces, mesh.vertexCount());
-    return true;
-  }
-  catch (const TopologyError&)
-  {
-    return false;
-  }
-}
-
-// Records in `Result` what CGAL reverses and copies.
+// Records what CGAL reverses and copies.
 struct OrientationRecord : PMP::Default_orientation_visitor
 {
-  OrientedMesh* Result = nullptr;
+  std::vector<char>* Reversed = nullptr; // per face
+  std::vector<int>* CopyOf = nullptr;    // per vertex
 
-  void polygon_orientation_reversed(std::size_t face) { this->Result->Reversed[face] ^= 1; }
+  void polygon_orientation_reversed(std::size_t face) { (*this->Reversed)[face] ^= 1; }
   void duplicated_vertex(std::size_t original, std::size_t copy)
   {
-    std::vector<int>& copyOf = this->Result->CopyOf;
-    copyOf.resize(std::max(copyOf.size(), copy + 1));
-    copyOf[copy] = copyOf[original];
+    this->CopyOf->resize(std::max(this->CopyOf->size(), copy + 1));
+    (*this->CopyOf)[copy] = (*this->CopyOf)[original];
   }
 };
+
+// The part of a mesh that orienting it may change.
+struct PartToOrient
+{
+  std::vector<int> Faces;
+  std::vector<char> MayBeCut; // per vertex of the mesh
+};
+
+// That is nothing of an oriented manifold. Where faces agree in orientation with their neighbours, it is
+// only the faces around the vertices at which the surface must be cut; else it is everything.
+PartToOrient partToOrient(const TriangleMesh& mesh)
+{
+  const std::vector<FaceSide> sides = sortedSides(mesh.Faces);
+  bool disagree = false;
+  forEachEdge(sides,
+    [&disagree](const FaceSide* side, int count)
+    { disagree = disagree || (count == 2 && side[0].From == side[1].From); });
+  PartToOrient part;
+  part.MayBeCut.assign(mesh.vertexCount(), static_cast<char>(disagree));
+  for (const int v : verticesOfSeveralFans(sides, mesh.vertexCount()))
+  {
+    part.MayBeCut[v] = 1;
+  }
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    const auto corners = mesh.Faces.row(f);
+    if (part.MayBeCut[corners[0]] || part.MayBeCut[corners[1]] || part.MayBeCut[corners[2]])
+    {
+      part.Faces.push_back(f);
+    }
+  }
+  return part;
+}
+
+// A mesh after its faces were oriented and its vertices copied.
+struct CutMesh
+{
+  std::vector<std::array<std::size_t, 3>> Faces;
+  std::vector<int> CopyOf;    // per vertex, those of the mesh first
+  std::vector<char> Reversed; // per face
+};
+
+CutMesh orientAndCut(const TriangleMesh& mesh)
+{
+  CutMesh result;
+  std::vector<Kernel::Point_3> points;
+  points.reserve(mesh.vertexCount());
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    points.push_back(pointOf(mesh.Vertices, v));
+  }
+  result.Faces.resize(mesh.faceCount());
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      result.Faces[f][k] = mesh.Faces(f, k);
+    }
+  }
+  result.CopyOf.resize(mesh.vertexCount());
+  std::iota(result.CopyOf.begin(), result.CopyOf.end(), 0);
+  result.Reversed.assign(mesh.faceCount(), 0);
+  OrientationRecord record;
+  record.CopyOf = &result.CopyOf;
+  record.Reversed = &result.Reversed;
+  PMP::orient_polygon_soup(points, result.Faces, CGAL::parameters::visitor(record));
+  return result;
+}
 
 // The pairs of faces that share an edge with no third one, sorted.
 std::vector<std::pair<int, int>> neighbours(const FaceMatrix& faces)
@@ -67,18 +119,19 @@ std::vector<std::pair<int, int>> neighbours(const FaceMatrix& faces)
   return pairs;
 }
 
-// Marks the faces beside a one-sided edge: an edge of just two faces is cut only if no orientation suits
-// both.
-void markOneSidedEdges(OrientedMesh& oriented, const FaceMatrix& before)
+// The faces beside one-sided edges: an edge of just two faces is cut only if no orientation suits both.
+std::vector<char> facesBesideOneSidedEdges(const FaceMatrix& before, const FaceMatrix& after)
 {
-  const std::vector<std::pair<int, int>> joined = neighbours(oriented.Mesh.Faces);
+  std::vector<char> oneSided(before.rows(), 0);
+  const std::vector<std::pair<int, int>> joined = neighbours(after);
   for (const auto& pair : neighbours(before))
   {
     if (!std::binary_search(joined.begin(), joined.end(), pair))
     {
-      oriented.OneSided[pair.first] = oriented.OneSided[pair.second] = 1;
+      oneSided[pair.first] = oneSided[pair.second] = 1;
     }
   }
+  return oneSided;
 }
 
 } // namespace
@@ -91,44 +144,46 @@ OrientedMesh orientConsistently(const TriangleMesh& mesh)
   oriented.Reversed.assign(mesh.faceCount(), 0);
   oriented.OneSided.assign(mesh.faceCount(), 0);
   oriented.Mesh = mesh;
-  if (isOrientedManifold(mesh))
+  const PartToOrient part = partToOrient(mesh);
+  if (part.Faces.empty())
   {
     return oriented;
   }
 
-  std::vector<Kernel::Point_3> points;
-  points.reserve(mesh.vertexCount());
-  for (int v = 0; v < mesh.vertexCount(); ++v)
+  const DerivedMesh before = extractFaces(mesh, part.Faces);
+  const CutMesh cut = orientAndCut(before.Mesh);
+  std::vector<int> number(cut.CopyOf.size()); // that each vertex gets in the result
+  for (std::size_t v = 0; v < number.size(); ++v)
   {
-    points.push_back(pointOf(mesh.Vertices, v));
+    const int original = before.Vertices.innerIndexPtr()[cut.CopyOf[v]];
+    number[v] = original;
+    // A vertex that has further faces outside of the part stays one.
+    if (static_cast<int>(v) >= before.Mesh.vertexCount() && part.MayBeCut[original])
+    {
+      number[v] = static_cast<int>(oriented.CopyOf.size());
+      oriented.CopyOf.push_back(original);
+    }
   }
-  std::vector<std::array<std::size_t, 3>> polygons(mesh.faceCount());
-  for (int f = 0; f < mesh.faceCount(); ++f)
+  const Eigen::Index count = static_cast<Eigen::Index>(oriented.CopyOf.size());
+  oriented.Mesh.Vertices.conservativeResize(count, 3);
+  for (Eigen::Index v = mesh.vertexCount(); v < count; ++v)
+  {
+    oriented.Mesh.Vertices.row(v) = mesh.Vertices.row(oriented.CopyOf[v]);
+  }
+  FaceMatrix after(before.Mesh.faceCount(), 3);
+  for (int f = 0; f < before.Mesh.faceCount(); ++f)
   {
     for (int k = 0; k < 3; ++k)
     {
-      polygons[f][k] = mesh.Faces(f, k);
+      after(f, k) = number[cut.Faces[f][k]];
     }
   }
-  OrientationRecord record;
-  record.Result = &oriented;
-  PMP::orient_polygon_soup(points, polygons, CGAL::parameters::visitor(record));
-
-  oriented.Mesh.Vertices.conservativeResize(static_cast<Eigen::Index>(points.size()), 3);
-  for (std::size_t v = mesh.vertexCount(); v < points.size(); ++v)
+  const std::vector<char> oneSided = facesBesideOneSidedEdges(before.Mesh.Faces, after);
+  for (int f = 0; f < before.Mesh.faceCount(); ++f)
   {
-    oriented.Mesh.Vertices.row(static_cast<Eigen::Index>(v)) = mesh.Vertices.row(oriented.CopyOf[v]);
-  }
-  for (int f = 0; f < mesh.faceCount(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      oriented.Mesh.Faces(f, k) = static_cast<int>(polygons[f][k]);
-    }
-  }
-  if (points.size() > static_cast<std::size_t>(mesh.vertexCount()))
-  {
-    markOneSidedEdges(oriented, mesh.Faces);
+    oriented.Mesh.Faces.row(part.Faces[f]) = after.row(f);
+    oriented.Reversed[part.Faces[f]] = cut.Reversed[f];
+    oriented.OneSided[part.Faces[f]] = oneSided[f];
   }
   return oriented;
 }

@@ -262,6 +262,27 @@ TEST(SurfaceRepair, SeparatesWhatTouchesInAVertexOrAnEdge)
   EXPECT_TRUE(topologyOf(edge).BoundaryLoops.empty());
 }
 
+TEST(SurfaceRepair, CopiesOnlyTheVerticesInWhichFansMeet)
+{
+  // A tetrahedron stands on vertex 11 of a grid of 5 x 5 vertices, another one on vertex 13. Vertex 12,
+  // between them, has faces beside the one and beside the other, but also faces in between.
+  TriangleMesh surface = rectangleGrid(5, 5, 1.0);
+  for (const int touched : { 11, 13 })
+  {
+    TriangleMesh standing = tetrahedron();
+    standing.Vertices *= 0.01;
+    standing.Vertices.rowwise() += surface.Vertices.row(touched);
+    surface = both(surface, standing);
+  }
+  const RepairedSurface repaired = repairTriangleSoup(surface);
+  EXPECT_EQ(repaired.Report.MergedPoints, 2);
+  EXPECT_EQ(repaired.Report.SplitPoints, 2);
+  EXPECT_EQ(topologyOf(repaired).Components, 3);
+  EXPECT_EQ(topologyOf(repaired).BoundaryLoops.size(), 1u);
+  EXPECT_EQ(repaired.Surface.Mesh.vertexCount(), surface.vertexCount());
+  EXPECT_EQ(traceError(repaired, surface), 0.0);
+}
+
 TEST(SurfaceRepair, AFinOnASphereComesOffWhole)
 {
   TriangleMesh input = sphere(1);
