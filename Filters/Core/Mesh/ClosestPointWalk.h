@@ -23,11 +23,17 @@ class ClosestPointWalk
 public:
   explicit ClosestPointWalk(const TriangleMesh& mesh);
 
+  const TriangleMesh& mesh() const { return this->Mesh; }
+
   /// A locally closest point: no face that shares it or is next to it is closer.
   SurfacePoint closest(const Eigen::Vector3d& point, int startFace) const;
 
-  /// One of the faces around @p vertex. Precondition: there is one.
-  int faceOf(int vertex) const { return *this->Around[vertex].begin(); }
+  /// One of the faces around @p vertex, or -1 if there is none.
+  int faceOf(int vertex) const
+  {
+    const VertexFaces::Range around = this->Around[vertex];
+    return around.size() > 0 ? *around.begin() : -1;
+  }
 
   /// The unit normal at a point, interpolated between those of the vertices (vertexNormals).
   Eigen::Vector3d normal(const SurfacePoint& at) const;

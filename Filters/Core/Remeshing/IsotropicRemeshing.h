@@ -17,10 +17,13 @@ namespace flattening
 ///
 /// Vertices stay on the old surface (ClosestPointWalk), except the few that had to leave it where faces
 /// intersected. The boundary keeps its vertices, except where it is almost straight, and gets new ones
-/// where its edges are long. Where a face has two boundary edges, the
-/// third is flipped or split. The topology stays. Every new vertex is made of the corners of the old
+/// where its edges are long. Where a face has two boundary edges, the third is flipped or split. The
+/// topology stays. Every new vertex is made of the corners of the old
 /// face nearest to it, with barycentric weights; the origin of a face is the old face nearest to its
 /// centroid.
+///
+/// A surface of 300,000 faces or more is cut into parts, which are remeshed at the same time
+/// (remeshedInParts); the result depends on the surface alone.
 ///
 /// CGAL's isotropic_remeshing takes three times as long at a million vertices, and on isosurfaces of
 /// brains it left up to 41 pairs of intersecting faces and angles below 1 degree.

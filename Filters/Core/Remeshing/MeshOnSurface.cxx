@@ -27,43 +27,33 @@ constexpr double BoundarySagitta = 0.05;
 constexpr int FacesPerReport = 32768;
 constexpr const char* CarryingStage = "carrying attributes over";
 
-// The smallest cosine between the triangle's normal and one of the old surface's normals at its corners;
-// -1 if the triangle has no area.
-double alignment(const CornerTriangle& triangle)
-{
-  const Eigen::Vector3d areaVector =
-    (*triangle[1].Position - *triangle[0].Position).cross(*triangle[2].Position - *triangle[0].Position);
-  const double length = areaVector.norm();
-  const double smallest = std::min({ areaVector.dot(*triangle[0].Normal),
-    areaVector.dot(*triangle[1].Normal),
-    areaVector.dot(*triangle[2].Normal) });
-  return length > 0.0 ? smallest / length : -1.0;
-}
-
 } // namespace
 
 MeshOnSurface::MeshOnSurface(const TriangleMesh& old)
-  : Old(old)
-  , Walk(old)
-  , Surface(toSurfaceMesh<Eigen::Vector3d>(old))
+  : MeshOnSurface(std::make_shared<ClosestPointWalk>(old))
+{
+}
+
+MeshOnSurface::MeshOnSurface(std::shared_ptr<const ClosestPointWalk> walk)
+  : MeshOnSurface(walk, placedOnItself(*walk))
+{
+}
+
+MeshOnSurface::MeshOnSurface(std::shared_ptr<const ClosestPointWalk> walk,
+  const PlacedMesh& present,
+  const std::vector<char>& kept)
+  : Walk(std::move(walk))
+  , Old(this->Walk->mesh())
+  , Surface(toSurfaceMesh<Eigen::Vector3d>(present.Mesh))
 {
   this->Place = this->Surface.add_property_map<Vertex, SurfacePoint>("v:place").first;
   this->Normal = this->Surface.add_property_map<Vertex, Eigen::Vector3d>("v:old normal").first;
   this->Boundary = this->Surface.add_property_map<Vertex, char>("v:boundary", 0).first;
+  this->Kept = this->Surface.add_property_map<Vertex, char>("v:kept", 0).first;
   for (const Vertex v : this->Surface.vertices())
   {
-    if (this->Surface.is_isolated(v))
-    {
-      throw TopologyError(
-        "vertex " + std::to_string(v.idx()) + " belongs to no face: run Surface To Disk first");
-    }
-    const int face = this->Walk.faceOf(static_cast<int>(v.idx()));
-    SurfacePoint place{ face, this->Surface.point(v), { 0.0, 0.0, 0.0 } };
-    for (int k = 0; k < 3; ++k)
-    {
-      place.Weights[k] = old.Faces(face, k) == static_cast<int>(v.idx()) ? 1.0 : 0.0;
-    }
-    this->set(v, place.Position, place);
+    this->Kept[v] = kept.empty() ? 0 : kept[v.idx()];
+    this->set(v, this->Surface.point(v), present.Places[v.idx()]);
     for (const Halfedge h : this->Surface.halfedges_around_target(this->Surface.halfedge(v)))
     {
       this->Boundary[v] |= static_cast<char>(this->Surface.is_border(h));
@@ -75,7 +65,7 @@ void MeshOnSurface::set(Vertex v, const Eigen::Vector3d& position, const Surface
 {
   this->Surface.point(v) = position;
   this->Place[v] = place;
-  this->Normal[v] = this->Walk.normal(place);
+  this->Normal[v] = this->Walk->normal(place);
 }
 
 Corner MeshOnSurface::corner(Vertex v) const
@@ -150,11 +140,15 @@ MeshOnSurface::Vertex MeshOnSurface::split(Edge edge, const Guard& guard)
   const Halfedge h = this->Surface.halfedge(edge);
   const Halfedge opposite = this->Surface.opposite(h);
   const Vertex source = this->Surface.source(h);
+  if (this->bothKept(source, this->Surface.target(h)))
+  {
+    return Mesh::null_vertex();
+  }
   const bool border = this->Surface.is_border(h) || this->Surface.is_border(opposite);
   const Eigen::Vector3d middle =
     0.5 * (this->Surface.point(source) + this->Surface.point(this->Surface.target(h)));
   const double length = this->length(h);
-  const SurfacePoint place = this->Walk.closest(middle, this->Place[source].Face);
+  const SurfacePoint place = this->Walk->closest(middle, this->Place[source].Face);
 
   const Halfedge first = CGAL::Euler::split_edge(h, this->Surface); // source -> new vertex
   const Vertex added = this->Surface.target(first);
@@ -167,6 +161,7 @@ MeshOnSurface::Vertex MeshOnSurface::split(Edge edge, const Guard& guard)
     CGAL::Euler::split_face(opposite, this->Surface.next(this->Surface.opposite(first)), this->Surface);
   }
   this->Boundary[added] = static_cast<char>(border);
+  this->Kept[added] = 0;
   this->set(added, middle, place);
   // A middle that moved farther could make an edge as long as this one was, and splitting need not end.
   constexpr double Near = 0.1;
@@ -187,7 +182,8 @@ bool MeshOnSurface::flip(Edge edge, const Guard& guard)
   const Halfedge back = this->Surface.opposite(h);
   const Vertex left = this->Surface.target(this->Surface.next(h));
   const Vertex right = this->Surface.target(this->Surface.next(back));
-  if (left == right)
+  if (left == right || this->bothKept(left, right) ||
+      this->bothKept(this->Surface.source(h), this->Surface.target(h)))
   {
     return false;
   }
@@ -213,11 +209,11 @@ bool MeshOnSurface::move(Vertex vertex,
   const Eigen::Vector3d& position,
   const Guard& guard)
 {
-  if (this->onBoundary(vertex))
+  if (this->onBoundary(vertex) || this->Kept[vertex] != 0)
   {
     return false;
   }
-  const Eigen::Vector3d normal = this->Walk.normal(to);
+  const Eigen::Vector3d normal = this->Walk->normal(to);
   LocalChange change;
   this->gatherStar(
     vertex, Mesh::null_vertex(), { static_cast<int>(vertex.idx()), &position, &normal }, change);
@@ -240,19 +236,44 @@ bool MeshOnSurface::straightAround(Halfedge border) const
   return between && chord.cross(at - from).norm() <= BoundarySagitta * chord.squaredNorm();
 }
 
+// Whether removing the source of a half-edge whose target is kept would join the target to another
+// vertex that is kept.
+bool MeshOnSurface::makesKeptEdge(Halfedge h) const
+{
+  const Vertex left = this->Surface.target(this->Surface.next(h));
+  const Vertex right = this->Surface.target(this->Surface.next(this->Surface.opposite(h)));
+  for (const Vertex v : this->Surface.vertices_around_target(this->Surface.opposite(h)))
+  {
+    if (this->Kept[v] != 0 && v != this->Surface.target(h) && v != left && v != right)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 bool MeshOnSurface::collapse(Edge edge, const Guard& guard)
 {
   const Halfedge h = this->Surface.halfedge(edge);
   const Halfedge back = this->Surface.opposite(h);
   const Vertex a = this->Surface.source(h);
   const Vertex b = this->Surface.target(h);
+  const Halfedge toKept = this->Kept[a] != 0 ? back : h; // if one of the two is kept
+  const bool oneIsKept = this->Kept[this->Surface.target(toKept)] != 0;
+  if (this->bothKept(a, b) ||
+      (oneIsKept && (this->Surface.is_border(edge) || this->makesKeptEdge(toKept))))
+  {
+    return false;
+  }
+  const bool aStays = this->onBoundary(a) || this->Kept[a] != 0;
+  const bool bStays = this->onBoundary(b) || this->Kept[b] != 0;
   boost::container::small_vector<Target, 3> targets;
   const Target atA{ this->Surface.point(a), this->Place[a] };
   const Target atB{ this->Surface.point(b), this->Place[b] };
-  if (!this->onBoundary(a) && !this->onBoundary(b))
+  if (!aStays && !bStays)
   {
     const SurfacePoint middle =
-      this->Walk.closest(0.5 * (atA.Position + atB.Position), this->Place[a].Face);
+      this->Walk->closest(0.5 * (atA.Position + atB.Position), this->Place[a].Face);
     targets = { Target{ middle.Position, middle }, atA, atB };
   }
   else if (this->Surface.is_border(edge))
@@ -269,16 +290,16 @@ bool MeshOnSurface::collapse(Edge edge, const Guard& guard)
       targets.push_back(forwards ? atB : atA);
     }
   }
-  else if (this->onBoundary(a) != this->onBoundary(b))
+  else if (aStays != bStays)
   {
-    targets.push_back(this->onBoundary(a) ? atA : atB);
+    targets.push_back(aStays ? atA : atB);
   }
 
   const auto admitted = std::find_if(targets.begin(),
     targets.end(),
     [this, h, a, &guard](const Target& target)
     {
-      const Eigen::Vector3d normal = this->Walk.normal(target.Place);
+      const Eigen::Vector3d normal = this->Walk->normal(target.Place);
       return guard(
         this->changeByCollapsing(h, { static_cast<int>(a.idx()), &target.Position, &normal }));
     });
@@ -287,10 +308,23 @@ bool MeshOnSurface::collapse(Edge edge, const Guard& guard)
     return false;
   }
   const bool border = this->onBoundary(a) || this->onBoundary(b);
-  const Vertex kept = CGAL::Euler::collapse_edge(edge, this->Surface);
+  // CGAL removes the source of the half-edge between two faces.
+  const Vertex kept =
+    CGAL::Euler::collapse_edge(oneIsKept ? this->Surface.edge(toKept) : edge, this->Surface);
   this->Boundary[kept] = static_cast<char>(border);
   this->set(kept, admitted->Position, admitted->Place);
   return true;
+}
+
+PlacedMesh MeshOnSurface::placed() const
+{
+  PlacedMesh placed{ toTriangleMesh(this->Surface), {} };
+  placed.Places.reserve(this->Surface.number_of_vertices());
+  for (const Vertex v : this->Surface.vertices())
+  {
+    placed.Places.push_back(this->Place[v]);
+  }
+  return placed;
 }
 
 // A vertex that lies beside the old one that is nearest to it is not that one, which a second corner
@@ -341,42 +375,10 @@ DerivedMesh MeshOnSurface::derived(const ProgressCallback& progress) const
         {
           sum += result.Mesh.Vertices.row(result.Mesh.Faces(f, k));
         }
-        result.Faces[f] = this->Walk.closest(sum.transpose() / 3.0, nearby[f]).Face;
+        result.Faces[f] = this->Walk->closest(sum.transpose() / 3.0, nearby[f]).Face;
       });
   }
   return result;
-}
-
-double smallestSine(const CornerTriangle& triangle)
-{
-  const Eigen::Vector3d u = *triangle[1].Position - *triangle[0].Position;
-  const Eigen::Vector3d v = *triangle[2].Position - *triangle[1].Position;
-  const Eigen::Vector3d w = *triangle[0].Position - *triangle[2].Position;
-  const std::array<double, 3> squares{ u.squaredNorm(), v.squaredNorm(), w.squaredNorm() };
-  const double shortest = std::min({ squares[0], squares[1], squares[2] });
-  const double longest = std::max({ squares[0], squares[1], squares[2] });
-  const double middle = squares[0] + squares[1] + squares[2] - shortest - longest;
-  return middle > 0.0 ? std::sqrt(u.cross(v).squaredNorm() / (middle * longest)) : 0.0;
-}
-
-double smallestSine(const LocalChange::Triangles& triangles)
-{
-  double smallest = 1.0;
-  for (const CornerTriangle& triangle : triangles)
-  {
-    smallest = std::min(smallest, smallestSine(triangle));
-  }
-  return smallest;
-}
-
-double smallestAlignment(const LocalChange::Triangles& triangles)
-{
-  double smallest = 1.0;
-  for (const CornerTriangle& triangle : triangles)
-  {
-    smallest = std::min(smallest, alignment(triangle));
-  }
-  return smallest;
 }
 
 } // namespace flattening

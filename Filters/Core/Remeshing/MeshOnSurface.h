@@ -6,37 +6,19 @@
 #include "Base/Progress.h"
 #include "Mesh/ClosestPointWalk.h"
 #include "Mesh/DerivedMesh.h"
+#include "Remeshing/LocalChange.h"
+#include "Remeshing/PlacedMesh.h"
 
 #include <CGAL/Surface_mesh.h>
-#include <boost/container/small_vector.hpp>
 
 #include <Eigen/Core>
 
-#include <array>
 #include <functional>
+#include <memory>
+#include <vector>
 
 namespace flattening
 {
-
-/// A corner of a triangle of the mesh, or of one that an operation would make. It points to values that
-/// live only as long as the call of the guard that gets it.
-struct Corner
-{
-  int Vertex;
-  const Eigen::Vector3d* Position;
-  const Eigen::Vector3d* Normal; ///< normal of the old surface there
-};
-
-using CornerTriangle = std::array<Corner, 3>;
-
-/// The triangles that an operation would remove and those that would take their place.
-struct LocalChange
-{
-  using Triangles = boost::container::small_vector<CornerTriangle, 16>;
-  boost::container::small_vector<int, 16> Removed; ///< faces of Before
-  Triangles Before;
-  Triangles After;
-};
 
 class MeshOnSurface
 {
@@ -53,8 +35,16 @@ public:
   /// no oriented manifold or has a vertex without faces.
   explicit MeshOnSurface(const TriangleMesh& old);
 
+  /// Starts as @p present on the surface of @p walk.
+  /// @param kept  per vertex, or empty: whether it stays where it is. No edge between two such vertices
+  /// is
+  ///        changed or made. @throws TopologyError as above.
+  MeshOnSurface(std::shared_ptr<const ClosestPointWalk> walk,
+    const PlacedMesh& present,
+    const std::vector<char>& kept = {});
+
   const Mesh& mesh() const { return this->Surface; }
-  const ClosestPointWalk& walk() const { return this->Walk; }
+  const ClosestPointWalk& walk() const { return *this->Walk; }
   bool onBoundary(Vertex v) const { return this->Boundary[v] != 0; }
   /// The point of the old surface that the vertex lies on or, if it was moved off, belongs to.
   const SurfacePoint& place(Vertex v) const { return this->Place[v]; }
@@ -81,9 +71,12 @@ public:
   bool collapse(Edge edge, const Guard& guard);
 
   /// The mesh without removed elements. Every vertex is made of the corners of the old face that its
-  /// place lies on, and of a single one only if it is where that is; the origin of a face is the old face
-  /// nearest to its centroid.
+  /// place lies on, and of a single one only if it is where that is; the origin of a face is the old
+  /// face nearest to its centroid.
   DerivedMesh derived(const ProgressCallback& progress = {}) const;
+
+  /// The mesh without removed elements, whose vertices keep their order, with its places.
+  PlacedMesh placed() const;
 
 private:
   struct Target
@@ -92,28 +85,22 @@ private:
     SurfacePoint Place;
   };
 
+  explicit MeshOnSurface(std::shared_ptr<const ClosestPointWalk> walk);
   LocalChange changeByCollapsing(Halfedge h, const Corner& to) const;
   void gatherStar(Vertex v, Vertex except, const Corner& to, LocalChange& change) const;
   bool straightAround(Halfedge border) const;
+  bool bothKept(Vertex a, Vertex b) const { return this->Kept[a] != 0 && this->Kept[b] != 0; }
+  bool makesKeptEdge(Halfedge h) const;
   void set(Vertex v, const Eigen::Vector3d& position, const SurfacePoint& place);
   Origin originOfVertex(Vertex v) const;
 
+  std::shared_ptr<const ClosestPointWalk> Walk;
   const TriangleMesh& Old;
-  ClosestPointWalk Walk;
   Mesh Surface;
   Mesh::Property_map<Vertex, SurfacePoint> Place;
   Mesh::Property_map<Vertex, Eigen::Vector3d> Normal;
   Mesh::Property_map<Vertex, char> Boundary;
+  Mesh::Property_map<Vertex, char> Kept;
 };
-
-/// The smallest of the sines of the triangle's angles; 0 if it has no area.
-double smallestSine(const CornerTriangle& triangle);
-
-/// The smallest sine of an angle of these triangles; 1 if there is none.
-double smallestSine(const LocalChange::Triangles& triangles);
-
-/// The smallest cosine between the normal of a triangle and one of the old surface's normals at its
-/// corners: -1 if a triangle has no area, 1 if there is no triangle.
-double smallestAlignment(const LocalChange::Triangles& triangles);
 
 } // namespace flattening

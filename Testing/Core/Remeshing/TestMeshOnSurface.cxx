@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <memory>
+#include <vector>
+
 namespace
 {
 
@@ -64,6 +68,71 @@ TEST(MeshOnSurface, AMovedVertexIsNotTheOldOneAnyMore)
   for (int v = 1; v < 7; ++v)
   {
     EXPECT_EQ(derived.Vertices.innerVector(v).nonZeros(), 1);
+  }
+}
+
+// A hexagon of which some vertices are kept.
+struct KeptHexagon
+{
+  explicit KeptHexagon(const std::vector<int>& keptVertices)
+    : Old(std::make_shared<TriangleMesh>(flatHexagon()))
+    , Walk(std::make_shared<ClosestPointWalk>(*this->Old))
+    , Surface(this->Walk, placedOnItself(*this->Walk), flags(keptVertices))
+  {
+  }
+
+  static std::vector<char> flags(const std::vector<int>& vertices)
+  {
+    std::vector<char> kept(7, 0);
+    for (const int v : vertices)
+    {
+      kept[v] = 1;
+    }
+    return kept;
+  }
+
+  MeshOnSurface::Edge edge(int a, int b) const
+  {
+    const MeshOnSurface::Mesh& mesh = this->Surface.mesh();
+    return mesh.edge(mesh.halfedge(MeshOnSurface::Vertex(a), MeshOnSurface::Vertex(b)));
+  }
+
+  std::shared_ptr<TriangleMesh> Old;
+  std::shared_ptr<ClosestPointWalk> Walk;
+  MeshOnSurface Surface;
+};
+
+TEST(MeshOnSurface, NoEdgeBetweenKeptVerticesIsChangedOrMade)
+{
+  KeptHexagon spoke({ 0, 1 });
+  EXPECT_FALSE(spoke.Surface.split(spoke.edge(0, 1), always).is_valid());
+  EXPECT_FALSE(spoke.Surface.flip(spoke.edge(0, 1), always));
+  EXPECT_FALSE(spoke.Surface.collapse(spoke.edge(0, 1), always));
+  EXPECT_FALSE(spoke.Surface.move(
+    MeshOnSurface::Vertex(0), spoke.Surface.place(MeshOnSurface::Vertex(1)), { 0, 0, 1 }, always));
+
+  EXPECT_FALSE(KeptHexagon({ 1, 3 }).Surface.flip(KeptHexagon({}).edge(0, 2), always));
+  EXPECT_TRUE(KeptHexagon({ 1 }).Surface.flip(KeptHexagon({}).edge(0, 2), always));
+
+  // Without its centre, the hexagon would have edges from vertex 1 to the three vertices that are not
+  // next to it.
+  EXPECT_FALSE(KeptHexagon({ 1, 4 }).Surface.collapse(KeptHexagon({}).edge(0, 1), always));
+  EXPECT_TRUE(KeptHexagon({ 1, 2 }).Surface.collapse(KeptHexagon({}).edge(0, 1), always));
+}
+
+TEST(MeshOnSurface, AKeptVertexKeepsItsNumberAndPlace)
+{
+  for (const bool reversed : { false, true })
+  {
+    KeptHexagon hexagon({ 1 });
+    const MeshOnSurface::Mesh& mesh = hexagon.Surface.mesh();
+    const MeshOnSurface::Vertex kept(1);
+    const Eigen::Vector3d position = mesh.point(kept);
+    const MeshOnSurface::Halfedge h = mesh.halfedge(hexagon.edge(0, 1));
+    ASSERT_TRUE(hexagon.Surface.collapse(mesh.edge(reversed ? mesh.opposite(h) : h), always));
+    EXPECT_FALSE(mesh.is_removed(kept));
+    EXPECT_TRUE(mesh.is_removed(MeshOnSurface::Vertex(0)));
+    EXPECT_EQ(mesh.point(kept), position);
   }
 }
 
