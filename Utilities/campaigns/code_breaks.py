@@ -255,7 +255,6 @@ BREAKS = [
     at("Remeshing/SurfaceParts.cxx", "keepAroundCopies(separated, part.Kept);", ""),
     at("Remeshing/SurfaceParts.cxx", "shared < 0 || numberOfShared[shared] < 0", "true"),
     at("Remeshing/SurfaceLayers.cxx", "levels[v] + 1", "levels[v]"),
-    at("Remeshing/PartwiseRemeshing.cxx", "job->IsAborted = true;", ""),
     at("Remeshing/SliverRemoval.cxx", "smallestSine(change.After) > Gain * smallestSine(change.Before)", "false"),
     # --- Handles
     at("Handles/HandleRemoval.cxx", "best.Pairs > tolerated", "false"),
