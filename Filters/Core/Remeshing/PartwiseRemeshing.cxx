@@ -121,8 +121,8 @@ struct Layers
 
   bool empty() const { return this->Halves.empty(); }
 
-  // Per face the number of its layer. With middles, the layers begin in the middle of those without.
-  std::vector<int> layersOf(const PlacedMesh& present, bool fromMiddles) const
+  // Per face the number of its layer. If fromMiddles, the layers begin in the middle of the others.
+  std::vector<int> numbersOf(const PlacedMesh& present, bool fromMiddles) const
   {
     std::vector<int> begins;
     for (std::size_t i = fromMiddles ? 0 : 1; i < this->Halves.size(); i += 2)
@@ -189,11 +189,11 @@ std::optional<PlacedMesh> remeshedInParts(const std::shared_ptr<const SurfaceWit
   job->Rounds = std::max(1, rounds - 1);
   const double share = static_cast<double>(job->Rounds) / rounds;
   PlacedMesh present = placedOnItself(surface->Walk);
-  present = remeshed(present, layers.layersOf(present, false), job, subrange(progress, 0.0, share));
+  present = remeshed(present, layers.numbersOf(present, false), job, subrange(progress, 0.0, share));
   job->Rounds = 1;
   job->FlipsAfterwards = true;
   job->Done = 0;
-  return remeshed(present, layers.layersOf(present, true), job, subrange(progress, share, 1.0));
+  return remeshed(present, layers.numbersOf(present, true), job, subrange(progress, share, 1.0));
 }
 
 } // namespace flattening
