@@ -33,7 +33,9 @@ constexpr double GreatestLeft = 0.8;
 // The weight of areas in deformations that lower the distortion of shapes. A compromise: with more each
 // brings less, with less the rounds have to correct more.
 constexpr double ShapingAreaWeight = 10.0;
-constexpr double WarmShapingAreaWeight = 300.0; // areas are nearly right, and few rounds follow
+// The same for the only one after a warm start. A compromise: with 10 to 300 the angle error is the same
+// within 0.1 degrees, with 10 a change takes a tenth longer.
+constexpr double WarmShapingAreaWeight = 30.0;
 // A limit of the time: mostly these deformations end earlier (RefinementRounds).
 constexpr int MostShapingDeformations = 20;
 // The shape weight is LeastShapeWeight + ShapeWeightScale * a / (1 - a) for AngleWeight a. The least one
@@ -144,16 +146,11 @@ private:
   {
     this->Rounds.setStage(this->Targets, 0.0);
     const Points2 before = map.Positions;
-    if (this->Map.Start == RefinementStart::WarmStart)
+    // The shapes of the map before are not the best ones for the new areas: without this deformation the
+    // angle error of a region that is enlarged 16 times in small steps grows to 20.4 degrees, not 17.5.
+    if (this->Map.Start == RefinementStart::WarmStart && !this->Rounds.isNearlyRight(map))
     {
-      // Areas are off by little but everywhere, which deformations of the domain correct at once. The
-      // shapes of the map before are not the best ones for the new areas.
-      if (!this->Rounds.isNearlyRight(map))
-      {
-        this->Rounds.lowerDistortion(
-          map, ShapingAreaWeight, MostShapingDeformations, subrange(progress, 0.0, 0.2));
-      }
-      this->Rounds.balance(map, RefinementRounds::FinalRegionTolerance, subrange(progress, 0.2, 0.3));
+      this->Rounds.lowerDistortion(map, WarmShapingAreaWeight, 1, subrange(progress, 0.0, 0.3));
     }
     this->Rounds.run(map, SecondStageRounds, Until::Enough, subrange(progress, 0.3, 0.8));
     this->Rounds.balance(map, RefinementRounds::FinalRegionTolerance, subrange(progress, 0.8, 0.85));

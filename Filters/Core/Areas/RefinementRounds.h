@@ -93,9 +93,9 @@ public:
 
   /// Two last rounds, with shapes at half their weight: the areas of the faces come nearer to their
   /// targets than in rounds that end with the tolerance, and those that balance() has left off come
-  /// right. With area weights these are three rounds, with those of a wide range after steps of the
-  /// whole mesh (settle) unless the start was warm. They take all patches or, after a warm start, those
-  /// that need it. @throws Cancelled, ConvergenceError.
+  /// right. After a warm start they take the patches that need it. Else, with area weights, these are
+  /// three rounds, and steps of the whole mesh (settle) come first if the weights have a wide range.
+  /// @throws Cancelled, ConvergenceError.
   void polish(DomainMap& map, const ProgressCallback& progress);
 
   int count() const { return this->Count; } ///< number of rounds so far
