@@ -28,7 +28,7 @@ constexpr double FewestFaces = 20.0;
 constexpr double MostPoints = 2e7;
 
 // The memory that remeshing takes for each point that it makes, as measured at one and four million.
-constexpr double BytesPerPoint = 800.0;
+constexpr double BytesPerPoint = 950.0;
 
 // Splitting long thin triangles makes more points than stay: at most so many times as many are let
 // happen, but always a number that takes little memory. A guard.
@@ -92,12 +92,17 @@ DerivedMesh remeshIsotropically(const TriangleMesh& mesh,
   report(progress, 0.0, "remeshing");
   const auto old = std::make_shared<const SurfaceWithWalk>(mesh);
   const VertexLimit limit{ mostVertices(mesh, targetEdgeLength) };
-  const std::optional<PlacedMesh> inParts =
+  std::optional<PlacedMesh> present =
     remeshedInParts(old, targetEdgeLength, limit, iterations, subrange(progress, 0.0, 0.8));
-  MeshOnSurface surface(std::shared_ptr<const ClosestPointWalk>(old, &old->Walk),
-    inParts ? *inParts : placedOnItself(old->Walk));
+  const int roundsLeft = present ? 0 : iterations;
+  if (!present)
+  {
+    present = placedOnItself(old->Walk);
+  }
+  MeshOnSurface surface(std::shared_ptr<const ClosestPointWalk>(old, &old->Walk), *present);
+  present.reset();
   IsotropicRemesher remesher(surface, targetEdgeLength, limit);
-  for (int i = 0; !inParts && i < iterations; ++i)
+  for (int i = 0; i < roundsLeft; ++i)
   {
     remesher.iterate(subrange(progress, 0.8 * i / iterations, 0.8 * (i + 1) / iterations));
   }

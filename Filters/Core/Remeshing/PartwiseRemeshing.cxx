@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace flattening
@@ -109,7 +110,7 @@ PlacedMesh remeshed(const PlacedMesh& present,
     job->IsAborted = true;
     throw;
   }
-  return joinedParts(job->Parts, present.Mesh.vertexCount());
+  return joinedParts(std::exchange(job->Parts, {}), present.Mesh.vertexCount());
 }
 
 // The number of layers that a surface can be cut into, and the levels at which they and their middles
