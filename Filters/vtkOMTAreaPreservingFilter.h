@@ -46,8 +46,8 @@
  * map). The transport starts from `PowerWeight` if no cell is then off by more than a factor of ten, or
  * if that start is nearer than its own: after a small change of the weights it takes a few steps only.
  * Its result depends on the start only within Tolerance. With `FlatPoints` as well, the refinement goes
- * on from those points, moved by what changed in the transport: it takes a fifth to a third of the time
- * and reaches the same accuracy, but not the same bits as without. `FlatPoints` is not used if it is
+ * on from those points, moved by what changed in the transport: it takes a quarter to two fifths of the
+ * time and reaches the same accuracy, but not the same bits as without. `FlatPoints` is not used if it is
  * not a one-to-one map to the present domain, if more than a percent of the triangles would flip on the
  * way, or with an AngleWeight.
  *

@@ -21,7 +21,7 @@ struct WarmStart
   /// more than a decade, or if they are nearer to the targets than the usual starts.
   Eigen::VectorXd PowerWeights;
   /// AreaPreservingMap::Positions of that result (n x 2), refined, or empty. Refinement goes on from
-  /// there, which takes a fifth to a third of the time where area weights have changed little.
+  /// there, which takes a quarter to two fifths of the time where area weights have changed little.
   Points2 Positions;
 
   /// The power weights of the sites; empty if there are none for these vertices.
