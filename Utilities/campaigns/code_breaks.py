@@ -242,7 +242,7 @@ BREAKS = [
         "Remeshing/RegionPreservingDecimation.cxx",
         "fix[f.idx()]",
         "false",
-        "fixed[surface.edge(h)] || fix[f.idx()]",
+        "isFixed[surface.target(h).idx()] |= fix[f.idx()]",
     ),
     at("Remeshing/RegionPreservingDecimation.cxx", "keep[f.idx()] = 1;", ""),
     at("Remeshing/BoundaryEars.cxx", "otherBoundaryEdges(mesh, h) == 2", "false"),

@@ -169,13 +169,12 @@ Origins collapse(SurfaceMesh& surface,
   {
     for (const auto h : surface.halfedges_around_face(surface.halfedge(f)))
     {
-      fixed[surface.edge(h)] = fixed[surface.edge(h)] || fix[f.idx()];
       isFixed[surface.target(h).idx()] |= fix[f.idx()];
     }
   }
   for (const auto e : surface.edges())
   {
-    fixed[e] = fixed[e] || (isFixed[surface.vertex(e, 0).idx()] && isFixed[surface.vertex(e, 1).idx()]);
+    fixed[e] = isFixed[surface.vertex(e, 0).idx()] && isFixed[surface.vertex(e, 1).idx()];
   }
   const auto kept = static_cast<double>(std::count(keep.begin(), keep.end(), 1));
   const auto faces = static_cast<double>(surface.number_of_faces());

@@ -35,6 +35,21 @@ TEST(LongestEdgeBisection, AddsVerticesToTheLongestLoopAlone)
   EXPECT_EQ(refineBoundary(sphere(2), 128).Mesh.Faces, sphere(2).Faces);
 }
 
+TEST(LongestEdgeBisection, NoEdgeOfTheGivenFacesStaysTooLong)
+{
+  const TriangleMesh mesh = sphere(2);
+  const double longest = 0.4 * meanEdgeLength(mesh);
+  EditableSurface surface(mesh);
+  const auto faces = surface.mesh().faces();
+  bisectLongEdges(surface, { faces.begin(), faces.end() }, longest);
+  for (const EditableSurface::Face f : surface.mesh().faces())
+  {
+    EXPECT_LE(surface.longestEdge(f), longest * (1.0 + 1e-12));
+  }
+  // Bisection makes no edge shorter than half of what is allowed, but for the medians of flat faces.
+  EXPECT_GT(meanEdgeLength(surface.derived().Mesh), 0.5 * longest);
+}
+
 // Bisecting all parts of the faces along the boundary would make a number of faces that grows with the
 // square of the number of vertices.
 TEST(LongestEdgeBisection, FacesGrowWithTheNumberOfBoundaryVertices)
