@@ -31,7 +31,7 @@ constexpr int LeastNewEdges = 2;
 
 constexpr const char* Stage = "remeshing";
 
-// What the parts are to become, and how far they are. A job that was abandoned goes on with its own.
+// The parts, the wishes for them, and the progress. A job that was abandoned goes on with its own parts.
 struct PartwiseJob
 {
   std::shared_ptr<const SurfaceWithWalk> Surface;
