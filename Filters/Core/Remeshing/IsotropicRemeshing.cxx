@@ -4,9 +4,9 @@
 #include "Base/Memory.h"
 #include "Mesh/SliverThresholds.h"
 #include "Remeshing/BoundaryEars.h"
+#include "Remeshing/IsotropicRemesher.h"
 #include "Remeshing/MeshOnSurface.h"
 #include "Remeshing/PartwiseRemeshing.h"
-#include "Remeshing/RemeshingRounds.h"
 #include "Remeshing/SelfIntersectionRemoval.h"
 #include "Remeshing/SliverRemoval.h"
 

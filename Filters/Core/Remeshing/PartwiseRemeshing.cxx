@@ -113,12 +113,11 @@ PlacedMesh remeshed(const PlacedMesh& present,
   return joinedParts(std::exchange(job->Parts, {}), present.Mesh.vertexCount());
 }
 
-// The number of layers that a surface can be cut into, and the levels at which they and their middles
-// begin.
+// The levels of a surface's faces, and those at which its layers and their middles begin.
 struct Layers
 {
   std::vector<int> LevelsOfFaces;
-  std::vector<int> Halves; // where each half of a layer but the first begins
+  std::vector<int> Halves; // where each half of a layer but the first begins; empty without layers
 
   bool empty() const { return this->Halves.empty(); }
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "Base/Progress.h"
+#include "Remeshing/IsotropicRemesher.h"
 #include "Remeshing/MeshOnSurface.h"
-#include "Remeshing/RemeshingRounds.h"
 
 #include <memory>
 #include <optional>

@@ -91,6 +91,21 @@ TEST(SurfaceParts, JoinedPartsAreTheSurfaceThatWasCut)
   }
 }
 
+// The numbers in the whole of the vertices that a part shares, sorted.
+std::vector<int> sharedVertices(const SurfacePart& part)
+{
+  std::vector<int> shared;
+  for (const int v : part.Shared)
+  {
+    if (v >= 0)
+    {
+      shared.push_back(v);
+    }
+  }
+  std::sort(shared.begin(), shared.end());
+  return shared;
+}
+
 // Bands of the surface, in which every thirtieth face belongs to a part drawn by lot.
 std::vector<int> raggedBands(const TriangleMesh& mesh)
 {
@@ -167,21 +182,27 @@ TEST(SurfaceParts, WherePartsMeetThemselvesAllVerticesAreKept)
   EXPECT_EQ(std::count(parts[0].Kept.begin(), parts[0].Kept.end(), 1), 8);
 }
 
-// The vertices on the borders between the parts stay, and the edges between them.
+// Each part has the vertices that it shares with others where they were, however it is remeshed.
 TEST(SurfaceParts, SharedVerticesStay)
 {
-  const TriangleMesh mesh = sphere(3);
+  const TriangleMesh mesh = sphere(4);
   const auto surface = std::make_shared<const SurfaceWithWalk>(mesh);
-  const auto parts = cutIntoParts(placedOn(*surface), levelsOfFaces(mesh), 100);
-  for (const SurfacePart& part : parts)
+  for (const double factor : { 0.5, 2.0 })
   {
-    for (std::size_t v = 0; v < part.Shared.size(); ++v)
+    for (const SurfacePart& part : cutIntoParts(placedOn(*surface), raggedBands(mesh), PartCount))
     {
-      if (part.Shared[v] >= 0)
+      MeshOnSurface onSurface({ surface, &surface->Walk }, part.Surface, part.Kept);
+      IsotropicRemesher remesher(onSurface, factor * meanEdgeLength(mesh), { 1000000 });
+      remesher.iterate({});
+      const SurfacePart remeshed = remeshedPart(part, onSurface);
+      EXPECT_EQ(sharedVertices(remeshed), sharedVertices(part));
+      for (std::size_t v = 0; v < remeshed.Shared.size(); ++v)
       {
-        EXPECT_TRUE(part.Kept[v]);
-        EXPECT_EQ(part.Surface.Mesh.Vertices.row(static_cast<Eigen::Index>(v)),
-          mesh.Vertices.row(part.Shared[v]));
+        if (remeshed.Shared[v] >= 0)
+        {
+          EXPECT_EQ(remeshed.Surface.Mesh.Vertices.row(static_cast<Eigen::Index>(v)),
+            mesh.Vertices.row(remeshed.Shared[v]));
+        }
       }
     }
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Remeshing/RemeshingRounds.h"
+#include "Remeshing/IsotropicRemesher.h"
 
 #include "Base/Errors.h"
 #include "Mesh/SliverThresholds.h"
