@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace flattening
 {
@@ -21,9 +22,16 @@ constexpr double WidestStep = 32.0;
 // NarrowestStep. Maps of good steps have 1.2 % or less, and failed ones 3 % or more.
 constexpr double GreatestStepError = 0.02;
 constexpr double NarrowestStep = 4.0;
-// The share of the progress that a step shows of what is left for the way from the map before to its
-// own. A choice: the rest is for the halves that follow a failed step.
+// The share of the progress that a step or another transport shows of what is left for the way from the
+// map before to its own. A choice: the rest is for what follows a failed one.
 constexpr double ShownShare = 0.9;
+// The same of the first transport, which mostly is the only one.
+constexpr double FirstShownShare = 0.97;
+// A map that did not reach the transported one is transported again, up to MostTransports times in all.
+// A limit of the time: maps that get there mostly do so the second or third time. The skin of a head, a
+// third of whose points lie in narrow protrusions, has 0.1 % of its faces within 2 % after the first
+// transport alone, and 94 % after the second.
+constexpr int MostTransports = 4;
 
 // The greatest weight over the least one that the refinement takes. At a hundred million, areas of the
 // least weight were 600 times too large on 469 points; at ten million a map of 2,791 points took a
@@ -66,6 +74,37 @@ void requireNarrow(const Eigen::VectorXd& weights)
   }
 }
 
+// Transports the map until the transported map is reached (FaceRefinementResult::StartShare), or until
+// none nearer to it can be.
+AreaPreservingResult mapByTransports(const TriangleMesh& mesh,
+  const Points2& conformal,
+  const Points2& onDomain,
+  const DomainTarget& target,
+  const Eigen::VectorXd& weights,
+  const AreaPreservingOptions& options,
+  const ProgressCallback& progress)
+{
+  AreaPreservingOptions next = options;
+  next.Refinement.StopsOnTheWay = true;
+  AreaPreservingResult result = mapByTransport(
+    mesh, conformal, onDomain, target, weights, next, subrange(progress, 0.0, FirstShownShare));
+  next.Start = {};
+  double shown = FirstShownShare;
+  for (int transports = 2; transports <= MostTransports; ++transports)
+  {
+    if (result.Map.StartShare == 0.0 || result.Map.StartShare == 1.0)
+    {
+      break;
+    }
+    next.Refinement.StopsOnTheWay = transports < MostTransports;
+    const double begin = std::exchange(shown, shown + ShownShare * (1.0 - shown));
+    const Points2 start = result.Map.OnDomain;
+    result = mapByTransport(mesh, start, start, target, weights, next, subrange(progress, begin, shown));
+  }
+  report(progress, 1.0, "Area-preserving map");
+  return result;
+}
+
 // The map, by way of maps for weights of less range where it is wide. A step whose map is not one-to-one
 // or far from its areas is made again in halves, as long as it is wide enough.
 AreaPreservingResult mapInSteps(const TriangleMesh& mesh,
@@ -84,7 +123,7 @@ AreaPreservingResult mapInSteps(const TriangleMesh& mesh,
   }
   if (!options.RefineFaces || range <= std::log(WidestStep))
   {
-    return mapByTransport(mesh, conformal, onDomain, target, weights, options, progress);
+    return mapByTransports(mesh, conformal, onDomain, target, weights, options, progress);
   }
   AreaPreservingOptions before = options;
   before.Start = {};
@@ -101,7 +140,7 @@ AreaPreservingResult mapInSteps(const TriangleMesh& mesh,
     const Eigen::VectorXd part = isLast ? weights : Eigen::VectorXd(weights.array().pow(exponent));
     const double begin = shown;
     shown += ShownShare * (1.0 - shown) * (exponent - reached) / (1.0 - reached);
-    AreaPreservingResult result = mapByTransport(mesh,
+    AreaPreservingResult result = mapByTransports(mesh,
       start,
       startOnDomain,
       target,

@@ -72,7 +72,9 @@ struct AreaPreservingResult
 /// (interpolateTransport); from there the vertices are moved until the faces have their areas.
 /// @p weights (n, > 0) scale the areas that vertices should get; empty: all 1. With refinement, weights
 /// whose greatest is more than 32 times the least are reached in steps, of which each starts from the
-/// map of the one before; the transport, its cells and its numbers are then those of the last step.
+/// map of the one before. A transported map whose faces cannot be untangled is reached in steps as well:
+/// from a map on the way to it, the transport begins again, up to three times. The transport, its cells
+/// and its numbers are then those of the last step.
 /// @throws InvalidInput, TopologyError (see requireDisk, targetAreas), InvalidInput if faces are refined
 /// and weights differ by a factor of more than a million, InvalidInput if @p conformal is
 /// not such a map, ConvergenceError, Cancelled.

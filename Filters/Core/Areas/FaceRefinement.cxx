@@ -62,7 +62,7 @@ public:
     const FaceRefinementOptions& options)
     : Surface(surface)
     , Map(map)
-    , IsRough(options.IsRough)
+    , Options(options)
     , AsksForAreas(options.AngleWeight == 0.0)
     , FacesOf(surface.Faces, surface.vertexCount())
     , Dofs(surface.vertexCount(), map.Domain, map.Loop, map.Corners)
@@ -95,7 +95,9 @@ public:
     {
       this->startOver(map, subrange(progress, 0.65, 0.7));
     }
-    if (!this->IsRough && this->countFlipped(map) == 0)
+    const bool stops =
+      this->Options.IsRough || (this->Options.StopsOnTheWay && this->Result.isOnTheWay());
+    if (!stops && this->countFlipped(map) == 0)
     {
       this->secondStage(map, subrange(progress, 0.7, 1.0));
     }
@@ -138,7 +140,7 @@ private:
       map, ShapingAreaWeight, MostShapingDeformations, subrange(progress, 0.0, 0.2));
     this->Rounds.run(map,
       FirstStageRounds,
-      this->IsRough ? Until::Roughly : Until::Enough,
+      this->Options.IsRough ? Until::Roughly : Until::Enough,
       subrange(progress, 0.2, 1.0));
   }
 
@@ -257,7 +259,7 @@ private:
 
   const TriangleMesh& Surface;
   const TransportedMap& Map;
-  bool IsRough;
+  const FaceRefinementOptions& Options;
   bool AsksForAreas;
   VertexFaces FacesOf;
   DegreesOfFreedom Dofs;

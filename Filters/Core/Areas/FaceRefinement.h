@@ -23,6 +23,9 @@ struct FaceRefinementOptions
   /// Whether a few rounds are enough: the map is to be one-to-one, and areas about right. For a map that
   /// is deformed afterwards.
   bool IsRough = false;
+  /// Whether a map on the way to the transported one, where its faces cannot be untangled, is returned
+  /// as it is (see FaceRefinementResult::StartShare): it can be transported again from there.
+  bool StopsOnTheWay = false;
 };
 
 /// The weight of shapes against areas in the refinement energy, > 0.
@@ -50,13 +53,15 @@ struct FaceRefinementResult
   int Rounds = 0;        ///< number of passes over the patches whose faces are not right yet
   int RepairedFaces = 0; ///< faces that were flipped after the first stage and untangled
   /// Where on the way from TransportedMap::OnDomain (0) to the transported map (1) the map lies from
-  /// which the second stage started. 1 if the refinement did not have to go back on this way, or found
-  /// no map there that could be untangled.
+  /// which the second stage started, or would have (StopsOnTheWay). 1 if the refinement did not have to
+  /// go back on this way, or found no map there that could be untangled.
   double StartShare = 1.0;
   int FlippedFaces = 0; ///< faces not positively oriented (exact)
   /// Whether the map is one-to-one: no face is flipped, and the boundary vertices are in order on the
   /// boundary of a convex domain.
   bool Bijective = false;
+
+  bool isOnTheWay() const { return this->StartShare > 0.0 && this->StartShare < 1.0; }
 };
 
 /// Minimises the energy (RefinementEnergy) in patches of the mesh (RefinementPatches), and where whole
@@ -66,8 +71,9 @@ struct FaceRefinementResult
 /// the second stage ends every step before a face flips. If not all of the flipped faces can be
 /// untangled, the refinement tries maps between TransportedMap::OnDomain and the transported map, those
 /// nearest to the transported map first. The second stage then starts from the first of them in which
-/// all flipped faces can be untangled (docs/mathematics.md, "From cells to faces"). If there is none,
-/// the second stage does not take place, and faces remain flipped.
+/// all flipped faces can be untangled (docs/mathematics.md, "From cells to faces"), or with
+/// StopsOnTheWay does not take place if that map is not OnDomain itself. If there is none, the second
+/// stage does not take place either, and faces remain flipped.
 /// @p faceTargets (m, >= 0) are the areas that the faces should have, up to a common factor. See
 /// measureDistortion() for the errors that are left.
 /// @throws InvalidInput if AngleWeight is out of its range, ConvergenceError, Cancelled.

@@ -28,6 +28,10 @@ FreedMap freedMap(const TriangleMesh& surface,
   rough.IsRough = true;
   FreedMap result;
   result.OnDomain = refineFaces(surface, map, faceTargets, rough, subrange(progress, 0.0, 0.25));
+  if (options.StopsOnTheWay && result.OnDomain.isOnTheWay())
+  {
+    return result;
+  }
   FreeOutlineResult freed = freeOutline(surface,
     map.Loop,
     result.OnDomain.Positions,

@@ -23,7 +23,8 @@ struct FreedMap
 /// makes errors of areas of its own that it has to correct in any case. If it leaves no more than 1 % of
 /// the faces wrong, that is all. Otherwise the map in the domain is refined to the end, from the
 /// beginning, and the map with a free outline counts only if no more than 1 % of the faces more are
-/// wrong in it. So OnDomain is what refineFaces() makes if Freed is empty.
+/// wrong in it. So OnDomain is what refineFaces() makes if Freed is empty. A map that stops on the way
+/// to the transported one (FaceRefinementOptions::StopsOnTheWay) is not freed.
 /// @p faceTargets (m, >= 0) are the areas that the faces should have, up to a common factor.
 /// @throws as refineFaces.
 FreedMap freedMap(const TriangleMesh& surface,
