@@ -345,7 +345,9 @@ public:
    *   Otherwise a closed surface gets the opening that mostly leaves the best map of the disk and a good
    *   one with a free outline: a relief with a ReliefGain of 0.07 at least and a boundary no longer than
    *   1.5 circumferences of a disk of the surface's area, or a hole where the region of interest leaves
-   *   no room for one. An open surface keeps its boundary. ChosenCut and ReasonOfCut report the choice.
+   *   no room for one. An open surface keeps its boundary, and is cut along a relief from there if its
+   *   strain (see ReliefStrain) is 0.7 or more, unless BoundaryMode chooses the boundary by a point.
+   *   ChosenCut and ReasonOfCut report the choice.
    *
    * Default: AUTOMATIC. The paper cuts a hole.
    */

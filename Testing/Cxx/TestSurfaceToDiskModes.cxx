@@ -196,8 +196,8 @@ TEST(SurfaceToDiskModes, ReliefOpensSurfacesThatHadHandles)
 }
 
 // The relief of a closed surface is shorter than one that is made for a free outline, whatever the gain
-// below 0.07, and an open surface keeps its boundary.
-TEST(SurfaceToDiskModes, AutomaticOpensClosedSurfacesOnly)
+// below 0.07, and a flat surface keeps its boundary.
+TEST(SurfaceToDiskModes, AutomaticOpensClosedSurfacesAndLeavesFlatOnes)
 {
   const auto input = sphere(60);
   vtkNew<vtkSurfaceToDiskFilter> filter;

@@ -195,6 +195,7 @@ BREAKS = [
     at("Areas/DeformationEnergy.cxx", "kept.Point.Stays", "!kept.Point.Stays", "if (kept.Point.Stays)"),
     at("Areas/TargetAreas.cxx", "scaledTargets(faceTargets(surface, {}), targets.sum())", "targets"),
     at("Areas/AreaPreservingDisk.cxx", "range <= std::log(WidestStep)", "true"),
+    at("Areas/AreaPreservingDisk.cxx", "result.Map.OnDomain", "conformal", "start = result.Map.OnDomain"),
     at("Areas/TargetAreas.cxx", "EIGEN_PI / areas.sum()", "2.0 * EIGEN_PI / areas.sum()"),
     at(
         "Areas/WarmStart.cxx",
@@ -271,6 +272,9 @@ BREAKS = [
         "0.5 * (boundaryLength(this->mesh()) - before)",
         "boundaryLength(this->mesh()) - before",
     ),
+    at("Disk/AutomaticCut.cxx", "wasCut", "false", "(wasCut || situation"),
+    at("Disk/AutomaticCut.cxx", "situation.RegionIsEverywhere", "false"),
+    at("Disk/ReliefPlacement.cxx", "this->PresentStrain < this->Options.LeastStrain", "false"),
     at("Disk/SeamSegments.cxx", "start + share * (end - start)", "start"),
     at("Disk/SeamSegments.cxx", "segment = std::min(segment, this->Edges[e].Segment);", ""),
     at("Disk/SeamSegments.cxx", "node->second.IsOnBorder = true;", ""),

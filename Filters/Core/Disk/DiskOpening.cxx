@@ -2,6 +2,7 @@
 #include "Disk/DiskOpening.h"
 
 #include "Base/Errors.h"
+#include "Disk/AutomaticCut.h"
 #include "Disk/CutGraph.h"
 #include "Disk/EdgeCut.h"
 #include "Disk/GeodesicHole.h"
@@ -39,18 +40,6 @@ constexpr int LeastBoundaryVertices = 8;
 // coarse surface a few edges can be long.
 constexpr double FewestSeamEdges = 5.0;
 constexpr double ShortestOpening = 0.05;
-// The least gain and the greatest length of a relief that Automatic cuts, as a disk presses a long
-// boundary together. Measured without slack: 18.5, 20.6 degrees of error in the disk for a brain, raw
-// and remeshed, and 18.7, 22.6 with a gain of 0.2. After a relief twice as long, the skin of a head has
-// 41 instead of 36 degrees with a free outline, and a brain of a million points had no map in an hour
-// and a half.
-constexpr double AutomaticGain = 0.07;
-const double AutomaticLongest = 1.5 * std::sqrt(EIGEN_PI);
-// The slack of that relief. Two coarse copies of one surface differ by a percent or two in strain, by
-// which a relief need not be a third longer: on another coarse copy of the same brain one of 620 mm was
-// the best, with 21.1 degrees in the disk; with this slack it is one of 410 mm, with 18.6.
-constexpr double AutomaticSlack = 0.02;
-
 double boundaryLength(const TriangleMesh& mesh)
 {
   double length = 0.0;
@@ -156,31 +145,19 @@ private:
       }
       return this->Options.Cut;
     }
-    const auto [cut, reason] = this->automaticCut();
-    this->Report.ReasonOfCut = std::string("Automatic: ") + reason;
-    return cut;
+    const CutChoice choice = automaticCut(this->Options,
+      { this->isClosed(),
+        this->Options.Hole.Centre.has_value(),
+        this->cutsGraph(),
+        this->regionIsEverywhere() });
+    this->Report.ReasonOfCut = std::string("Automatic: ") + choice.Reason;
+    return choice.Cut;
   }
 
-  std::pair<CutMode, const char*> automaticCut() const
+  bool regionIsEverywhere() const
   {
-    if (!this->Options.SeamPoints.empty())
-    {
-      return { CutMode::Seam, "the points of a seam are given" };
-    }
-    if (!this->isClosed())
-    {
-      return { CutMode::Hole, "the surface has a boundary, which is kept" };
-    }
-    if (this->Options.Hole.Centre)
-    {
-      return { CutMode::Hole, "the point of a hole is given" };
-    }
-    if (this->cutsGraph())
-    {
-      return { CutMode::Hole, "the cuts of the handles open the surface" };
-    }
-    return { CutMode::Relief,
-      "a closed surface mostly has the smallest errors after a relief that suits a disk, too" };
+    return !this->Region.empty() &&
+           std::find(this->Region.begin(), this->Region.end(), 0) == this->Region.end();
   }
 
   bool hasPlaceOfCut() const
@@ -256,15 +233,11 @@ private:
   // Opens the surface along a relief. An open one on which no branch is worth its length stays as it is.
   void cutRelief(const ProgressCallback& progress)
   {
-    ReliefOptions options = this->Options.Relief;
-    if (this->Options.Cut == CutMode::Automatic)
-    {
-      options.Gain = std::max(options.Gain, AutomaticGain);
-      options.Longest = std::min(options.Longest, AutomaticLongest);
-      options.Slack = AutomaticSlack;
-    }
-    const PlacedRelief placed =
-      placeRelief(this->mesh(), this->avoided(), options, subrange(progress, 0.0, 0.5));
+    const bool isAutomatic = this->Options.Cut == CutMode::Automatic;
+    const PlacedRelief placed = placeRelief(this->mesh(),
+      this->avoided(),
+      isAutomatic ? automaticRelief(this->Options.Relief) : this->Options.Relief,
+      subrange(progress, 0.0, 0.5));
     this->Report.ReliefStrain = { placed.StrainBefore, placed.StrainAfter };
     if (!placed.Tips.empty())
     {
@@ -293,6 +266,10 @@ private:
   {
     if (!analyseTopology(this->mesh().Faces, this->mesh().vertexCount()).BoundaryLoops.empty())
     {
+      if (this->Options.Cut == CutMode::Automatic)
+      {
+        this->Report.ReasonOfCut = std::string("Automatic: ") + KeptBoundary;
+      }
       this->resolveBoundary(std::min(LeastBoundaryVertices, this->Hole.BoundaryVertices));
       return;
     }

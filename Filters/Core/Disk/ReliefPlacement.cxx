@@ -107,6 +107,11 @@ public:
       this->block(ReliefClearance);
       this->update(atFraction(progress, 0.0, PlacementStage));
       relief.StrainBefore = this->PresentStrain;
+      if (this->PresentStrain < this->Options.LeastStrain)
+      {
+        relief.StrainAfter = this->PresentStrain;
+        return relief;
+      }
     }
     this->addBranches(relief, progress);
     report(progress, 1.0, PlacementStage);
@@ -351,6 +356,11 @@ void requireValid(const TriangleMesh& mesh,
   {
     throw InvalidInput(
       "the slack of a relief is " + formatted(options.Slack) + ": set it to 0 or a positive number");
+  }
+  if (!(options.LeastStrain >= 0.0))
+  {
+    throw InvalidInput("the least strain for a relief is " + formatted(options.LeastStrain) +
+                       ": set it to 0 or a positive number");
   }
   if (!(options.Longest > 0.0))
   {

@@ -26,6 +26,8 @@ struct ReliefOptions
   /// The shortest relief is taken whose sum of strain and price is greater than the least sum by this
   /// share at most (>= 0; 0.02 means 2 %).
   double Slack = 0.0;
+  /// The least strain of an open surface that gets a branch (>= 0).
+  double LeastStrain = 0.0;
 };
 
 struct PlacedRelief

@@ -47,7 +47,7 @@ enum class CutMode
   Automatic ///< a cut whose place is given (SeamPoints, Hole.Centre); otherwise a closed surface gets
             ///< the opening that makes the best map of the disk, a relief that is shorter than one for a
             ///< free outline, or a hole if the region of interest leaves no room for a relief; an open
-            ///< one keeps its boundary
+            ///< one keeps its boundary and gets a relief, too, if its strain is large
 };
 
 struct SurfaceToDiskOptions

@@ -128,7 +128,16 @@ void mapRandomSurface(int seed, SurfaceRecord& record)
   TriangleMesh disk;
   try
   {
-    disk = surfaceToDisk(randomSurface(seed).Mesh, options).Surface.Mesh;
+    const TriangleMesh surface = randomSurface(seed).Mesh;
+    DiskSurface made = surfaceToDisk(surface, options);
+    // A relief from a boundary can leave strips beside it in which points of the circle coincide in
+    // double precision, so that faces have no area: no untangling could help, and a warning says so.
+    if (made.Report.ReasonOfCut.find("has a boundary, but") != std::string::npos)
+    {
+      options.Cut = CutMode::Hole;
+      made = surfaceToDisk(surface, options);
+    }
+    disk = std::move(made.Surface.Mesh);
   }
   catch (const FlatteningError&)
   {

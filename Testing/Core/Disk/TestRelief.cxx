@@ -306,6 +306,8 @@ TEST(ReliefPlacement, RejectsWhatLeavesNoRoom)
   EXPECT_TRUE(contains(rejection({}, { -1.0, 8.0 }), "gain"));
   EXPECT_TRUE(contains(rejection({}, { NAN, 8.0 }), "gain"));
   EXPECT_TRUE(contains(rejection({}, { 0.05, 0.0 }), "longest relief"));
+  EXPECT_TRUE(contains(rejection({}, { 0.05, 8.0, -1.0 }), "slack"));
+  EXPECT_TRUE(contains(rejection({}, { 0.05, 8.0, 0.0, NAN }), "least strain"));
   std::vector<char> allButOne(mesh.vertexCount(), 1);
   allButOne[7] = 0;
   EXPECT_TRUE(placeRelief(mesh, allButOne, {}).Tips.empty());

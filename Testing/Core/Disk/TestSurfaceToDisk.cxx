@@ -140,6 +140,51 @@ TEST(SurfaceToDisk, AutomaticCutsAHoleWhereARegionLeavesNoRoomForARelief)
   EXPECT_TRUE(contains(messageOf<InvalidInput>([&] { surfaceToDisk(closed, options); }), "no room"));
 }
 
+// A sphere without a cap of 12 degrees around a pole has a strain of 0.9, and a half sphere one of 0.3.
+TEST(SurfaceToDisk, AutomaticCutsAnOpenSurfaceWhoseStrainIsLarge)
+{
+  const TriangleMesh whole = sphere(4);
+  const auto above = [&whole](double z)
+  {
+    std::set<int> faces;
+    for (int f = 0; f < whole.faceCount(); ++f)
+    {
+      const Eigen::RowVector3i face = whole.Faces.row(f);
+      const double height =
+        whole.Vertices(face[0], 2) + whole.Vertices(face[1], 2) + whole.Vertices(face[2], 2);
+      if (height > 3.0 * z)
+      {
+        faces.insert(f);
+      }
+    }
+    return faces;
+  };
+  const TriangleMesh nearlyClosed = withoutFaces(whole, above(std::cos(0.21)));
+  SurfaceToDiskOptions options;
+  const SurfaceToDiskReport cut = surfaceToDisk(nearlyClosed, options).Report;
+  EXPECT_EQ(cut.ChosenCut, CutMode::Relief);
+  EXPECT_TRUE(contains(cut.ReasonOfCut, "curvature far from it")) << cut.ReasonOfCut;
+  EXPECT_GT(cut.ReliefLength, 1.0);
+  EXPECT_GT(cut.ReliefStrain[0], 0.7);
+  EXPECT_LT(cut.ReliefStrain[1], 0.3);
+  EXPECT_EQ(cut.RemovedArea, 0.0);
+
+  const auto expectKept = [&](const TriangleMesh& mesh)
+  {
+    const SurfaceToDiskReport kept = surfaceToDisk(mesh, options).Report;
+    EXPECT_FALSE(kept.ChosenCut);
+    EXPECT_TRUE(contains(kept.ReasonOfCut, "is kept")) << kept.ReasonOfCut;
+    EXPECT_EQ(kept.SeamLength, 0.0);
+  };
+  expectKept(withoutFaces(whole, above(0.0)));
+  options.Banks.assign(nearlyClosed.vertexCount(), 0);
+  options.Remesh = true;
+  expectKept(nearlyClosed);
+  options = {};
+  options.RegionOfInterest.assign(nearlyClosed.vertexCount(), 1);
+  expectKept(nearlyClosed);
+}
+
 // The cut of a tetrahedron's only free edge would not open it, so that the edge is divided.
 TEST(SurfaceToDisk, OpensTheSmallestClosedSurface)
 {
@@ -162,6 +207,7 @@ TEST(SurfaceToDisk, KeepsTheLongestBoundary)
     tube.Vertices.row(v).head<2>() *= 1.0 + 0.1 * tube.Vertices(v, 2);
   }
   SurfaceToDiskOptions options;
+  options.Cut = CutMode::Hole;
   options.FillLengthLimit = 7.0;
   const DiskSurface disk = surfaceToDisk(tube, options);
   EXPECT_EQ(disk.Report.FilledHoles, 1);
@@ -189,6 +235,10 @@ TEST(SurfaceToDisk, WidensATinyBoundary)
   const double distance = std::min((centroid(4321) - disk.Report.HoleCentre.transpose()).norm(),
     (centroid(99) - disk.Report.HoleCentre.transpose()).norm());
   EXPECT_LT(distance, 1e-9);
+  options.Cut = CutMode::Automatic;
+  const DiskSurface automatic = surfaceToDisk(withoutFaces(whole, { 4321, 99 }), options);
+  EXPECT_EQ(automatic.Report.FilledHoles, 2);
+  EXPECT_EQ(automatic.Report.ChosenCut, CutMode::Relief);
 }
 
 // A loop that is longer than the limit is not filled, however small a share of the area it surrounds.
@@ -237,6 +287,7 @@ TEST(SurfaceToDisk, ABoundaryOfThreeVerticesIsRefined)
   const TriangleMesh pyramid = meshOf({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.3, 0.3, 1 } },
     { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } });
   SurfaceToDiskOptions options;
+  options.Cut = CutMode::Hole;
   options.FlattenFolds = false; // or the tip would be
   const DiskSurface disk = surfaceToDisk(pyramid, options);
   EXPECT_GE(disk.Report.BoundaryVertices, 8);
