@@ -8,11 +8,10 @@
 namespace flattening
 {
 
-/// What the choice depends on besides the options.
+/// The facts about a surface on which the choice depends, besides the options.
 struct CutSituation
 {
   bool IsClosed = true;            ///< whether the surface has no boundary
-  bool HasHolePoint = false;       ///< whether the centre of a hole was given
   bool CutsHandles = false;        ///< whether handles are to be cut open
   bool RegionIsEverywhere = false; ///< whether the region of interest is the whole surface
 };
@@ -26,9 +25,10 @@ struct CutChoice
 /// The reason for which an open surface is not cut.
 extern const char* const KeptBoundary;
 
-/// Chooses a cut whose place is given; else a relief, but for a surface with a boundary that was cut or
-/// chosen, or that has to be cut along its handles. An open surface gets a relief only if its strain
-/// asks for it (automaticRelief).
+/// Chooses the cut whose place is given, if one is. Otherwise a closed surface gets a relief, or no cut
+/// but that of its handles. An open surface gets a relief if its strain asks for it (automaticRelief),
+/// unless it was cut before, its boundary was chosen by a point, its handles are cut, or the region of
+/// interest is everywhere: then it keeps its boundary.
 CutChoice automaticCut(const SurfaceToDiskOptions& options, const CutSituation& situation);
 
 /// The bounds of the relief that Automatic cuts: one that suits a disk, too.

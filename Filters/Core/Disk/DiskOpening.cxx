@@ -145,11 +145,8 @@ private:
       }
       return this->Options.Cut;
     }
-    const CutChoice choice = automaticCut(this->Options,
-      { this->isClosed(),
-        this->Options.Hole.Centre.has_value(),
-        this->cutsGraph(),
-        this->regionIsEverywhere() });
+    const CutChoice choice =
+      automaticCut(this->Options, { this->isClosed(), this->cutsGraph(), this->regionIsEverywhere() });
     this->Report.ReasonOfCut = std::string("Automatic: ") + choice.Reason;
     return choice.Cut;
   }
