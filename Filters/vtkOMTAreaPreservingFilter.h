@@ -47,9 +47,9 @@
  * if that start is nearer than its own: after a small change of the weights it takes a few steps only.
  * Its result depends on the start only within Tolerance. With `FlatPoints` as well, the refinement goes
  * on from those points, moved by what changed in the transport: it takes a quarter to two fifths of the
- * time and reaches the same accuracy, but not the same bits as without. `FlatPoints` is not used if it is
- * not a one-to-one map to the present domain, if more than a percent of the triangles would flip on the
- * way, or with an AngleWeight.
+ * time and reaches the same accuracy, but not the same bits as without. `FlatPoints` is not used if it
+ * is not a one-to-one map to the present domain, if more than a percent of the triangles would flip on
+ * the way, or with an AngleWeight.
  *
  * A warning is given if the map is not one-to-one, if its outline could not be freed, or if the outline,
  * which is a polygon, encloses more than 1 percent less than the domain: all areas on the map are then
@@ -204,9 +204,11 @@ public:
   /**
    * Number of neighbouring points that the transport takes together as one site, if FaceRefinement is
    * on: the transport then has to correct areas over whole regions only. On surfaces of less than some
-   * thousand points it is reduced. 1 makes every point a site, as without refinement, where this setting
-   * is ignored. The points of a site share its power cell, its weight and, in proportion to their target
-   * areas, the area of the cell. Range [1, 1000]. Default: 16.
+   * thousand points it is reduced, and in narrow protrusions, where the scale of the conformal map
+   * changes by more than a factor of e among neighbouring points, every point is a site. 1 makes every
+   * point a site, as without refinement, where this setting is ignored. The points of a site share its
+   * power cell, its weight and, in proportion to their target areas, the area of the cell. Range [1,
+   * 1000]. Default: 16.
    */
   vtkSetClampMacro(PointsPerSite, int, 1, 1000);
   vtkGetMacro(PointsPerSite, int);

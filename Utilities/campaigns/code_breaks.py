@@ -171,6 +171,8 @@ BREAKS = [
     at("Transport/Transport.cxx", "this->lowersError()", "false"),
     at("Transport/TransportInterpolation.cxx", "map.Slope = spread.inverse() * moments;", ""),
     at("Transport/DomainPolygon.cxx", "convex.area() / EIGEN_PI", "convex.area()"),
+    at("Transport/TransportSites.cxx", "<= GreatestScaleRange", "<= 1e9"),
+    at("Untangling/MapUntangling.cxx", "this->untangle(patch, Start::Tutte, progress)", "false", "|| this->untangle(patch, Start::Tutte, progress))\n        {"),
     # --- Areas
     at("Areas/FaceAreaEnergy.cxx", "2.0 * w * (r - 1.0)", "w * (r - 1.0)"),
     at("Areas/FaceAreaEnergy.cxx", "s / chiOfQ.Root", "-s / chiOfQ.Root"),

@@ -27,8 +27,9 @@ struct AreaPreservingOptions
   bool FreeOutline =
     false; ///< whether the map then lets go of the domain (freeOutline); needs RefineFaces
   /// How many neighbouring vertices share one site of the transport, >= 1; fewer where the mesh has few
-  /// vertices. The refinement corrects areas within small regions, and the transport has to get right
-  /// the areas of large ones only. Without refinement every vertex is a site, as with 1.
+  /// vertices or the scale of the conformal map changes much (groupedSites). The refinement corrects
+  /// areas within small regions, and the transport has to get right the areas of large ones only.
+  /// Without refinement every vertex is a site, as with 1.
   int VerticesPerSite = 16;
 };
 

@@ -24,8 +24,7 @@ constexpr int FirstStageRounds = 16;
 constexpr int SecondStageRounds = 24;
 // Where faces remain flipped, the first stage goes on MoreRounds at a time: at least LeastFirstStages
 // times, and up to MostFirstStages times while at most GreatestLeft of the flipped faces are left. The
-// areas in protrusions, which are far off, converge over many rounds; with fewer the large patches,
-// which lose area, get more to do.
+// areas in protrusions, which are far off, converge over many rounds.
 constexpr int MoreRounds = 4;
 constexpr int LeastFirstStages = 2;
 constexpr int MostFirstStages = 16;
@@ -43,15 +42,16 @@ constexpr int MostShapingDeformations = 20;
 // 1).
 constexpr double LeastShapeWeight = 1e-3;
 constexpr double ShapeWeightScale = 0.03;
-// Limits of a large untangling patch: its share of the mesh, which patches around a small hole need, and
-// the work per vertex, which bounds its time: by that of the first stage where the mesh has some ten
-// thousand vertices, but by minutes where it has a million.
+// Limits of a large untangling patch, for the maps between them: its share of the mesh, which patches
+// around a small hole need, and the work per vertex, which bounds its time: by that of the first stage
+// where the mesh has some ten thousand vertices, but by minutes where it has a million.
 constexpr double LargestPatchShare = 0.25;
 constexpr double RepairWork = 30.0;
 // Shares of the way from the conformal to the transported map at which to look for a map that can be
-// untangled, the nearest to the transported map first. 0, the conformal map, has few flipped faces or
-// none.
-constexpr double StartShares[] = { 0.97, 0.9, 0.7, 0.4, 0.0 };
+// untangled, if the transported map cannot. The first is a compromise: farther on, fewer maps can be
+// untangled, and nearer to the conformal map the next transport has farther to go. 0, the conformal map,
+// has few flipped faces or none.
+constexpr double StartShares[] = { 0.4, 0.0 };
 
 class Refinement
 {
@@ -164,12 +164,10 @@ private:
   }
 
   // Most faces that are flipped after the first stage untangle in more of its rounds, and the rest in
-  // patches of a few vertices. Large patches come last because they lose much of the areas, which a few
-  // more rounds may get back.
+  // patches of a few vertices.
   bool untangle(DomainMap& map, const ProgressCallback& progress)
   {
-    constexpr double rounds = 0.9; // of the progress
-    constexpr double part = rounds / MostFirstStages;
+    constexpr double part = 1.0 / MostFirstStages; // of the progress
     int flipped = this->countFlipped(map);
     for (int more = 0; more < MostFirstStages; ++more)
     {
@@ -187,17 +185,7 @@ private:
       this->Rounds.run(
         map, MoreRounds, Until::AllRounds, subrange(progress, begin + 0.5 * part, begin + part));
     }
-    if (!this->untangleIn(PatchSizes::Large, map, subrange(progress, rounds, 0.95)))
-    {
-      return false;
-    }
-    DomainMap again = map;
-    this->Rounds.run(again, MoreRounds, Until::AllRounds, subrange(progress, 0.95, 0.98));
-    if (this->untangleIn(PatchSizes::Small, again, subrange(progress, 0.98, 1.0)))
-    {
-      map = std::move(again);
-    }
-    return true;
+    return false;
   }
 
   // Returns false and leaves the map as it was if faces remain flipped. The boundary stays as it is:

@@ -69,11 +69,11 @@ struct FaceRefinementResult
 /// where these would flip faces, by steps of the whole mesh (RefinementDescent). In the first stage
 /// faces are free to flip, which converges fast. Then the few flipped faces are untangled (untangleMap);
 /// the second stage ends every step before a face flips. If not all of the flipped faces can be
-/// untangled, the refinement tries maps between TransportedMap::OnDomain and the transported map, those
-/// nearest to the transported map first. The second stage then starts from the first of them in which
-/// all flipped faces can be untangled (docs/mathematics.md, "From cells to faces"), or with
-/// StopsOnTheWay does not take place if that map is not OnDomain itself. If there is none, the second
-/// stage does not take place either, and faces remain flipped.
+/// untangled, the refinement tries a map between TransportedMap::OnDomain and the transported map, and
+/// then OnDomain itself. The second stage starts from the first of them in which all flipped faces can
+/// be untangled (docs/mathematics.md, "On the way"), or with StopsOnTheWay does not take place if that
+/// map is not OnDomain itself. If there is none, the second stage does not take place either, and faces
+/// remain flipped.
 /// @p faceTargets (m, >= 0) are the areas that the faces should have, up to a common factor. See
 /// measureDistortion() for the errors that are left.
 /// @throws InvalidInput if AngleWeight is out of its range, ConvergenceError, Cancelled.

@@ -9,6 +9,7 @@
 #include "Transport/BoundaryPlacement.h"
 #include "Transport/TransportInterpolation.h"
 #include "Transport/TransportSites.h"
+#include "Untangling/ConformalFactors.h"
 
 #include <algorithm>
 #include <memory>
@@ -107,8 +108,11 @@ private:
     if (perSite > 1)
     {
       // Groups by areas without weights: the sites stay where they are when weights change.
-      this->Sites =
-        groupedSites(this->Conformal, targetAreas(this->Mesh, {}), this->Boundary.Vertices, perSite);
+      this->Sites = groupedSites(this->Conformal,
+        targetAreas(this->Mesh, {}),
+        logConformalFactors(this->Mesh, this->Conformal),
+        this->Boundary.Vertices,
+        perSite);
     }
     this->Map.Sites = this->Sites.count();
     this->SiteTargets = this->Sites.sums(this->Map.TargetAreas);

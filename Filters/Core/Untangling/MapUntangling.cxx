@@ -82,7 +82,8 @@ public:
       if (ring == next)
       {
         next = std::max(1, 2 * ring);
-        if (this->untangle(patch, Start::Map, progress))
+        // Where a whole protrusion is inside out, all paths from the map lead through worse ones.
+        if (this->untangle(patch, Start::Map, progress) || this->untangle(patch, Start::Tutte, progress))
         {
           return;
         }

@@ -269,17 +269,33 @@ TEST(AreaPreservingDisk, WeightsOverSixDecades)
   EXPECT_TRUE(result.Map.Bijective);
 }
 
-// The flipped faces of the first transported map of this surface, a bumpy sphere with a hole, cannot be
-// untangled. With one transport, 1.6 % of the faces are within 2 %.
+// The flipped faces of the first transported map of this surface, remeshed noise with a hole, cannot be
+// untangled. With one transport, 4 % of the faces are within 2 %.
 TEST(AreaPreservingDisk, TransportsAgainFromAMapOnTheWay)
 {
   SurfaceToDiskOptions options;
   options.Cut = CutMode::Hole;
-  const TriangleMesh mesh = surfaceToDisk(samples::randomSurface(143).Mesh, options).Surface.Mesh;
+  options.Remesh = true;
+  const TriangleMesh mesh = surfaceToDisk(samples::randomSurface(407).Mesh, options).Surface.Mesh;
   const AreaPreservingMap map = areaPreservingDiskMap(mesh, conformal(mesh)).Map;
   EXPECT_TRUE(map.Bijective);
   EXPECT_EQ(map.StartShare, 1.0);
-  EXPECT_GE(summariseDistortion(measureDistortion(mesh, map.Positions)).FacesWithin2Percent, 20.0);
+  EXPECT_GE(summariseDistortion(measureDistortion(mesh, map.Positions)).FacesWithin2Percent, 60.0);
+}
+
+// A few faces of the transported maps of these surfaces are inside out. Untangled by moving a large part
+// of the map, 5 % of the faces were within 2 %.
+TEST(AreaPreservingDisk, UntanglesPartsThatAreInsideOutWithoutLosingAreas)
+{
+  for (const int seed : { 18, 196 })
+  {
+    const TriangleMesh mesh = surfaceToDisk(samples::randomSurface(seed).Mesh).Surface.Mesh;
+    const AreaPreservingMap map = areaPreservingDiskMap(mesh, conformal(mesh)).Map;
+    EXPECT_TRUE(map.Bijective) << seed;
+    EXPECT_GT(map.RepairedFaces, 0) << seed;
+    EXPECT_GE(summariseDistortion(measureDistortion(mesh, map.Positions)).FacesWithin2Percent, 95.0)
+      << seed;
+  }
 }
 
 TEST(AreaPreservingDisk, CoincidentVerticesShareACell)

@@ -48,7 +48,8 @@ TEST(TransportSites, GroupsHaveTheMassAndTheCentreOfTheirVertices)
     masses[v] = 1.0 + 0.5 * std::sin(static_cast<double>(v));
   }
   const std::vector<int> alone{ 5, 17, 1999 };
-  const TransportSites sites = groupedSites(points, masses, alone, 8);
+  const Eigen::VectorXd logScales = Eigen::VectorXd::Zero(points.rows());
+  const TransportSites sites = groupedSites(points, masses, logScales, alone, 8);
   const Eigen::VectorXd sums = sites.sums(masses);
   EXPECT_NEAR(sums.sum(), masses.sum(), 1e-12 * masses.sum());
   EXPECT_GE(sites.count(), 2000 / 8);
@@ -63,6 +64,29 @@ TEST(TransportSites, GroupsHaveTheMassAndTheCentreOfTheirVertices)
   {
     EXPECT_EQ(counts[sites.SiteOfVertex[v]], 1.0);
     EXPECT_EQ(sites.Positions.row(sites.SiteOfVertex[v]), points.row(v));
+  }
+}
+
+// The scale falls by a factor of a million from x = 0 to x = 0.5, and is the same everywhere else.
+TEST(TransportSites, VerticesDoNotShareASiteWhereTheScaleChangesMuch)
+{
+  const Points2 points = sunflower(2000);
+  const Eigen::VectorXd logScales =
+    std::log(1e-6) * (points.col(0).array() / 0.5).max(0.0).min(1.0).matrix();
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(points.rows());
+  const TransportSites sites = groupedSites(points, ones, logScales, {}, 8);
+  const Eigen::VectorXd counts = sites.sums(ones);
+  for (Eigen::Index v = 0; v < points.rows(); ++v)
+  {
+    const double x = points(v, 0);
+    if (x > 0.05 && x < 0.45)
+    {
+      EXPECT_EQ(counts[sites.SiteOfVertex[v]], 1.0) << "at " << x;
+    }
+    else if (x < -0.15 || x > 0.65)
+    {
+      EXPECT_GE(counts[sites.SiteOfVertex[v]], 4.0) << "at " << x;
+    }
   }
 }
 
@@ -87,7 +111,8 @@ public:
     , Exact(Points.rows(), 2)
   {
     const Eigen::VectorXd masses = Eigen::VectorXd::Ones(this->Points.rows());
-    const TransportSites sites = groupedSites(this->Points, masses, {}, 8);
+    const TransportSites sites =
+      groupedSites(this->Points, masses, Eigen::VectorXd::Zero(this->Points.rows()), {}, 8);
     SiteImages images;
     images.Masses = sites.sums(masses);
     images.Positions.resize(sites.count(), 2);
