@@ -19,8 +19,18 @@ namespace
 // a million points, half of them in protrusions; with 0.5, maps of brains take a tenth longer.
 constexpr double GreatestScaleRange = 1.0;
 
-// The groups, and one by one the vertices of those whose scales differ too much.
+// The least extent of a group that is divided, in a domain of area pi. A guard: closer positions have
+// few digits in doubles, and a transport with a site at each of them does not converge.
+constexpr double LeastExtent = 1e-12;
+
+double extentOf(const Points2& points)
+{
+  return (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
+}
+
+// The groups, and one by one the points of those whose scales differ too much.
 std::vector<std::vector<int>> withSimilarScales(const std::vector<std::vector<int>>& groups,
+  const Points2& points,
   const Eigen::VectorXd& logScales)
 {
   std::vector<std::vector<int>> result;
@@ -28,7 +38,8 @@ std::vector<std::vector<int>> withSimilarScales(const std::vector<std::vector<in
   for (const std::vector<int>& group : groups)
   {
     const Eigen::VectorXd scales = logScales(group);
-    if (scales.maxCoeff() - scales.minCoeff() <= GreatestScaleRange)
+    if (scales.maxCoeff() - scales.minCoeff() <= GreatestScaleRange ||
+        extentOf(points(group, flattening::all)) < LeastExtent)
     {
       result.push_back(group);
       continue;
@@ -113,7 +124,7 @@ TransportSites groupedSites(const Points2& positions,
   }
   const Points2 points = positions(grouped, flattening::all);
   const std::vector<std::vector<int>> groups =
-    withSimilarScales(recursiveBisection(points, verticesPerSite, 0.0), logScales(grouped));
+    withSimilarScales(recursiveBisection(points, verticesPerSite, 0.0), points, logScales(grouped));
 
   Points2 centres(static_cast<Eigen::Index>(groups.size() + alone.size()), 2);
   std::vector<int> groupOf(n);

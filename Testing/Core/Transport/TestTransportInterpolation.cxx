@@ -90,6 +90,16 @@ TEST(TransportSites, VerticesDoNotShareASiteWhereTheScaleChangesMuch)
   }
 }
 
+// Points whose places are known to few digits share their sites as if the scale were the same.
+TEST(TransportSites, VerticesThatDoublesHardlyTellApartShareASite)
+{
+  const Points2 points = 1e-14 * sunflower(2000);
+  const Eigen::VectorXd logScales = std::log(1e-6) * 1e14 * points.col(0);
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(points.rows());
+  EXPECT_LE(groupedSites(points, ones, logScales, {}, 8).count(), 2000 / 4);
+  EXPECT_GE(groupedSites(1e3 * points, ones, logScales, {}, 8).count(), 2000 / 2);
+}
+
 TEST(TransportSites, VerticesAtOnePlaceAreOneSite)
 {
   Points2 points = sunflower(100);
