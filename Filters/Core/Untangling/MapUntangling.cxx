@@ -82,7 +82,8 @@ public:
       if (ring == next)
       {
         next = std::max(1, 2 * ring);
-        // Where a whole protrusion is inside out, all paths from the map lead through worse ones.
+        // The second start is for parts that are inside out: on the way from there, the energy grows
+        // first.
         if (this->untangle(patch, Start::Map, progress) || this->untangle(patch, Start::Tutte, progress))
         {
           return;
