@@ -82,8 +82,8 @@ public:
       if (ring == next)
       {
         next = std::max(1, 2 * ring);
-        // The second start is for parts that are inside out: on the way from there, the energy grows
-        // first.
+        // Tutte's map is for parts that are inside out: from their positions in the map, the energy
+        // would have to grow before it falls.
         if (this->untangle(patch, Start::Map, progress) || this->untangle(patch, Start::Tutte, progress))
         {
           return;
