@@ -16,11 +16,12 @@ namespace
 // sites, the map is interpolated as if the transport stretched all of a group alike; in narrow
 // protrusions, where the scale falls by orders of magnitude within a group, that flips thousands of
 // faces. A compromise: with 1.5, not all of these faces could be untangled on the skin of a head of half
-// a million points, half of them in protrusions; with 0.5, maps of brains take a tenth longer.
+// a million points; with 0.5, maps of brains took a tenth longer.
 constexpr double GreatestScaleRange = 1.0;
 
-// The least extent of a group that is divided, in a domain of area pi. A guard: closer positions have
-// few digits in doubles, and a transport with a site at each of them does not converge.
+// The least extent of a group that is divided, in units of the flat map. A guard: closer positions have
+// few digits in doubles. With a site at each of them, the transport did not converge on the skin of a
+// head whose nearest points are 1e-15 apart in the conformal map.
 constexpr double LeastExtent = 1e-12;
 
 double extentOf(const Points2& points)

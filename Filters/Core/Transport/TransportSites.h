@@ -25,8 +25,8 @@ TransportSites distinctSites(const Points2& positions);
 
 /// Groups of at most @p verticesPerSite (>= 1) neighbouring vertices share one site, at their centre of
 /// mass for @p masses (n, > 0). The vertices in @p alone are sites of their own, and so are those of a
-/// group in which the scale of the map changes by more than a factor of e, unless the whole group lies
-/// within 1e-12.
+/// group in which the scale of the map changes by more than a factor of e, unless the group is smaller
+/// than 1e-12.
 /// @param logScales  logarithm of flat over surface length at every vertex (n)
 TransportSites groupedSites(const Points2& positions,
   const Eigen::VectorXd& masses,

@@ -41,10 +41,10 @@ struct UntanglingReport
 ///
 /// First, single vertices go to the nearest point in the kernel of their star (untangleByOneVertex).
 /// Then, patches around the flipped faces that are left are freed, their rims fixed, and grow until the
-/// minimum of their energy (untanglePatch) has no flipped face, found from their positions in the map or
-/// from the means of neighbours. A patch that cannot be untangled, or
-/// only with more work than the options allow, stays as it was. If no face is flipped in the end and the
-/// boundary does not intersect itself, the map is one-to-one (docs/mathematics.md, "Untangling").
+/// minimum of their energy (untanglePatch) has no flipped face. The minimum is sought from the positions
+/// in the map and, if that fails, from Tutte's map. A patch that cannot be untangled, or only with more
+/// work than the options allow, stays as it was. If no face is flipped in the end and the boundary does
+/// not intersect itself, the map is one-to-one (docs/mathematics.md, "Untangling").
 /// @throws Cancelled.
 UntanglingReport untangleMap(const FaceMatrix& faces,
   const std::vector<char>& fixed,
