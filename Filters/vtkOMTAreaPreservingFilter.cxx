@@ -205,13 +205,8 @@ void fillMap(vtkPolyData* output,
   flattening::addPointArray(output, "TargetArea", placedAreas(map.TargetAreas, placement));
   flattening::addPointArray(output, "CellArea", placedAreas(map.CellAreas, placement));
   flattening::addPointArray(output, "PowerWeight", placedAreas(map.PowerWeights, placement));
-  // The map to the domain, as placed: that of the output unless the outline is free.
-  const flattening::Points2 onDomain =
-    map.Deformations > 0
-      ? flattening::Points2((placement.Scale * map.OnDomain).rowwise() + placement.Centre)
-      : positions;
   output->GetPointData()->AddArray(
-    flattening::newTuples<vtkDoubleArray>(FlatPoints, flattening::planarMesh(onDomain, {}).Vertices));
+    flattening::newTuples<vtkDoubleArray>(FlatPoints, flattening::planarMesh(positions, {}).Vertices));
 }
 
 void fillPowerDiagram(vtkPolyData* output,
@@ -222,7 +217,7 @@ void fillPowerDiagram(vtkPolyData* output,
   const auto& [scale, centre] = placement;
   // A map with a free outline carries the points of the domain along.
   std::optional<flattening::FlatMapLocation> freed;
-  if (result.Map.Deformations > 0)
+  if (result.Map.IsFree)
   {
     freed.emplace(flattening::planarMesh(result.Map.Positions, faces), result.Map.OnDomain);
   }
@@ -271,7 +266,7 @@ void setReport(vtkFieldData* data, const flattening::AreaPreservingMap& map)
   const auto count = [data](const char* name, int value)
   { flattening::setDatum(data, name, static_cast<long long>(value)); };
   data->RemoveArray("CornerPointIds"); // those of the conformal map
-  if (!map.CornerVertices.empty() && map.Deformations == 0)
+  if (!map.CornerVertices.empty() && !map.IsFree)
   {
     flattening::setIds(data, "CornerPointIds", map.CornerVertices);
   }
@@ -285,7 +280,7 @@ void setReport(vtkFieldData* data, const flattening::AreaPreservingMap& map)
   count("WarmStart", map.WarmStarted ? 1 : 0);
   count("RefinementRounds", map.RefinementRounds);
   count("RefinementRepairs", map.RepairedFaces);
-  count("FreeOutline", map.Deformations > 0 ? 1 : 0);
+  count("FreeOutline", map.IsFree ? 1 : 0);
 }
 
 // Share of the domain's area that the outline of the map may cut off without a warning: half of the 2
@@ -356,7 +351,7 @@ void vtkOMTAreaPreservingFilter::Execute(vtkInformationVector** inputVector,
   result.Map.FlippedFaces = placed.FlippedFaces;
   result.Map.Bijective &=
     placed.FlippedFaces == 0 &&
-    (result.Map.Deformations == 0 || flattening::isSimpleOutline(placed.Positions, input.Loop));
+    (!result.Map.IsFree || flattening::isSimpleOutline(placed.Positions, input.Loop));
 
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
   fillMap(output, conformal, result.Map, placed.Positions, placement);
@@ -372,7 +367,7 @@ void vtkOMTAreaPreservingFilter::Execute(vtkInformationVector** inputVector,
              ? " and could not be untangled: remesh the surface (Surface To Disk, Remesh)"
              : ", as the centroids of the power cells leave them: turn FaceRefinement on"));
   }
-  if (this->FreeOutline && result.Map.Deformations == 0)
+  if (this->FreeOutline && !result.Map.IsFree)
   {
     vtkWarningMacro(<< this->GetBlockPrefix()
                     << "the outline could not be freed without a loss of areas, and the map fills "

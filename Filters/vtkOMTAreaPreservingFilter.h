@@ -49,7 +49,8 @@
  * on from those points, moved by what changed in the transport: it takes a quarter to two fifths of the
  * time and reaches the same accuracy, but not the same bits as without. `FlatPoints` is not used if it
  * is not a one-to-one map to the present domain, if more than a percent of the triangles would flip on
- * the way, or with an AngleWeight.
+ * the way, or with an AngleWeight. With FreeOutline, the map is made from `FlatPoints` of a map with a
+ * free outline, if that is one-to-one.
  *
  * A warning is given if the map is not one-to-one, if its outline could not be freed, or if the outline,
  * which is a polygon, encloses more than 1 percent less than the domain: all areas on the map are then
@@ -62,8 +63,8 @@
  *   of the cell of its site; the sum is the area of the domain.
  * - point `PowerWeight` (double, output units squared): weight of the site of the point in the power
  *   diagram.
- * - point `FlatPoints` (double x 3, output units): position of the point in the domain, for the warm
- *   start of a later run; the position in the output unless FreeOutline is on.
+ * - point `FlatPoints` (double x 3, output units): position of the point, for the warm start of a later
+ *   run.
  * - point `TCoords` (float x 2, [0, 1]): active texture coordinates, the flat position in the smallest
  *   square around the map with the same centre.
  *
@@ -82,7 +83,7 @@
  * - `FlippedFaces` (vtkIdType): number of triangles that are not positively oriented.
  * - `Bijective` (vtkIdType): 1 if the map is one-to-one: no triangle is flipped, and the boundary points
  *   are in order on the domain or, with FreeOutline, the outline does not cross itself; else 0.
- * - `WarmStart` (vtkIdType): 1 if the refinement went on from `FlatPoints`, else 0.
+ * - `WarmStart` (vtkIdType): 1 if the map was made from `FlatPoints`, else 0.
  * - `RefinementRounds` (vtkIdType): passes of the refinement over the parts that were not yet exact.
  * - `RefinementRepairs` (vtkIdType): number of triangles that were flipped on the way and were
  *   untangled.
@@ -191,9 +192,9 @@ public:
 
   ///@{
   /**
-   * Whether the map lets go of the domain after the refinement: the boundary points are then free, the
-   * triangles keep their areas, and their shapes are less distorted. The outline does not cross itself.
-   * It needs FaceRefinement; an error says so. Default: off.
+   * Whether the boundary points are free instead of on the boundary of the domain: the triangles keep
+   * their areas, and their shapes are less distorted. The outline does not cross itself. It needs
+   * FaceRefinement; an error says so. Default: off.
    */
   vtkSetMacro(FreeOutline, bool);
   vtkGetMacro(FreeOutline, bool);

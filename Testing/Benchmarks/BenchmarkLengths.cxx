@@ -5,13 +5,13 @@
 
 #include "AuthalicEnergy.h"
 #include "BenchmarkSurfaces.h"
-#include "BoundaryFirstOutline.h"
 #include "StretchEnergy.h"
 #include "SymmetricDirichlet.h"
 #include "Yardstick.h"
 
 #include "Areas/AreaPreservingDisk.h"
 #include "Conformal/ConformalDisk.h"
+#include "Conformal/NaturalOutline.h"
 #include "FlatMap/DistortionSummary.h"
 #include "FlatMap/LengthDistortion.h"
 #include "Mesh/MeshTopology.h"
@@ -65,7 +65,13 @@ std::vector<NamedMap> namedMaps()
       [](const TriangleMesh& mesh) { return benchmarks::stretchEnergyDiskMap(mesh, 100); } },
     authalic("authalic energy", 0.0),
     authalic("authalic and conformal energy", 0.5),
-    { "Boundary First, natural outline", benchmarks::naturalBoundaryMap },
+    { "Boundary First, natural outline",
+      [](const TriangleMesh& mesh)
+      {
+        const std::vector<int> loop = requireDisk(mesh);
+        NaturalOutlineMap map(mesh, loop);
+        return map.extended(map.outline());
+      } },
     { "symmetric Dirichlet, free outline",
       [](const TriangleMesh& mesh) { return benchmarks::symmetricDirichletMap(mesh, 100); } } };
 }

@@ -567,22 +567,26 @@ TEST(OMTAreaPreservingFilter, FreeOutline)
   EXPECT_NEAR(apart(0, 3), std::hypot(90.0, 30.0), 1e-3);
   EXPECT_NEAR(apart(1, 2), std::hypot(90.0, 30.0), 1e-3);
 
-  // FlatPoints lie in the disk, near those of the map without a free outline, which is refined further;
-  // the cells of the power diagram fill the map.
+  // FlatPoints are its points. It lies as the map without a free outline does, up to a turn by a
+  // twentieth that the refinement in the disk adds; the cells of the power diagram fill the map.
   vtkDataArray* flatPoints = output->GetPointData()->GetArray("FlatPoints");
-  const double radius = std::sqrt(90.0 * 30.0 / vtkMath::Pi());
-  int onCircle = 0;
-  double away = 0.0;
+  double along = 0.0;
+  double across = 0.0;
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
     double place[3];
-    flatPoints->GetTuple(i, place);
-    EXPECT_LE(vtkMath::Norm(place), radius * (1.0 + 1e-12));
-    onCircle += vtkMath::Norm(place) > radius * (1.0 - 1e-12) ? 1 : 0;
-    away += std::sqrt(vtkMath::Distance2BetweenPoints(place, inDisk->GetPoint(i)));
+    output->GetPoint(i, place);
+    double disk[3];
+    inDisk->GetPoint(i, disk);
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_EQ(flatPoints->GetComponent(i, k), place[k]);
+    }
+    along += place[0] * disk[0] + place[1] * disk[1];
+    across += place[0] * disk[1] - place[1] * disk[0];
   }
-  EXPECT_EQ(onCircle, 160);
-  EXPECT_LT(away / static_cast<double>(output->GetNumberOfPoints()), 0.05 * radius);
+  EXPECT_GT(along, 0.0);
+  EXPECT_LT(std::abs(across), 0.1 * along);
   vtkPolyData* diagram = filter->GetPowerDiagram();
   double drawn = 0.0;
   for (vtkIdType c = 0; c < diagram->GetNumberOfCells(); ++c)
@@ -599,7 +603,7 @@ TEST(OMTAreaPreservingFilter, FreeOutline)
   }
   EXPECT_NEAR(drawn, 2700.0, 0.01 * 2700.0);
 
-  // A later run starts from the map in the disk.
+  // A later run starts from the map.
   vtkNew<vtkPolyData> again;
   again->ShallowCopy(conformal->GetOutput());
   again->GetPointData()->AddArray(output->GetPointData()->GetArray("PowerWeight"));

@@ -13,13 +13,13 @@ from pathlib import Path
 
 GENERAL = ("Base", "Mesh")  # every folder includes these: they get no arrows
 COLUMNS = {  # left and right end of each folder's box, so that arrows can run straight down
-    "Disk": (20, 410),
-    "Regions": (430, 560),
-    "FlatMap": (580, 980),
+    "Disk": (20, 415),
+    "Regions": (425, 515),
+    "FlatMap": (525, 680),
     "Remeshing": (70, 200),
     "Geodesics": (380, 640),
     "Conformal": (660, 800),
-    "Areas": (820, 980),
+    "Areas": (690, 980),
     "Repair": (20, 190),
     "Handles": (200, 275),
     "Intrinsic": (285, 690),
@@ -43,7 +43,7 @@ LAYERS = (  # top to bottom: name, text
     ("Filters", "VTK classes, one per filter; Filters/Internal converts data sets to Core's meshes and back"),
 )
 FLOOR_TOP = 300
-HEIGHTS = {5: 70, 4: 70, 3: 104, 2: 50, 1: 50}  # of the boxes, by floor
+HEIGHTS = {5: 84, 4: 70, 3: 104, 2: 50, 1: 50}  # of the boxes, by floor
 GAPS = {5: 40, 4: 40, 3: 30, 2: 14, 1: 4}  # below them
 FLOOR_COLOURS = {5: "#fde5cf", 4: "#fdf3cf", 3: "#dff0d8", 2: "#d9e9f6", 1: "#e4e0f0"}
 

@@ -2,10 +2,13 @@
 #include "Areas/AreaPreservingDisk.h"
 
 #include "Areas/DomainTarget.h"
+#include "Areas/FreeOutline.h"
 #include "Areas/MapByTransport.h"
+#include "Areas/RefinementPatches.h"
 #include "Base/Errors.h"
 
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -33,6 +36,11 @@ constexpr double FirstShownShare = 0.97;
 // after the first transport, and 73 % after the second.
 constexpr int MostTransports = 4;
 
+// The share of the faces that a free outline may leave wrong beyond those that are wrong in the domain:
+// where more are, area weights or thin protrusions ask for more than a free outline can give, and the
+// map stays in its domain.
+constexpr double GreatestLoss = 0.01;
+
 // The greatest weight over the least one that the refinement takes. At a hundred million, areas of the
 // least weight were 600 times too large on 469 points; at ten million a map of 2,791 points took a
 // minute.
@@ -49,7 +57,7 @@ double rangeOf(const Eigen::VectorXd& weights)
 double meanAreaError(const TriangleMesh& mesh, const Points2& positions, const Eigen::VectorXd& weights)
 {
   const Eigen::VectorXd surface = faceAreas(mesh.Vertices, mesh.Faces);
-  const Eigen::VectorXd targets = faceTargets(mesh, weights / weights.maxCoeff());
+  const Eigen::VectorXd targets = faceTargets(mesh, weights);
   const Eigen::VectorXd areas = signedFaceAreas(positions, mesh.Faces);
   const double scale = targets.sum() / areas.sum();
   double sum = 0.0;
@@ -115,19 +123,13 @@ AreaPreservingResult mapInSteps(const TriangleMesh& mesh,
   const AreaPreservingOptions& options,
   const ProgressCallback& progress)
 {
-  targetAreas(mesh, weights); // throws if the weights are no such numbers
   const double range = rangeOf(weights);
-  if (options.RefineFaces)
-  {
-    requireNarrow(weights);
-  }
   if (!options.RefineFaces || range <= std::log(WidestStep))
   {
     return mapByTransports(mesh, conformal, onDomain, target, weights, options, progress);
   }
   AreaPreservingOptions before = options;
   before.Start = {};
-  before.FreeOutline = false;
   Points2 start = conformal;
   Points2 startOnDomain = onDomain;
   double reached = 0.0; // the exponent of the weights of the last map
@@ -164,6 +166,98 @@ AreaPreservingResult mapInSteps(const TriangleMesh& mesh,
   }
 }
 
+// @p positions turned so that they come nearest to @p others, around the centroid of either.
+Points2 turnedTowards(const Points2& others, const Points2& positions)
+{
+  const Points2 from = positions.rowwise() - positions.colwise().mean();
+  const Points2 to = others.rowwise() - others.colwise().mean();
+  const double cosine = from.cwiseProduct(to).sum();
+  const double sine = (from.col(0).cwiseProduct(to.col(1)) - from.col(1).cwiseProduct(to.col(0))).sum();
+  Eigen::Matrix2d turn;
+  turn << cosine, -sine, sine, cosine;
+  const double length = std::hypot(cosine, sine);
+  return length > 0.0 ? Points2(positions * (turn / length).transpose()) : positions;
+}
+
+// Gives the result the positions of the map with a free outline, which lies as the map to the domain.
+void take(const FreeOutlineMap& freed, AreaPreservingMap& map)
+{
+  map.Positions = turnedTowards(map.OnDomain, freed.Positions);
+  map.FlippedFaces = freed.FlippedFaces;
+  map.Bijective = freed.Bijective;
+  map.WarmStarted = freed.WarmStarted;
+  map.RefinementRounds = freed.Rounds;
+  map.RepairedFaces = 0;
+  map.StartShare = 1.0;
+  map.IsFree = true;
+  map.Deformations = freed.Deformations;
+}
+
+// The map with a free outline, with the cells of the transport to the domain; or the map to the domain
+// if too many areas would be lost.
+AreaPreservingResult freedMap(const TriangleMesh& mesh,
+  const Points2& conformal,
+  const Points2& onDomain,
+  const DomainTarget& target,
+  const Eigen::VectorXd& weights,
+  const AreaPreservingOptions& options,
+  const ProgressCallback& progress)
+{
+  constexpr double freedEnd = 0.7; // of the progress
+  const std::vector<int>& loop = target.Boundary.Vertices;
+  // The angle weight of an earlier map is not known, and one in the domain is no start.
+  const Points2& before = options.Start.Positions;
+  const bool isStart = options.Refinement.AngleWeight == 0.0 && before.rows() == mesh.vertexCount() &&
+                       before.allFinite() && !areOnBoundary(before, loop, *target.Domain);
+  const std::optional<FreeOutlineMap> freed = freeOutlineMap(mesh,
+    loop,
+    isStart ? before : Points2(),
+    faceTargets(mesh, weights),
+    target.Domain->area(),
+    shapeWeight(options.Refinement),
+    subrange(progress, 0.0, freedEnd));
+  const ProgressCallback rest = subrange(progress, freedEnd, 1.0);
+  const bool isOneToOne = freed && freed->Bijective;
+  if (isOneToOne && freed->ShareOff <= GreatestLoss)
+  {
+    AreaPreservingResult result = transportedMap(mesh, conformal, target, weights, options, rest);
+    take(*freed, result.Map);
+    return result;
+  }
+  AreaPreservingResult result = mapInSteps(mesh, conformal, onDomain, target, weights, options, rest);
+  const double shareOff = shareOfWrongFaces(result.Map.Positions,
+    mesh.Faces,
+    scaledTargets(faceTargets(mesh, weights), target.Domain->area()),
+    RefinementPatches::AreaTolerance);
+  if (isOneToOne && freed->ShareOff <= shareOff + GreatestLoss)
+  {
+    take(*freed, result.Map);
+  }
+  return result;
+}
+
+AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
+  const Points2& conformal,
+  const Points2& onDomain,
+  const DomainTarget& target,
+  const Eigen::VectorXd& weights,
+  const AreaPreservingOptions& options,
+  const ProgressCallback& progress)
+{
+  targetAreas(mesh, weights); // throws if the weights are no such numbers
+  if (options.RefineFaces)
+  {
+    requireNarrow(weights);
+  }
+  else if (options.FreeOutline)
+  {
+    throw InvalidInput("a free outline needs the face refinement: turn FaceRefinement on, or "
+                       "FreeOutline off");
+  }
+  return options.FreeOutline ? freedMap(mesh, conformal, onDomain, target, weights, options, progress)
+                             : mapInSteps(mesh, conformal, onDomain, target, weights, options, progress);
+}
+
 } // namespace
 
 AreaPreservingResult areaPreservingDiskMap(const TriangleMesh& mesh,
@@ -173,7 +267,7 @@ AreaPreservingResult areaPreservingDiskMap(const TriangleMesh& mesh,
   const ProgressCallback& progress)
 {
   const DomainTarget target = diskTarget(mesh, conformal);
-  return mapInSteps(mesh, conformal, conformal, target, weights, options, progress);
+  return areaPreservingMap(mesh, conformal, conformal, target, weights, options, progress);
 }
 
 AreaPreservingResult areaPreservingRectangleMap(const TriangleMesh& mesh,
@@ -184,7 +278,7 @@ AreaPreservingResult areaPreservingRectangleMap(const TriangleMesh& mesh,
   const ProgressCallback& progress)
 {
   const DomainTarget target = rectangleTarget(mesh, conformal, width);
-  return mapInSteps(mesh, conformal, conformal, target, weights, options, progress);
+  return areaPreservingMap(mesh, conformal, conformal, target, weights, options, progress);
 }
 
 AreaPreservingResult areaPreservingPolygonMap(const TriangleMesh& mesh,
@@ -199,7 +293,7 @@ AreaPreservingResult areaPreservingPolygonMap(const TriangleMesh& mesh,
   const double scale = target.Domain->innerRadius() / conformal.rowwise().norm().maxCoeff();
   const Points2 scaled = scale * conformal;
   const Points2 onDomain = stretchedAlongRays(conformal, source, *target.Domain);
-  return mapInSteps(mesh, scaled, onDomain, target, weights, options, progress);
+  return areaPreservingMap(mesh, scaled, onDomain, target, weights, options, progress);
 }
 
 } // namespace flattening

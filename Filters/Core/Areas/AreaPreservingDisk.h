@@ -24,8 +24,8 @@ struct AreaPreservingOptions
   WarmStart Start;         ///< an earlier result to begin with, or nothing
   bool RefineFaces = true; ///< whether faces are refined from exact cells to exact areas (refineFaces)
   FaceRefinementOptions Refinement;
-  bool FreeOutline =
-    false; ///< whether the map then lets go of the domain (freeOutline); needs RefineFaces
+  /// Whether the outline of the map is free (freeOutlineMap); needs RefineFaces.
+  bool FreeOutline = false;
   /// How many neighbouring vertices share one site of the transport, >= 1; fewer where the mesh has few
   /// vertices or the scale of the conformal map changes much (groupedSites). The refinement corrects
   /// areas within small regions, and the transport has to get right the areas of large ones only.
@@ -39,7 +39,9 @@ struct AreaPreservingMap
   /// n x 2; boundary vertices lie on the boundary of the domain unless the outline is free. A map with a
   /// free outline has its centroid in the origin.
   Points2 Positions;
-  Points2 OnDomain;                ///< n x 2; Positions before the outline was free
+  /// n x 2; the same if they lie in the domain, otherwise the transported map, in which faces may be
+  /// flipped.
+  Points2 OnDomain;
   Eigen::VectorXd TargetAreas;     ///< n, sum pi
   Eigen::VectorXd CellAreas;       ///< n, sum pi; vertices of one site share its cell by target area
   Eigen::VectorXd PowerWeights;    ///< n, those of the vertices' sites, squared lengths in the domain
@@ -50,11 +52,12 @@ struct AreaPreservingMap
   double MaxCellError = 0.0;       ///< max_i |A_i - nu_i| / nu_i
   int FlippedFaces = 0;            ///< faces not positively oriented (exact)
   bool Bijective = false;          ///< whether no face is flipped and the boundary vertices are in order
-  bool WarmStarted = false;        ///< whether refinement went on from the positions of Start
+  bool WarmStarted = false;        ///< whether it was made from the positions of Start
   int RefinementRounds = 0;        ///< number of rounds of the refinement
   int RepairedFaces = 0;           ///< faces that were untangled between the stages of the refinement
   double StartShare = 1.0;         ///< see FaceRefinementResult
-  int Deformations = 0;            ///< see FreeOutlineResult; 0 unless the outline is free
+  bool IsFree = false;             ///< whether the outline is free
+  int Deformations = 0;            ///< see FreeOutlineMap; 0 unless the outline is free
   std::vector<int> CornerVertices; ///< vertices that stay in the domain's corners, counter-clockwise
 };
 
@@ -75,7 +78,9 @@ struct AreaPreservingResult
 /// whose greatest is more than 32 times the least are reached in steps, of which each starts from the
 /// map of the one before. A transported map whose faces cannot be untangled is reached in steps as well:
 /// from a map on the way to it, the transport begins again, up to three times. The transport, its cells
-/// and its numbers are then those of the last step.
+/// and its numbers are then those of the last step. With a free outline, the map does not come from the
+/// transport, which gives the cells alone; if freeOutlineMap() has none, or more than 1 % of the faces
+/// more would lose their areas in it, it is the map to the domain.
 /// @throws InvalidInput, TopologyError (see requireDisk, targetAreas), InvalidInput if faces are refined
 /// and weights differ by a factor of more than a million, InvalidInput if @p conformal is
 /// not such a map, ConvergenceError, Cancelled.

@@ -85,7 +85,7 @@ private:
   struct SquareTerm;
   struct WayOff;   // of a kept point
   struct NodeTerm; // of the nodes that move a square of the lattice
-  void addSquares();
+  void addSquares(double weight);
   std::size_t squareOf(const Eigen::Vector2d& point) const;
   static Eigen::Matrix2d derivativeOf(const Square& square, const Points2& displacements);
   double energyOf(const Square& square, const Eigen::Matrix2d& f) const;

@@ -96,8 +96,7 @@ public:
     {
       this->startOver(map, subrange(progress, 0.65, 0.7));
     }
-    const bool stops =
-      this->Options.IsRough || (this->Options.StopsOnTheWay && this->Result.isOnTheWay());
+    const bool stops = this->Options.StopsOnTheWay && this->Result.isOnTheWay();
     if (!stops && this->countFlipped(map) == 0)
     {
       this->secondStage(map, subrange(progress, 0.7, 1.0));
@@ -139,10 +138,7 @@ private:
       RefinementRounds::FlippingEpsilon);
     this->Rounds.lowerDistortion(
       map, ShapingAreaWeight, MostShapingDeformations, subrange(progress, 0.0, 0.2));
-    this->Rounds.run(map,
-      FirstStageRounds,
-      this->Options.IsRough ? Until::Roughly : Until::Enough,
-      subrange(progress, 0.2, 1.0));
+    this->Rounds.run(map, FirstStageRounds, Until::Enough, subrange(progress, 0.2, 1.0));
   }
 
   void secondStage(DomainMap& map, const ProgressCallback& progress)

@@ -20,9 +20,6 @@ struct FaceRefinementOptions
   /// The weight of angles against areas, in [0, 1): 0 asks for areas, with just enough weight of the
   /// angles to make the map unique.
   double AngleWeight = 0.0;
-  /// Whether a few rounds are enough: the map is to be one-to-one, and areas about right. For a map that
-  /// is deformed afterwards.
-  bool IsRough = false;
   /// Whether a map on the way to the transported one, where its faces cannot be untangled, is returned
   /// as it is (see FaceRefinementResult::StartShare): it can be transported again from there.
   bool StopsOnTheWay = false;

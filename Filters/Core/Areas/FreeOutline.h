@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The free outline: an area-preserving map lets go of its domain, so that shapes are less distorted.
+/// The area-preserving map whose outline is free, so that shapes are less distorted than in a domain.
 #pragma once
 
 #include "Base/Progress.h"
@@ -7,35 +7,40 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 namespace flattening
 {
 
 /// A map with a free outline, and how it was found.
-struct FreeOutlineResult
+struct FreeOutlineMap
 {
-  Points2 Positions;      ///< n x 2, with the centroid of the map in the origin
-  int Deformations = 0;   ///< number of smooth deformations; 0 if the map is as it was
-  int Rounds = 0;         ///< number of passes of the refinement
-  double ShareOff = 0.0;  ///< share of the faces whose area is off by more than 2 %
-  int FlippedFaces = 0;   ///< faces not positively oriented (exact)
-  bool Bijective = false; ///< whether no face is flipped and the outline does not cross itself (exact)
+  Points2 Positions;        ///< n x 2, with the centroid of the map in the origin
+  int Deformations = 0;     ///< number of smooth deformations
+  int Rounds = 0;           ///< number of passes of the refinement
+  double ShareOff = 0.0;    ///< share of the faces whose area is off by more than 2 %
+  int FlippedFaces = 0;     ///< faces not positively oriented (exact)
+  bool Bijective = false;   ///< whether no face is flipped and the outline does not cross itself (exact)
+  bool WarmStarted = false; ///< whether it was made from an earlier map
 };
 
-/// Begins with a one-to-one map @p positions (n x 2) of @p surface, a disk with the boundary @p loop.
-/// Its faces have about the areas @p faceTargets (m, >= 0, up to a common factor). Smooth deformations
-/// (smoothlyDeformed) lower the distortion of shapes and hold the areas of regions; rounds of the
-/// refinement make the areas of the faces exact, while boundary vertices are as free as the others. No
-/// step lets a face flip or the outline cross itself, and the map remains one-to-one. The map is
-/// returned as it is if it is not one-to-one, if no deformation can be applied to it, or if shapes would
-/// not be less distorted.
-/// @p area (> 0) is what the map is to cover in the end. @p shapeWeight (> 0) is that of the face
-/// refinement (RefinementTerms).
+/// Begins with the conformal map that has a free outline (mapNearNaturalOutline). Its areas go to the
+/// targets in steps. In each, a smooth deformation (smoothlyDeformed) sets the areas of regions right
+/// and lowers the distortion of shapes, and a round of the refinement those of the faces, while boundary
+/// vertices are as free as the others. Further deformations lower the distortion, and rounds make the
+/// areas exact. No step lets a face flip or the outline cross itself, and the map remains one-to-one.
+/// Nothing is returned if there is no one-to-one map to begin with, or if parts of the outline press
+/// against each other and areas get no nearer to their targets.
+/// @p surface is a disk with the boundary @p loop. The faces are to have the areas @p faceTargets (m,
+/// >= 0, up to a common factor); @p area (> 0) is what the map is to cover. @p shapeWeight (> 0) is that
+/// of the face refinement (RefinementTerms).
+/// @p before  a map of this kind for other targets, to begin with (n x 2, finite, at any scale). An
+///            empty array and a map that is not one-to-one are ignored.
 /// @throws Cancelled, ConvergenceError.
-FreeOutlineResult freeOutline(const TriangleMesh& surface,
+std::optional<FreeOutlineMap> freeOutlineMap(const TriangleMesh& surface,
   const std::vector<int>& loop,
-  const Points2& positions,
+  const Points2& before,
   const Eigen::VectorXd& faceTargets,
   double area,
   double shapeWeight,

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Areas/MapByTransport.h"
 
-#include "Areas/FreedMap.h"
+#include "Areas/FaceRefinement.h"
 #include "Areas/WarmStart.h"
 #include "Base/EigenVersions.h"
-#include "Base/Errors.h"
 #include "Mesh/FaceOrientation.h"
 #include "Transport/BoundaryPlacement.h"
 #include "Transport/TransportInterpolation.h"
@@ -68,12 +67,7 @@ public:
   AreaPreservingResult make(const ProgressCallback& progress)
   {
     const double transportEnd = this->Options.RefineFaces ? 0.5 : 0.95;
-    this->requireOptions();
-    this->chooseSites();
-    this->transport(subrange(progress, 0.0, transportEnd));
-    report(progress, transportEnd + 0.01, "Flat positions");
-    this->measureCells();
-    this->placeSites();
+    this->transportSites(subrange(progress, 0.0, transportEnd));
     if (!this->startWarm())
     {
       this->startFromTransport();
@@ -84,18 +78,32 @@ public:
     {
       this->refine(subrange(progress, transportEnd + 0.02, 1.0));
     }
-    report(progress, 1.0, "Area-preserving map");
-    return { std::move(this->Map), std::move(*this->Diagram), std::move(this->Sites.SiteOfVertex) };
+    return this->made(progress);
+  }
+
+  AreaPreservingResult makeTransported(const ProgressCallback& progress)
+  {
+    this->transportSites(subrange(progress, 0.0, 0.95));
+    this->startFromTransport();
+    this->countFlipped();
+    this->Map.OnDomain = this->Map.Positions;
+    return this->made(progress);
   }
 
 private:
-  void requireOptions() const
+  void transportSites(const ProgressCallback& progress)
   {
-    if (this->Options.FreeOutline && !this->Options.RefineFaces)
-    {
-      throw InvalidInput("a free outline needs the face refinement: turn FaceRefinement on, or "
-                         "FreeOutline off");
-    }
+    this->chooseSites();
+    this->transport(progress);
+    report(progress, 1.0, "Flat positions");
+    this->measureCells();
+    this->placeSites();
+  }
+
+  AreaPreservingResult made(const ProgressCallback& progress)
+  {
+    report(progress, 1.0, "Area-preserving map");
+    return { std::move(this->Map), std::move(*this->Diagram), std::move(this->Sites.SiteOfVertex) };
   }
 
   void chooseSites()
@@ -205,15 +213,6 @@ private:
     this->Map.Bijective = this->Map.FlippedFaces == 0; // boundaryParameters() are in order
   }
 
-  // The areas that the faces should have, up to a common factor.
-  Eigen::VectorXd targetsOfFaces() const
-  {
-    const Eigen::VectorXd relative = this->Weights.size() > 0
-                                       ? Eigen::VectorXd(this->Weights / this->Weights.maxCoeff())
-                                       : this->Weights;
-    return faceTargets(this->Mesh, relative);
-  }
-
   void refine(const ProgressCallback& progress)
   {
     const TransportedMap transported{ this->Domain,
@@ -223,26 +222,11 @@ private:
       this->Map.Positions,
       this->OnDomain,
       this->Map.WarmStarted ? RefinementStart::WarmStart : RefinementStart::Transport };
-    const FaceRefinementOptions& options = this->Options.Refinement;
-    if (!this->Options.FreeOutline)
-    {
-      this->take(refineFaces(this->Mesh, transported, this->targetsOfFaces(), options, progress));
-      return;
-    }
-    FreedMap map = freedMap(this->Mesh, transported, this->targetsOfFaces(), options, progress);
-    this->take(std::move(map.OnDomain));
-    if (map.Freed)
-    {
-      this->Map.Positions = std::move(map.Freed->Positions);
-      this->Map.FlippedFaces = map.Freed->FlippedFaces;
-      this->Map.Bijective = map.Freed->Bijective;
-      this->Map.RefinementRounds += map.Freed->Rounds;
-      this->Map.Deformations = map.Freed->Deformations;
-    }
-  }
-
-  void take(FaceRefinementResult refined)
-  {
+    FaceRefinementResult refined = refineFaces(this->Mesh,
+      transported,
+      faceTargets(this->Mesh, this->Weights),
+      this->Options.Refinement,
+      progress);
     this->Map.Positions = std::move(refined.Positions);
     this->Map.FlippedFaces = refined.FlippedFaces;
     this->Map.Bijective = refined.Bijective;
@@ -279,6 +263,16 @@ AreaPreservingResult mapByTransport(const TriangleMesh& mesh,
   const ProgressCallback& progress)
 {
   return MapMaker(mesh, conformal, onDomain, target, weights, options).make(progress);
+}
+
+AreaPreservingResult transportedMap(const TriangleMesh& mesh,
+  const Points2& conformal,
+  const DomainTarget& target,
+  const Eigen::VectorXd& weights,
+  const AreaPreservingOptions& options,
+  const ProgressCallback& progress)
+{
+  return MapMaker(mesh, conformal, conformal, target, weights, options).makeTransported(progress);
 }
 
 } // namespace flattening

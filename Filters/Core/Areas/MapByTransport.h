@@ -21,4 +21,13 @@ AreaPreservingResult mapByTransport(const TriangleMesh& mesh,
   const AreaPreservingOptions& options,
   const ProgressCallback& progress = {});
 
+/// The same without its refinement: the transport with the sites that the refinement takes, and the map
+/// that it gives, in which faces may be flipped.
+AreaPreservingResult transportedMap(const TriangleMesh& mesh,
+  const Points2& conformal,
+  const DomainTarget& target,
+  const Eigen::VectorXd& weights,
+  const AreaPreservingOptions& options,
+  const ProgressCallback& progress = {});
+
 } // namespace flattening

@@ -4,8 +4,8 @@
 #include "Areas/SmoothDeformation.h"
 #include "Mesh/FaceOrientation.h"
 #include "Mesh/OutlineCrossings.h"
-#include "Mesh/OutlineGaps.h"
 #include "Untangling/MapUntangling.h"
+#include "Untangling/OutlineUntangling.h"
 #include "Untangling/TargetTriangles.h"
 
 #include <iterator>
@@ -26,12 +26,6 @@ constexpr double MostNewlyFlipped = 1e-4;
 // untangle them. Guards for the time: beyond them a smaller share of the deformation is tried.
 constexpr double MostFlipped = 0.05;
 constexpr int LargestUntangledPatch = 200;
-
-TargetTriangle triangleOf(const Eigen::RowVector3i& face, const Points2& positions)
-{
-  const auto first = positions.row(face[0]);
-  return { positions.row(face[1]) - first, positions.row(face[2]) - first };
-}
 
 } // namespace
 
@@ -86,8 +80,7 @@ bool MapDeformation::deform(DomainMap& map,
 
 // Makes the deformed map @p map one-to-one again, near where faces are flipped or edges of the outline
 // cross. Faces that have all their vertices on a free boundary can be untangled, and edges that cross be
-// parted, only if the boundary moves. So the second attempt frees it there. The gaps beside it, as they
-// were @p before, count as faces then, so that no part of the outline moves across another.
+// parted, only if the boundary moves. So the second attempt frees it there.
 bool MapDeformation::untangle(const DomainMap& before,
   DomainMap& map,
   const Eigen::VectorXd& targets,
@@ -119,36 +112,15 @@ bool MapDeformation::untangle(const DomainMap& before,
   {
     return false;
   }
-  const std::vector<char> fixed = this->onBoundaryFarFromFaults(map.Positions);
-  const FaceMatrix faces = this->withGaps(before.Positions, fixed);
-  untangleMap(
-    faces,
-    fixed,
-    [&](int f) {
-      return f < this->Surface.faceCount() ? triangles(f) : triangleOf(faces.row(f), before.Positions);
-    },
+  untangleWithOutline(this->Surface.Faces,
+    this->FacesOf,
+    this->Terms.Outline,
+    before.Positions,
+    triangles,
     map.Positions,
     options,
     subrange(progress, 0.5, 1.0));
   return this->countFlipped(map) == 0 && !edgesCross(map.Positions, this->Terms.Outline);
-}
-
-// The faces, and the gaps of the outline that free vertices bound.
-FaceMatrix MapDeformation::withGaps(const Points2& positions, const std::vector<char>& fixed) const
-{
-  const FaceMatrix gaps = outlineGaps(positions, this->Terms.Outline);
-  FaceMatrix faces(this->Surface.faceCount() + gaps.rows(), 3);
-  faces.topRows(this->Surface.faceCount()) = this->Surface.Faces;
-  Eigen::Index count = this->Surface.faceCount();
-  for (Eigen::Index gap = 0; gap < gaps.rows(); ++gap)
-  {
-    if (!fixed[gaps(gap, 0)] || !fixed[gaps(gap, 1)] || !fixed[gaps(gap, 2)])
-    {
-      faces.row(count++) = gaps.row(gap);
-    }
-  }
-  faces.conservativeResize(count, 3);
-  return faces;
 }
 
 std::vector<char> MapDeformation::onBoundary() const
@@ -163,44 +135,6 @@ std::vector<char> MapDeformation::onBoundary() const
     flags[edge[0]] = 1;
   }
   return flags;
-}
-
-// The boundary vertices that are not near faces that are flipped or edges that cross.
-std::vector<char> MapDeformation::onBoundaryFarFromFaults(const Points2& positions) const
-{
-  std::vector<char> isNear(this->Surface.vertexCount(), 0);
-  const std::vector<signed char> orientations = faceOrientations(positions, this->Surface.Faces);
-  for (int f = 0; f < this->Surface.faceCount(); ++f)
-  {
-    for (const int corner : this->Surface.Faces.row(f))
-    {
-      isNear[corner] = isNear[corner] || orientations[f] <= 0;
-    }
-  }
-  const std::vector<char> crossing = crossingEdges(positions, this->Terms.Outline);
-  for (std::size_t k = 0; k < crossing.size(); ++k)
-  {
-    for (const int v : this->Terms.Outline[k])
-    {
-      isNear[v] = isNear[v] || crossing[k];
-    }
-  }
-  std::vector<char> fixed = this->onBoundary();
-  for (int v = 0; v < this->Surface.vertexCount(); ++v)
-  {
-    if (!isNear[v])
-    {
-      continue;
-    }
-    for (const int face : this->FacesOf[v])
-    {
-      for (const int corner : this->Surface.Faces.row(face))
-      {
-        fixed[corner] = 0;
-      }
-    }
-  }
-  return fixed;
 }
 
 } // namespace flattening

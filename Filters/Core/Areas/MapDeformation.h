@@ -52,8 +52,6 @@ private:
     const Eigen::VectorXd& targets,
     const ProgressCallback& progress) const;
   std::vector<char> onBoundary() const;
-  std::vector<char> onBoundaryFarFromFaults(const Points2& positions) const;
-  FaceMatrix withGaps(const Points2& positions, const std::vector<char>& fixed) const;
 
   const TriangleMesh& Surface;
   const RefinementTerms& Terms;

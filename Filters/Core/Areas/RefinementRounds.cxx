@@ -29,10 +29,6 @@ constexpr double LeastProgress = 0.02;
 constexpr int MostIdleRounds = 2;
 // The share after a warm start: for a change of one weight, each further round is a tenth of the wait.
 constexpr double WarmEnoughShare = 0.005;
-// The same for a rough map: rounds that bring little are not worth the wait for a map that is deformed
-// afterwards.
-constexpr double LeastQuickProgress = 0.2;
-constexpr int MostIdleQuickRounds = 1;
 // The least area ratio of a face in the sum of errors. A guard: the logarithm of a flipped face's ratio
 // does not exist.
 constexpr double LeastRatio = 1e-3;
@@ -338,12 +334,10 @@ void RefinementRounds::run(DomainMap& map, int most, Until until, const Progress
     pass.ShapeFactor = this->Count <= this->LastShapeRound ? FirstShapeFactor : 1.0;
     const int patches = this->Patches.run(pass, map, subrange(progress, middle, end));
     const WrongFaces next = this->wrongFaces(map);
-    const bool isQuick = until == Until::Roughly;
-    const int mostIdle = isQuick ? MostIdleQuickRounds : MostIdleRounds;
-    const double left = 1.0 - (isQuick ? LeastQuickProgress : LeastProgress);
+    const double left = 1.0 - LeastProgress;
     const bool helps = next.Share <= left * before.Share || next.Distance <= left * before.Distance;
     idle = helps ? 0 : idle + 1;
-    if (patches == 0 || (until != Until::AllRounds && idle >= mostIdle))
+    if (patches == 0 || (until != Until::AllRounds && idle >= MostIdleRounds))
     {
       return;
     }

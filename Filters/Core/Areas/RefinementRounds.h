@@ -29,7 +29,6 @@ public:
   enum class Until
   {
     Enough,   ///< when few faces are off, or when rounds in a row bring too little
-    Roughly,  ///< the same, but already when one round brings less than a fifth
     AllRounds ///< never
   };
 

@@ -104,10 +104,10 @@ Eigen::VectorXd faceTargets(const TriangleMesh& mesh, const Eigen::VectorXd& wei
   Eigen::VectorXd targets = areas.cwiseMax(LeastFaceArea * areas.mean());
   if (weights.size() > 0)
   {
+    const Eigen::VectorXd relative = weights / weights.maxCoeff(); // which does not overflow
     for (int f = 0; f < mesh.faceCount(); ++f)
     {
-      targets[f] *=
-        (weights[mesh.Faces(f, 0)] + weights[mesh.Faces(f, 1)] + weights[mesh.Faces(f, 2)]) / 3.0;
+      targets[f] *= relative(mesh.Faces.row(f)).mean();
     }
   }
   return targets;

@@ -15,7 +15,7 @@ Eigen::VectorXd targetAreas(const TriangleMesh& mesh, const Eigen::VectorXd& wei
 
 /// The area that each face should get, up to a common factor (m, > 0): its area times the mean weight of
 /// its corners. Faces without area on the surface count as if they had a millionth of the mean area.
-/// @p weights (n) may be empty: all 1.
+/// @p weights (n, > 0) may be empty: all 1.
 Eigen::VectorXd faceTargets(const TriangleMesh& mesh, const Eigen::VectorXd& weights);
 
 /// Target areas that straight-sided faces can have in the unit disk. Near the circle, faces that are

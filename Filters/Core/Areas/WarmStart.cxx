@@ -17,34 +17,30 @@ constexpr double OnBoundaryTolerance = 1e-6;
 // transport.
 constexpr double LargestFlippedShare = 0.01;
 
+bool isAt(const Points2& positions, int v, const ConvexDomain& domain, double parameter)
+{
+  return (domain.at(parameter).transpose() - positions.row(v)).norm() <= OnBoundaryTolerance;
+}
+
 bool isMapToDomain(const Points2& positions,
   const FaceMatrix& faces,
   const ConvexDomain& domain,
   const BoundaryLoop& boundary)
 {
-  if (!positions.allFinite())
+  const std::vector<int>& loop = boundary.Vertices;
+  if (!positions.allFinite() || !areOnBoundary(positions, loop, domain))
   {
     return false;
   }
-  const std::vector<int>& loop = boundary.Vertices;
-  const auto isAt = [&](int v, double parameter)
-  { return (domain.at(parameter).transpose() - positions.row(v)).norm() <= OnBoundaryTolerance; };
-  const Eigen::VectorXd parameters = domain.parametersOf(positions, loop);
-  for (std::size_t k = 0; k < loop.size(); ++k)
-  {
-    if (!isAt(loop[k], parameters[k]))
-    {
-      return false;
-    }
-  }
   for (std::size_t c = 0; c < boundary.Corners.size(); ++c)
   {
-    if (!isAt(loop[boundary.Corners[c]], boundary.CornerParameters[c]))
+    if (!isAt(positions, loop[boundary.Corners[c]], domain, boundary.CornerParameters[c]))
     {
       return false;
     }
   }
-  return domain.areInOrder(parameters) && countFlippedFaces(positions, faces) == 0;
+  return domain.areInOrder(domain.parametersOf(positions, loop)) &&
+         countFlippedFaces(positions, faces) == 0;
 }
 
 // The same parameters from the first on around the whole boundary.
@@ -60,6 +56,19 @@ std::vector<double> turnOf(const std::vector<double>& parameters, const ConvexDo
 }
 
 } // namespace
+
+bool areOnBoundary(const Points2& positions, const std::vector<int>& loop, const ConvexDomain& domain)
+{
+  const Eigen::VectorXd parameters = domain.parametersOf(positions, loop);
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    if (!isAt(positions, loop[k], domain, parameters[k]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
 
 Eigen::VectorXd WarmStart::weightsOf(const TransportSites& sites) const
 {

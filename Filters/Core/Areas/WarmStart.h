@@ -35,6 +35,10 @@ enum class RefinementStart
   WarmStart  ///< a map that was refined for other weights: a few faces are off, and by little
 };
 
+/// Whether the vertices of @p loop lie on the boundary of @p domain at @p positions (n x 2), up to the
+/// rounding of a change of units.
+bool areOnBoundary(const Points2& positions, const std::vector<int>& loop, const ConvexDomain& domain);
+
 /// The positions of @p start carried to the transport @p diagram (see carriedMap). Nothing if they are
 /// no one-to-one map of @p faces to the domain with the boundary vertices and corners where they belong,
 /// or if carrying them flips more than 1 % of the faces.

@@ -177,6 +177,17 @@ void WeightedMeans::extend(ComplexVector& positions, const ProgressCallback& pro
   }
 }
 
+Eigen::VectorXd WeightedMeans::potential(const Eigen::VectorXd& vertexWeights,
+  const ProgressCallback& progress)
+{
+  Eigen::VectorXd potential = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(this->Row.size()));
+  if (!this->Free.empty())
+  {
+    potential(this->Free) = this->solution(vertexWeights(this->Free), FinalTolerance, progress);
+  }
+  return potential;
+}
+
 Eigen::VectorXd WeightedMeans::passedToFixed(const Eigen::VectorXd& vertexWeights,
   const ProgressCallback& progress)
 {

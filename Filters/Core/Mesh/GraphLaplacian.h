@@ -54,6 +54,11 @@ public:
   /// smaller are the rounding errors. @throws ConvergenceError, Cancelled.
   void extend(ComplexVector& positions, const ProgressCallback& progress = {});
 
+  /// The potential (n) of which the Laplacian, by the weights, is @p vertexWeights (n) at every free
+  /// vertex, and which is 0 at fixed ones: each free vertex has the sum of the weighted differences from
+  /// its neighbours. For symmetric weights. @throws ConvergenceError, Cancelled.
+  Eigen::VectorXd potential(const Eigen::VectorXd& vertexWeights, const ProgressCallback& progress = {});
+
   /// The weights with which the positions of the fixed vertices give the sum of all positions, each with
   /// its own weight of @p vertexWeights (n). Only the elements of fixed vertices count.
   /// @throws ConvergenceError, Cancelled.

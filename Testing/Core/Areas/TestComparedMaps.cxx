@@ -3,7 +3,6 @@
 /// known least.
 #include "AnalyticSurfaces.h"
 #include "AuthalicEnergy.h"
-#include "BoundaryFirstOutline.h"
 #include "FlatMap/DistortionSummary.h"
 #include "Mesh/MeshTopology.h"
 #include "StretchEnergy.h"
@@ -52,23 +51,6 @@ TEST_F(ComparedMaps, BalancedEnergiesMeetTheirRadialLeast)
   const DistortionSummary summary =
     this->summaryOf(authalicEnergyDiskMap(this->Mesh.Mesh, { 100, 0.5 }));
   EXPECT_NEAR(summary.SDAreaRatio, 0.118, 0.004);
-}
-
-// The conformal map whose boundary keeps its length is the stereographic projection. Its area ratio at
-// height c above the boundary is 2 / (1 + c)^2, of mean 1 and deviation root 1/6 over the sphere.
-TEST_F(ComparedMaps, NaturalBoundaryOfTheHemisphere)
-{
-  const Points2 flat = naturalBoundaryMap(this->Mesh.Mesh);
-  const DistortionSummary summary = this->summaryOf(flat);
-  EXPECT_LT(summary[Measure::AngleError].Mean, 0.6);
-  EXPECT_NEAR(summary.SDAreaRatio, std::sqrt(1.0 / 6.0), 0.02);
-  const std::vector<int> loop = requireDisk(this->Mesh.Mesh);
-  double length = 0.0;
-  for (std::size_t k = 0; k < loop.size(); ++k)
-  {
-    length += (flat.row(loop[(k + 1) % loop.size()]) - flat.row(loop[k])).norm();
-  }
-  EXPECT_NEAR(length, 2.0 * EIGEN_PI, 0.01);
 }
 
 // The least radial map, computed as above, has the energy 4.1409 after both are scaled to the same area,
