@@ -78,6 +78,15 @@ TEST(NaturalOutline, OfAFlatSurfaceKeepsLengths)
   }
 }
 
+// Along a closed tube the conformal scale falls to 1e-17, where doubles do not tell points apart.
+TEST(NaturalOutline, SpreadsProtrusions)
+{
+  const TriangleMesh tube = sunflowerMesh(capsule(40.0), 3000).Mesh;
+  const std::optional<Points2> map = mapNearNaturalOutline(tube, requireDisk(tube));
+  ASSERT_TRUE(map);
+  EXPECT_EQ(countFlippedFaces(*map, tube.Faces), 0);
+}
+
 // A strip that winds twice around an axis and rises: unrolled it would overlap itself.
 TEST(NaturalOutline, IsMadeRounderWhereItCrossesItself)
 {
