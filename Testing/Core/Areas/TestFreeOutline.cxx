@@ -257,7 +257,7 @@ TEST(FreeOutline, CancelsAnywhere)
 }
 
 // Surfaces of 760 to 1550 points whose outlines press against themselves on the way: where a deformation
-// that loses areas is kept, or a step that does not get on, many faces stay wrong.
+// that loses areas is kept, many faces stay wrong.
 TEST(FreeOutline, DoesNotPressPartsOfTheOutlineTogether)
 {
   for (const int seed : { 37, 81, 246 })
