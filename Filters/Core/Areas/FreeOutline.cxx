@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -35,6 +36,8 @@ constexpr double LeastDeformationGain = 0.05;
 // compromise: where these differ by 3, 93.2, 94.7 and 95.7 % of the faces of a folded brain were within
 // 2 % after 5, 10 and 20 steps.
 constexpr double LogAreaStep = 0.3;
+// A limit of the time: the least share of the way that a step goes.
+constexpr double LeastStep = 0.01;
 // Areas whose ratios have logarithms of a smaller deviation need no step. A choice: rounds of the
 // refinement set them right.
 constexpr double Negligible = 0.02;
@@ -115,9 +118,10 @@ private:
     const double whole = this->distanceFromTargets();
     double share = whole > Negligible ? 0.0 : 1.0; // of the way
     int steps = 0;
+    const double step = std::max(LogAreaStep / whole, LeastStep);
     while (share < 1.0)
     {
-      const double begin = std::exchange(share, std::min(share + LogAreaStep / whole, 1.0));
+      const double begin = std::exchange(share, std::min(share + step, 1.0));
       this->Rounds.setStage(
         scaledTargets(((1.0 - share) * first + share * last).exp().matrix(), this->Area), 0.0);
       this->deformOnce(subrange(progress, begin, share));
@@ -127,9 +131,11 @@ private:
     return steps;
   }
 
+  // Where rounding makes the area of a face 0 or less, it is that of the least number.
   Eigen::ArrayXd logAreas() const
   {
-    return signedFaceAreas(this->Map.Positions, this->Surface.Faces).array().log();
+    const Eigen::ArrayXd areas = signedFaceAreas(this->Map.Positions, this->Surface.Faces).array();
+    return areas.max(std::numeric_limits<double>::min()).log();
   }
 
   // The standard deviation of the logarithms of the area ratios, by target area.
