@@ -63,8 +63,8 @@
  *   of the cell of its site; the sum is the area of the domain.
  * - point `PowerWeight` (double, output units squared): weight of the site of the point in the power
  *   diagram.
- * - point `FlatPoints` (double x 3, output units): position of the point, for the warm start of a later
- *   run.
+ * - point `FlatPoints` (double x 3, output units): flat position of the point, for the warm start of a
+ *   later run.
  * - point `TCoords` (float x 2, [0, 1]): active texture coordinates, the flat position in the smallest
  *   square around the map with the same centre.
  *

@@ -131,7 +131,7 @@ private:
     return steps;
   }
 
-  // Where rounding makes the area of a face 0 or less, it is that of the least number.
+  // An area that rounding makes 0 or less counts as the least positive number, to have a logarithm.
   Eigen::ArrayXd logAreas() const
   {
     const Eigen::ArrayXd areas = signedFaceAreas(this->Map.Positions, this->Surface.Faces).array();

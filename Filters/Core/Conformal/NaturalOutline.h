@@ -50,7 +50,8 @@ private:
 
 /// A one-to-one map of @p mesh, a disk with the boundary @p loop, near the one with the natural outline:
 /// the first whose outline does not cross itself as the outline is made rounder, with flipped faces
-/// untangled (untangleMap). Nothing if not all of them can be.
+/// untangled (untangleMap) and, where that needs it, the outline moved (untangleWithOutline). Nothing if
+/// no such map is found.
 /// @throws ConvergenceError if the Laplacian cannot be factored; Cancelled.
 std::optional<Points2> mapNearNaturalOutline(const TriangleMesh& mesh,
   const std::vector<int>& loop,
