@@ -24,8 +24,9 @@ namespace
 {
 
 // The shares of a convex polygon in the outline to try. A choice: outlines of brains and heads that were
-// cut along their reliefs mostly cross themselves in one or two places with 0; of five, one needed a half
-// and one 0.8. The first share counts that works, and how round it is hardly matters for the map that is made from it.
+// cut along their reliefs mostly cross themselves in one or two places with 0; of five, one needed a
+// half and one 0.8. The first share counts that works, and how round it is hardly matters for the map
+// that is made from it.
 constexpr double Roundnesses[] = { 0.0, 0.25, 0.5, 0.75, 1.0 };
 constexpr const char* OutlineStage = "Natural outline";
 
