@@ -183,6 +183,7 @@ flattening::SurfaceToDiskOptions vtkSurfaceToDiskFilter::GetOptions(vtkPolyData*
   options.Hole.BoundaryVertices = this->MinimumBoundaryVertices;
   options.Relief.Gain = this->ReliefGain;
   options.Relief.Longest = this->LongestRelief;
+  options.FreeOutline = this->FreeOutline;
   options.Plane.Origin = Eigen::Vector3d(this->PlaneOrigin);
   options.Plane.Normal = Eigen::Vector3d(this->PlaneNormal);
   options.SmallestAngle = this->SmallestAngle;
@@ -367,6 +368,7 @@ void vtkSurfaceToDiskFilter::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "ReliefGain: " << this->ReliefGain << "\n";
   os << indent << "LongestRelief: " << this->LongestRelief << "\n";
+  os << indent << "FreeOutline: " << (this->FreeOutline ? "on" : "off") << "\n";
   os << indent << "CutLabel: " << this->CutLabel << "\n";
   print(os, indent, "PlaneOrigin", this->PlaneOrigin);
   print(os, indent, "PlaneNormal", this->PlaneNormal);

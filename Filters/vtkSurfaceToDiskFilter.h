@@ -342,12 +342,13 @@ public:
    * - LABEL (4): the part with a label (CutLabel) is removed, and its border becomes the boundary of the
    *   disk.
    * - AUTOMATIC (5): a seam if UseSeamPoints or SeamLines give its place, a hole if UseHolePoint does.
-   *   Otherwise a closed surface gets the opening that mostly leaves the best map of the disk and a good
-   *   one with a free outline: a relief with a ReliefGain of 0.07 at least and a boundary no longer than
-   *   1.5 circumferences of a disk of the surface's area, or a hole where the region of interest leaves
-   *   no room for one. An open surface keeps its boundary, and is cut along a relief from there if its
-   *   strain (see ReliefStrain) is 0.7 or more, unless BoundaryMode chooses the boundary by a point.
-   *   ChosenCut and ReasonOfCut report the choice.
+   *   Otherwise a closed surface gets the opening that mostly leaves the best map: with FreeOutline a
+   *   relief as RELIEF cuts it; without, one that suits a disk, with a ReliefGain of 0.07 at least and a
+   *   boundary no longer than 1.5 circumferences of a disk of the surface's area; or a hole where the
+   *   region of interest leaves no room for a relief. An open surface keeps its boundary, and is cut
+   *   along a relief from there if its strain (see ReliefStrain) is 0.7 or more, or 0.3 with
+   * FreeOutline, unless BoundaryMode chooses the boundary by a point. ChosenCut and ReasonOfCut report
+   * the choice.
    *
    * Default: AUTOMATIC. The paper cuts a hole.
    */
@@ -490,8 +491,8 @@ public:
    * take away to be worth its length, if CutMode is RELIEF or AUTOMATIC, and in proportion if it has
    * another length: of all reliefs that are tried, the one is taken for which the strain and this number
    * times the length make the least sum. Each branch counts as if it were longer by 0.05. AUTOMATIC
-   * takes 0.07 if this is less. Less makes more branches. Range [0, inf), otherwise an error. Default:
-   * 0.05.
+   * takes 0.07 if this is less and FreeOutline is off. Less makes more branches. Range [0, inf),
+   * otherwise an error. Default: 0.01.
    */
   vtkSetMacro(ReliefGain, double);
   vtkGetMacro(ReliefGain, double);
@@ -505,6 +506,18 @@ public:
    */
   vtkSetMacro(LongestRelief, double);
   vtkGetMacro(LongestRelief, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the flat map will have a free outline (FreeOutline of vtkOMTAreaPreservingFilter). AUTOMATIC
+   * then cuts a longer relief, see there; other ways to cut do not depend on it. In a disk, the map of a
+   * surface that is cut for a free outline is mostly worse than that of one cut for a disk. Default:
+   * off.
+   */
+  vtkSetMacro(FreeOutline, bool);
+  vtkGetMacro(FreeOutline, bool);
+  vtkBooleanMacro(FreeOutline, bool);
   ///@}
 
   ///@{
@@ -632,8 +645,9 @@ protected:
   bool UseSeamPoints = false;
   std::vector<std::array<double, 3>> SeamPoints;
   std::vector<int> SeamPathStarts;
-  double ReliefGain = 0.05;
+  double ReliefGain = 0.01;
   double LongestRelief = 8.0;
+  bool FreeOutline = false;
   int CutLabel = 1;
   double PlaneOrigin[3] = { 0.0, 0.0, 0.0 };
   double PlaneNormal[3] = { 1.0, 0.0, 0.0 };

@@ -69,7 +69,7 @@ def flatten_cortex(
         source = simple.Curvature(registrationName="Curvature", Input=source, CurvatureType="Mean")
         bend = "Mean_Curvature"
     cortex = _without(source, regions, medial_wall) if regions else source
-    disk = _filter("SurfaceToDisk")(registrationName="Disk", Input=cortex, Cut=cut)
+    disk = _filter("SurfaceToDisk")(registrationName="Disk", Input=cortex, Cut=cut, FreeOutline=int(free_outline))
     flat = _filter("OMTAreaPreserving")(
         registrationName="Flat cortex",
         Input=_filter("ConformalDisk")(registrationName="Conformal map", Input=disk),

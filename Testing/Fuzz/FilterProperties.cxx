@@ -93,6 +93,7 @@ std::vector<Property> surfaceToDisk()
       { filter->AddSeamPathStart(static_cast<int>(x.at(0))); }),
     number("ReliefGain", Kind::Magnitude, 1e-3, 1, &F::SetReliefGain),
     number("LongestRelief", Kind::Magnitude, 0.1, 20, &F::SetLongestRelief),
+    flag("FreeOutline", &F::SetFreeOutline),
     number("CutLabel", Kind::Count, 0, 3, &F::SetCutLabel),
     vector("PlaneOrigin", Kind::Position, &F::SetPlaneOrigin),
     vector("PlaneNormal", Kind::Direction, &F::SetPlaneNormal),

@@ -120,9 +120,11 @@ assert figure(shorter, "ReliefBranches") == 1
 automatic = disk(ball)  # the default
 assert SurfaceToDisk(Input=ball).Cut == "Automatic"
 assert figure(automatic, "ChosenCut") == 3 and figure(automatic, "ReliefBranches") >= 1
-longer = disk(ball, Cut="Relief", ReliefGain=0.001)  # Automatic takes 0.07 at least
+longer = disk(ball, Cut="Relief", ReliefGain=0.001)  # for a disk, Automatic takes 0.07 at least
 assert figure(automatic, "ReliefLength") < figure(longer, "ReliefLength")
 close(figure(disk(ball, ReliefGain=0.001), "ReliefLength"), figure(automatic, "ReliefLength"), 1e-12)
+free = disk(ball, ReliefGain=0.001, FreeOutline=1)
+close(figure(free, "ReliefLength"), figure(longer, "ReliefLength"), 1e-12)
 
 labelled = Calculator(Input=ball, ResultArrayName="Side", Function="if(coordsZ > 4, 3, 1)")
 for wanted, share in ((3, 0.7), (1, 0.3)):

@@ -274,6 +274,8 @@ BREAKS = [
     at("Disk/AutomaticCut.cxx", "wasChosen", "false", "wasCut || wasChosen"),
     at("Disk/AutomaticCut.cxx", "situation.RegionIsEverywhere", "false"),
     at("Disk/ReliefPlacement.cxx", "this->PresentStrain < this->Options.LeastStrain", "false"),
+    at("Disk/ReliefPlacement.cxx", "std::min(options.Longest, std::max(withRoom, AlwaysAllowed))", "options.Longest"),
+    at("Disk/AutomaticCut.cxx", "if (freeOutline)", "if (false)"),
     at("Disk/SeamSegments.cxx", "start + share * (end - start)", "start"),
     at("Disk/SeamSegments.cxx", "segment = std::min(segment, this->Edges[e].Segment);", ""),
     at("Disk/SeamSegments.cxx", "node->second.IsOnBorder = true;", ""),

@@ -110,6 +110,7 @@ def flatten_data(data, volume, settings, announce, warnings):
     disk.SetHoleAreaFraction(settings["hole_area"])
     disk.SetPlaneNormal(settings["plane_normal"])
     disk.SetPlaneOrigin(settings["plane_origin"] or data.GetCenter())
+    disk.SetFreeOutline(settings["free_outline"])
     disk.SetRemesh(settings["remesh"])
     disk.SetTargetEdgeLength(settings["edge_length"])
     run(disk, warnings, announce)

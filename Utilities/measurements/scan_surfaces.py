@@ -79,7 +79,7 @@ class Run:
         return simple.OpenDataFile(path)
 
     def disk_proxy(self, surface):
-        proxy = simple.SurfaceToDisk(Input=surface)
+        proxy = simple.SurfaceToDisk(Input=surface, FreeOutline=int(self.free_outline))
         for name, text in self.settings.items():
             proxy.SetPropertyWithName(name, [_number(word) for word in text.split(",")])
         return proxy

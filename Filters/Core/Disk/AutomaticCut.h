@@ -31,7 +31,8 @@ extern const char* const KeptBoundary;
 /// interest is everywhere: then it keeps its boundary.
 CutChoice automaticCut(const SurfaceToDiskOptions& options, const CutSituation& situation);
 
-/// The bounds of the relief that Automatic cuts: one that suits a disk, too.
-ReliefOptions automaticRelief(const ReliefOptions& asked);
+/// The bounds of the relief that Automatic cuts, within those that are asked for.
+/// @param freeOutline  whether the flat map will have a free outline; if not, the relief suits a disk
+ReliefOptions automaticRelief(const ReliefOptions& asked, bool freeOutline);
 
 } // namespace flattening

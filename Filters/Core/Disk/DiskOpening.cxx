@@ -233,7 +233,8 @@ private:
     const bool isAutomatic = this->Options.Cut == CutMode::Automatic;
     const PlacedRelief placed = placeRelief(this->mesh(),
       this->avoided(),
-      isAutomatic ? automaticRelief(this->Options.Relief) : this->Options.Relief,
+      isAutomatic ? automaticRelief(this->Options.Relief, this->Options.FreeOutline)
+                  : this->Options.Relief,
       subrange(progress, 0.0, 0.5));
     this->Report.ReliefStrain = { placed.StrainBefore, placed.StrainAfter };
     if (!placed.Tips.empty())

@@ -3,6 +3,7 @@
 
 #include "Base/Errors.h"
 #include "Disk/ConformalStrain.h"
+#include "Disk/SeamFlags.h"
 #include "Geodesics/DijkstraDistance.h"
 #include "Mesh/EditableSurface.h"
 #include "Mesh/MeshTopology.h"
@@ -39,6 +40,13 @@ constexpr double BranchAllowance = 0.05;
 // roots of the surface's area. As for a seam (SeamPlacement.cxx).
 constexpr double ReliefClearance = 0.02;
 
+// The mean distance between branches, in edges of the surface, and the length of a relief that may have
+// less, in square roots of the surface's area. Measured with a free outline on 43 generated surfaces of
+// some hundred or thousand vertices: 99.65 % of the faces are within 2 % with 10 edges, and 98.9 % with
+// 8; without the length, the angle error is 22 degrees and not 13. Such a length suits a disk, too.
+constexpr double RoomBetweenBranches = 10.0;
+constexpr double AlwaysAllowed = 2.66;
+
 constexpr const char* PlacementStage = "Placing the relief";
 
 struct Branch
@@ -67,19 +75,8 @@ public:
     , Surface(toSurfaceMesh(coarse.Mesh))
     , Unit(std::sqrt(faceAreas(coarse.Mesh.Vertices, coarse.Mesh.Faces).sum()))
   {
-    std::vector<char> flags;
-    if (!avoided.empty())
-    {
-      flags.assign(coarse.Mesh.vertexCount(), 0);
-      for (int v = 0; v < coarse.Mesh.vertexCount(); ++v)
-      {
-        for (VertexOrigins::InnerIterator origin(coarse.Vertices, v); origin; ++origin)
-        {
-          flags[v] |= avoided[origin.col()];
-        }
-      }
-    }
-    this->DistanceFromAvoided = distancesFromFlagged(this->Surface, flags);
+    this->DistanceFromAvoided = distancesFromFlagged(
+      this->Surface, avoided.empty() ? avoided : flagsOf(coarse.Vertices, avoided, false));
   }
 
   PlacedRelief place(const ProgressCallback& progress)
@@ -331,6 +328,12 @@ private:
   double CountedLength = 0.0;          // the same, with what is added to each branch
 };
 
+// The edge of equilateral triangles of which so many have the area.
+double edgeOf(int faces, double area)
+{
+  return std::sqrt(4.0 / std::sqrt(3.0) * area / faces);
+}
+
 // A copy with equilateral triangles, or the mesh itself if it is as coarse.
 DerivedMesh coarseCopy(const TriangleMesh& mesh, const ProgressCallback& progress)
 {
@@ -339,29 +342,25 @@ DerivedMesh coarseCopy(const TriangleMesh& mesh, const ProgressCallback& progres
     return derivedFromItself(mesh);
   }
   const double area = faceAreas(mesh.Vertices, mesh.Faces).sum();
-  const double edge = std::sqrt(4.0 / std::sqrt(3.0) * area / CoarseFaces); // of an equilateral triangle
-  return remeshIsotropically(mesh, edge, CoarseningRounds, progress);
+  return remeshIsotropically(mesh, edgeOf(CoarseFaces, area), CoarseningRounds, progress);
+}
+
+void requireNotNegative(double value, const char* what)
+{
+  if (!(value >= 0.0))
+  {
+    throw InvalidInput(
+      std::string(what) + " is " + formatted(value) + ": set it to 0 or a positive number");
+  }
 }
 
 void requireValid(const TriangleMesh& mesh,
   const std::vector<char>& avoided,
   const ReliefOptions& options)
 {
-  if (!(options.Gain >= 0.0))
-  {
-    throw InvalidInput("the gain of a relief's branch is " + formatted(options.Gain) +
-                       ": set it to 0 or a positive number");
-  }
-  if (!(options.Slack >= 0.0))
-  {
-    throw InvalidInput(
-      "the slack of a relief is " + formatted(options.Slack) + ": set it to 0 or a positive number");
-  }
-  if (!(options.LeastStrain >= 0.0))
-  {
-    throw InvalidInput("the least strain for a relief is " + formatted(options.LeastStrain) +
-                       ": set it to 0 or a positive number");
-  }
+  requireNotNegative(options.Gain, "the gain of a relief's branch");
+  requireNotNegative(options.Slack, "the slack of a relief");
+  requireNotNegative(options.LeastStrain, "the least strain for a relief");
   if (!(options.Longest > 0.0))
   {
     throw InvalidInput("the longest relief is " + formatted(options.Longest) +
@@ -388,8 +387,11 @@ PlacedRelief placeRelief(const TriangleMesh& mesh,
   const ProgressCallback& progress)
 {
   requireValid(mesh, avoided, options);
+  ReliefOptions bounded = options;
+  const double withRoom = 1.0 / (RoomBetweenBranches * edgeOf(mesh.faceCount(), 1.0));
+  bounded.Longest = std::min(options.Longest, std::max(withRoom, AlwaysAllowed));
   const DerivedMesh coarse = coarseCopy(mesh, subrange(progress, 0.0, 0.5));
-  return ReliefPlacer(coarse, avoided, options).place(subrange(progress, 0.5, 1.0));
+  return ReliefPlacer(coarse, avoided, bounded).place(subrange(progress, 0.5, 1.0));
 }
 
 } // namespace flattening

@@ -45,8 +45,8 @@ enum class CutMode
           ///< boundary
   Label,  ///< a part of the surface is removed, and its border becomes that of the disk
   Automatic ///< a cut whose place is given (SeamPoints, Hole.Centre); otherwise a closed surface gets
-            ///< the opening that makes the best map of the disk, a relief that is shorter than one for a
-            ///< free outline, or a hole if the region of interest leaves no room for a relief; an open
+            ///< the opening that makes the best map, a relief that suits a disk or a free outline
+            ///< (FreeOutline), or a hole if the region of interest leaves no room for a relief; an open
             ///< one keeps its boundary and gets a relief, too, if its strain is large
 };
 
@@ -81,6 +81,9 @@ struct SurfaceToDiskOptions
   std::vector<int> SeamPathStarts;
   bool SeamPointsAreDense = false;
   ReliefOptions Relief;
+  /// Whether the flat map will have a free outline, for which Automatic cuts a longer relief than for a
+  /// disk.
+  bool FreeOutline = false;
   /// One flag per face of the input: not 0 where the surface is removed if Cut is Label.
   std::vector<char> Labelled;
   CuttingPlane Plane;

@@ -143,6 +143,27 @@ TEST(ReliefPlacement, FindsTheTipsOfFingers)
   }
 }
 
+// With a gain of 0 a relief is as long as it may be: its branches are ten edges apart on average, as the
+// area is the product of their distance and their length, but for 2.66 square roots of the area.
+TEST(ReliefPlacement, BranchesHaveRoomBetweenThem)
+{
+  ReliefOptions options;
+  options.Gain = 0.0;
+  for (const int levels : { 3, 4 })
+  {
+    const TriangleMesh mesh = sphereWithBumps(levels);
+    const double unit = std::sqrt(totalArea(mesh));
+    const double edge = std::sqrt(4.0 / std::sqrt(3.0) / mesh.faceCount()); // of equilateral triangles
+    const double length = cutRelief(mesh, placeRelief(mesh, {}, options).Tips).Opened.Length / unit;
+    EXPECT_LT(length, std::max(2.66, 0.1 / edge)) << levels;
+    EXPECT_GT(length, levels == 3 ? 2.2 : 3.5);
+  }
+  options.Longest = 1.5;
+  const TriangleMesh mesh = sphereWithBumps(4);
+  EXPECT_LT(cutRelief(mesh, placeRelief(mesh, {}, options).Tips).Opened.Length,
+    1.5 * std::sqrt(totalArea(mesh)));
+}
+
 TEST(ReliefPlacement, BranchesAreWorthTheirLength)
 {
   const TriangleMesh mesh = sphereWithBumps(4);

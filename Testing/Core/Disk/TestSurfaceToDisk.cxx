@@ -177,6 +177,15 @@ TEST(SurfaceToDisk, AutomaticCutsAnOpenSurfaceWhoseStrainIsLarge)
     EXPECT_EQ(kept.SeamLength, 0.0);
   };
   expectKept(withoutFaces(whole, above(0.0)));
+  const TriangleMesh threeQuarters = withoutFaces(whole, above(0.5));
+  expectKept(threeQuarters);
+  options.FreeOutline = true;
+  const SurfaceToDiskReport free = surfaceToDisk(threeQuarters, options).Report;
+  EXPECT_EQ(free.ChosenCut, CutMode::Relief);
+  EXPECT_GT(free.ReliefStrain[0], 0.3);
+  EXPECT_LT(free.ReliefStrain[0], 0.7);
+  EXPECT_GT(surfaceToDisk(nearlyClosed, options).Report.ReliefLength, 1.2 * cut.ReliefLength);
+  options = {};
   options.Banks.assign(nearlyClosed.vertexCount(), 0);
   options.Remesh = true;
   expectKept(nearlyClosed);
