@@ -36,11 +36,6 @@ constexpr double FirstShownShare = 0.97;
 // after the first transport, and 73 % after the second.
 constexpr int MostTransports = 4;
 
-// The share of the faces that a free outline may leave wrong beyond those that are wrong in the domain:
-// where more are, area weights or thin protrusions ask for more than a free outline can give, and the
-// map stays in its domain.
-constexpr double GreatestLoss = 0.01;
-
 // The greatest weight over the least one that the refinement takes. At a hundred million, areas of the
 // least weight were 600 times too large on 469 points; at ten million a map of 2,791 points took a
 // minute.
@@ -193,8 +188,9 @@ void take(const FreeOutlineMap& freed, AreaPreservingMap& map)
   map.Deformations = freed.Deformations;
 }
 
-// The map with a free outline, with the cells of the transport to the domain; or the map to the domain
-// if too many areas would be lost.
+// The map with a free outline, with the cells of the transport to the domain. It is made from the map
+// with the natural outline. If that loses too many areas, the outline of the map to the domain is let
+// go, which helps areas more than shapes; and if that loses any, the map to the domain stays.
 AreaPreservingResult freedMap(const TriangleMesh& mesh,
   const Points2& conformal,
   const Points2& onDomain,
@@ -204,34 +200,49 @@ AreaPreservingResult freedMap(const TriangleMesh& mesh,
   const ProgressCallback& progress)
 {
   constexpr double freedEnd = 0.7; // of the progress
+  constexpr double domainEnd = 0.9;
   const std::vector<int>& loop = target.Boundary.Vertices;
+  const Eigen::VectorXd targets = faceTargets(mesh, weights);
+  const auto freedFrom = [&](const Points2& start, double begin, double end)
+  {
+    return freeOutlineMap(mesh,
+      loop,
+      start,
+      targets,
+      target.Domain->area(),
+      shapeWeight(options.Refinement),
+      subrange(progress, begin, end));
+  };
   // The angle weight of an earlier map is not known, and one in the domain is no start.
   const Points2& before = options.Start.Positions;
   const bool isStart = options.Refinement.AngleWeight == 0.0 && before.rows() == mesh.vertexCount() &&
                        before.allFinite() && !areOnBoundary(before, loop, *target.Domain);
-  const std::optional<FreeOutlineMap> freed = freeOutlineMap(mesh,
-    loop,
-    isStart ? before : Points2(),
-    faceTargets(mesh, weights),
-    target.Domain->area(),
-    shapeWeight(options.Refinement),
-    subrange(progress, 0.0, freedEnd));
-  const ProgressCallback rest = subrange(progress, freedEnd, 1.0);
-  const bool isOneToOne = freed && freed->Bijective;
-  if (isOneToOne && freed->ShareOff <= GreatestLoss)
+  const std::optional<FreeOutlineMap> freed = freedFrom(isStart ? before : Points2(), 0.0, freedEnd);
+  if (freed && freed->keepsAreas(0.0))
   {
-    AreaPreservingResult result = transportedMap(mesh, conformal, target, weights, options, rest);
+    AreaPreservingResult result =
+      transportedMap(mesh, conformal, target, weights, options, subrange(progress, freedEnd, 1.0));
     take(*freed, result.Map);
     return result;
   }
-  AreaPreservingResult result = mapInSteps(mesh, conformal, onDomain, target, weights, options, rest);
+  AreaPreservingResult result = mapInSteps(
+    mesh, conformal, onDomain, target, weights, options, subrange(progress, freedEnd, domainEnd));
   const double shareOff = shareOfWrongFaces(result.Map.Positions,
     mesh.Faces,
-    scaledTargets(faceTargets(mesh, weights), target.Domain->area()),
+    scaledTargets(targets, target.Domain->area()),
     RefinementPatches::AreaTolerance);
-  if (isOneToOne && freed->ShareOff <= shareOff + GreatestLoss)
+  if (freed && freed->keepsAreas(shareOff))
   {
     take(*freed, result.Map);
+  }
+  else if (result.Map.Bijective)
+  {
+    std::optional<FreeOutlineMap> released = freedFrom(result.Map.Positions, domainEnd, 1.0);
+    if (released && released->Bijective && released->ShareOff <= shareOff)
+    {
+      released->WarmStarted = false;
+      take(*released, result.Map);
+    }
   }
   return result;
 }

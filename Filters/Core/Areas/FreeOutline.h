@@ -23,20 +23,25 @@ struct FreeOutlineMap
   int FlippedFaces = 0;     ///< faces not positively oriented (exact)
   bool Bijective = false;   ///< whether no face is flipped and the outline does not cross itself (exact)
   bool WarmStarted = false; ///< whether it was made from an earlier map
+
+  /// Whether it is one-to-one and the share of its faces that are wrong is greater than @p shareOff by
+  /// a percent at most.
+  bool keepsAreas(double shareOff) const;
 };
 
-/// Begins with the conformal map that has a free outline (mapNearNaturalOutline). Its areas go to the
+/// Begins with the conformal map that has a free outline (MapsNearNaturalOutline). Its areas go to the
 /// targets in steps. In each, a smooth deformation (smoothlyDeformed) sets the areas of regions right
 /// and lowers the distortion of shapes, and a round of the refinement those of the faces, while boundary
 /// vertices are as free as the others. Further deformations lower the distortion, and rounds make the
 /// areas exact. No step lets a face flip or the outline cross itself, and the map remains one-to-one.
-/// Nothing is returned if there is no one-to-one map to begin with. Where parts of the outline press
-/// against each other, many areas may stay wrong (ShareOff).
+/// Where parts of the outline press against each other, many areas may stay wrong: then two more maps,
+/// with rounder outlines, are begun with, and the one with the fewest wrong areas is returned. Nothing
+/// is returned if there is no one-to-one map to begin with.
 /// @p surface is a disk with the boundary @p loop. The faces are to have the areas @p faceTargets (m,
 /// >= 0, up to a common factor); @p area (> 0) is what the map is to cover. @p shapeWeight (> 0) is that
 /// of the face refinement (RefinementTerms).
-/// @p before  a map of this kind for other targets, to begin with (n x 2, finite, at any scale). An
-///            empty array and a map that is not one-to-one are ignored.
+/// @p before  a map of this kind for other targets, or a map to a domain, to begin with instead (n x 2,
+///            finite, at any scale). An empty array and a map that is not one-to-one are ignored.
 /// @throws Cancelled, ConvergenceError.
 std::optional<FreeOutlineMap> freeOutlineMap(const TriangleMesh& surface,
   const std::vector<int>& loop,

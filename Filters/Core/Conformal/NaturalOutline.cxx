@@ -25,8 +25,7 @@ namespace
 
 // The shares of a convex polygon in the outline to try. A choice: outlines of brains and heads that were
 // cut along their reliefs mostly cross themselves in one or two places with 0; of five, one needed a
-// half and one 0.8. The first share counts that works, and how round it is hardly matters for the map
-// that is made from it.
+// half and one 0.8. How round the outline is hardly matters for the map that is made from it.
 constexpr double Roundnesses[] = { 0.0, 0.25, 0.5, 0.75, 1.0 };
 constexpr const char* OutlineStage = "Natural outline";
 
@@ -159,23 +158,30 @@ Points2 NaturalOutlineMap::extended(const Points2& outline, const ProgressCallba
   return pointsOf(map);
 }
 
-std::optional<Points2> mapNearNaturalOutline(const TriangleMesh& mesh,
+MapsNearNaturalOutline::MapsNearNaturalOutline(const TriangleMesh& mesh,
   const std::vector<int>& loop,
   const ProgressCallback& progress)
+  : Mesh(mesh)
+  , Loop(loop)
+  , Natural(mesh, loop, progress)
 {
-  constexpr double rest = 0.5; // of the progress, after the map is known up to its outline
-  NaturalOutlineMap map(mesh, loop, subrange(progress, 0.0, 1.0 - rest));
-  std::vector<int> polygon(loop.size());
+}
+
+std::optional<Points2> MapsNearNaturalOutline::next(const ProgressCallback& progress)
+{
+  std::vector<int> polygon(this->Loop.size());
   std::iota(polygon.begin(), polygon.end(), 0);
-  for (std::size_t k = 0; k < std::size(Roundnesses); ++k)
+  const std::size_t first = this->Tried;
+  while (this->Tried < std::size(Roundnesses))
   {
-    const double begin = 1.0 - rest + rest * k / std::size(Roundnesses);
-    const ProgressCallback part = subrange(progress, begin, begin + rest / std::size(Roundnesses));
-    const Points2 outline = map.outline(Roundnesses[k]);
+    const double parts = static_cast<double>(std::size(Roundnesses) - first);
+    const double begin = static_cast<double>(this->Tried - first) / parts;
+    const ProgressCallback part = subrange(progress, begin, begin + 1.0 / parts);
+    const Points2 outline = this->Natural.outline(Roundnesses[this->Tried++]);
     if (isSimpleOutline(outline, polygon))
     {
-      Points2 positions = map.extended(outline, subrange(part, 0.0, 0.5));
-      if (untangle(mesh, loop, positions, subrange(part, 0.5, 1.0)))
+      Points2 positions = this->Natural.extended(outline, subrange(part, 0.0, 0.5));
+      if (untangle(this->Mesh, this->Loop, positions, subrange(part, 0.5, 1.0)))
       {
         return positions;
       }

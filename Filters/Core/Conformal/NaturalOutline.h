@@ -7,6 +7,7 @@
 #include "Mesh/GraphLaplacian.h"
 #include "Mesh/TriangleMesh.h"
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -48,13 +49,28 @@ private:
   std::optional<WeightedMeans> Means;
 };
 
-/// A one-to-one map of @p mesh, a disk with the boundary @p loop, near the one with the natural outline:
-/// the first whose outline does not cross itself as the outline is made rounder, with flipped faces
-/// untangled (untangleMap) and, where that needs it, the outline moved (untangleWithOutline). Nothing if
-/// no such map is found.
-/// @throws ConvergenceError if the Laplacian cannot be factored; Cancelled.
-std::optional<Points2> mapNearNaturalOutline(const TriangleMesh& mesh,
-  const std::vector<int>& loop,
-  const ProgressCallback& progress = {});
+/// One-to-one maps of a disk near the one with the natural outline. Their outlines are rounder and
+/// rounder; flipped faces are untangled (untangleMap) and, where that needs it, the outline is moved
+/// (untangleWithOutline).
+class MapsNearNaturalOutline
+{
+public:
+  /// @p mesh is a disk with the boundary @p loop. Both must live as long as this does.
+  /// @throws ConvergenceError if the Laplacian cannot be factored; Cancelled.
+  MapsNearNaturalOutline(const TriangleMesh& mesh,
+    const std::vector<int>& loop,
+    const ProgressCallback& progress = {});
+
+  /// The next map, the first one at the first call: that of the next outline that does not cross itself
+  /// and whose faces can be untangled. Nothing if there is none.
+  /// @throws ConvergenceError, Cancelled.
+  std::optional<Points2> next(const ProgressCallback& progress = {});
+
+private:
+  const TriangleMesh& Mesh;
+  const std::vector<int>& Loop;
+  NaturalOutlineMap Natural;
+  std::size_t Tried = 0; // outlines
+};
 
 } // namespace flattening

@@ -189,8 +189,8 @@ TEST(FreeOutline, OfAnUnevenSheetIsMuchBetterThanTheDisk)
     0.25 * summaryOf(surface, diskMap(surface).Positions)[Measure::AngleError].Mean);
 }
 
-// A part grows beside the rest. Where that needs more room than a free outline can make, the map stays
-// in the disk.
+// A part grows beside the rest. Where that needs more room than a free outline can make, shapes may get
+// worse for the sake of areas, or the map stays in the disk.
 TEST(FreeOutline, TakesWeights)
 {
   const RevolutionMesh mesh = sunflowerMesh(sphericalCap(1.2), 3000);
@@ -208,7 +208,10 @@ TEST(FreeOutline, TakesWeights)
     const Points2 onDisk = diskMap(mesh.Mesh, weights).Positions;
     const DistortionSummary onDomain = summaryOf(mesh.Mesh, onDisk, weights);
     EXPECT_GE(freed.FacesWithin2Percent, onDomain.FacesWithin2Percent - 1.0) << factor;
-    EXPECT_LE(freed[Measure::AngleError].Mean, onDomain[Measure::AngleError].Mean + 1.5) << factor;
+    const bool hasBetterAreas = freed.FacesWithin2Percent > onDomain.FacesWithin2Percent + 0.5;
+    EXPECT_LE(
+      freed[Measure::AngleError].Mean, onDomain[Measure::AngleError].Mean + (hasBetterAreas ? 4.0 : 1.5))
+      << factor;
     const bool isOnDisk = (map.Positions.array() == onDisk.array()).all();
     EXPECT_EQ(isOnDisk, !map.IsFree) << factor << ": what is not freed is the map to the disk";
   }
@@ -256,20 +259,38 @@ TEST(FreeOutline, CancelsAnywhere)
   EXPECT_GT(last, 0.6);
 }
 
-// Surfaces of 760 to 1550 points whose outlines press against themselves on the way: where a deformation
-// that loses areas is kept, many faces stay wrong.
-TEST(FreeOutline, DoesNotPressPartsOfTheOutlineTogether)
+// Generated surfaces of 640 to 1850 points whose outlines press against themselves on the way.
+void expectFreed(int seed, double leastShare, double greatestError)
 {
-  for (const int seed : { 37, 81, 246 })
-  {
-    const TriangleMesh surface = surfaceToDisk(samples::randomSurface(seed).Mesh, {}).Surface.Mesh;
-    const AreaPreservingMap map = freeMap(surface);
-    EXPECT_TRUE(map.IsFree) << seed;
-    EXPECT_TRUE(map.Bijective) << seed;
-    const DistortionSummary freed = summaryOf(surface, map.Positions);
-    EXPECT_GE(freed.FacesWithin2Percent, 99.0) << seed;
-    EXPECT_LE(freed[Measure::AngleError].Mean, 16.0) << seed << ": above 27 in the disk";
-  }
+  const TriangleMesh surface = surfaceToDisk(samples::randomSurface(seed).Mesh, {}).Surface.Mesh;
+  const AreaPreservingMap map = freeMap(surface);
+  EXPECT_TRUE(map.IsFree) << seed;
+  EXPECT_TRUE(map.Bijective) << seed;
+  EXPECT_FALSE(map.WarmStarted) << seed;
+  const DistortionSummary freed = summaryOf(surface, map.Positions);
+  EXPECT_GE(freed.FacesWithin2Percent, leastShare) << seed;
+  EXPECT_LE(freed[Measure::AngleError].Mean, greatestError) << seed;
+}
+
+// Where it is kept, 95.6 % of the faces are right, and the mean angle error is 33 degrees.
+TEST(FreeOutline, TakesBackADeformationThatLosesAreas)
+{
+  expectFreed(139, 99.5, 16.0);
+}
+
+// With the first outline alone, a third to nine tenths of the faces are wrong; in the disk, the angle
+// errors are 33, 32 and 32 degrees.
+TEST(FreeOutline, BeginsWithARounderOutlineWhereTheFirstOneLosesAreas)
+{
+  expectFreed(8, 99.0, 16.0);
+  expectFreed(80, 99.5, 26.0);
+  expectFreed(98, 99.5, 13.0);
+}
+
+// With all outlines that are begun with, a third of the faces is wrong or more.
+TEST(FreeOutline, LetsGoTheOutlineOfTheDomainWhereAllOthersLoseAreas)
+{
+  expectFreed(118, 99.0, 30.0);
 }
 
 // The map of an earlier run is the start for other targets, wherever it lies and however large it is.

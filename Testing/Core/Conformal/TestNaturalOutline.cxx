@@ -8,6 +8,8 @@
 #include "Mesh/MeshTopology.h"
 #include "Mesh/OutlineCrossings.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -58,13 +60,37 @@ TEST(NaturalOutline, GetsRound)
   }
 }
 
+// The natural outline of a flat surface is simple and comes first; a quarter, half, three quarters of a
+// convex polygon and all of it follow.
+TEST(NaturalOutline, MapsNearItGetRounder)
+{
+  TriangleMesh sheet = sunflowerMesh(flatDisk(), 1000).Mesh;
+  sheet.Vertices.col(0) *= 3.0;
+  const std::vector<int> loop = requireDisk(sheet);
+  MapsNearNaturalOutline maps(sheet, loop);
+  double before = 0.0;
+  for (int k = 0; k < 5; ++k)
+  {
+    const std::optional<Points2> map = maps.next();
+    ASSERT_TRUE(map) << k;
+    EXPECT_EQ(countFlippedFaces(*map, sheet.Faces), 0) << k;
+    const Points2 centred = map->rowwise() - map->colwise().mean();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> moments(centred.transpose() * centred);
+    const double roundness = moments.eigenvalues()[0] / moments.eigenvalues()[1]; // 1 of a circle
+    EXPECT_GT(roundness, before) << k;
+    before = roundness;
+  }
+  EXPECT_GT(before, 0.5); // 0.11 of the ellipse
+  EXPECT_FALSE(maps.next());
+}
+
 // A flat surface is its own map, up to where it lies.
 TEST(NaturalOutline, OfAFlatSurfaceKeepsLengths)
 {
   TriangleMesh sheet = sunflowerMesh(flatDisk(), 2000).Mesh;
   sheet.Vertices.col(0) *= 3.0;
   const std::vector<int> loop = requireDisk(sheet);
-  const std::optional<Points2> map = mapNearNaturalOutline(sheet, loop);
+  const std::optional<Points2> map = MapsNearNaturalOutline(sheet, loop).next();
   ASSERT_TRUE(map);
   for (int f = 0; f < sheet.faceCount(); ++f)
   {
@@ -82,7 +108,7 @@ TEST(NaturalOutline, OfAFlatSurfaceKeepsLengths)
 TEST(NaturalOutline, SpreadsProtrusions)
 {
   const TriangleMesh tube = sunflowerMesh(capsule(40.0), 3000).Mesh;
-  const std::optional<Points2> map = mapNearNaturalOutline(tube, requireDisk(tube));
+  const std::optional<Points2> map = MapsNearNaturalOutline(tube, requireDisk(tube)).next();
   ASSERT_TRUE(map);
   EXPECT_EQ(countFlippedFaces(*map, tube.Faces), 0);
 }
@@ -117,7 +143,7 @@ TEST(NaturalOutline, IsMadeRounderWhereItCrossesItself)
   std::vector<int> polygon(loop.size());
   std::iota(polygon.begin(), polygon.end(), 0);
   EXPECT_FALSE(isSimpleOutline(natural.outline(), polygon));
-  const std::optional<Points2> map = mapNearNaturalOutline(strip, loop);
+  const std::optional<Points2> map = MapsNearNaturalOutline(strip, loop).next();
   ASSERT_TRUE(map);
   EXPECT_EQ(countFlippedFaces(*map, strip.Faces), 0);
   EXPECT_TRUE(isSimpleOutline(*map, loop));
