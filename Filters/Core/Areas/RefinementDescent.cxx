@@ -16,6 +16,9 @@ namespace flattening
 namespace
 {
 
+// Quasi-Newton steps per Newton step. A compromise of time: each costs a small part of a factorization,
+// and later ones gain little.
+constexpr int QuasiNewtonSteps = 8;
 // A guard: shorter steps than 2^-11 change the energy by rounding only.
 constexpr int LargestHalvings = 12;
 // The usual share of the linear decrease that a step must reach (Nocedal and Wright 2006, section 3.1).
@@ -267,9 +270,9 @@ double RefinementDescent::round(DomainMap& map, const ProgressCallback& progress
   Eigen::VectorXd gradient = this->Energy.gradient(map);
   this->factorise(map, progress);
   double energy = before;
-  for (int k = 0; k <= this->QuasiNewtonSteps; ++k)
+  for (int k = 0; k <= QuasiNewtonSteps; ++k)
   {
-    report(progress, (k + 0.5) / (this->QuasiNewtonSteps + 1.0), "Face refinement");
+    report(progress, (k + 0.5) / (QuasiNewtonSteps + 1.0), "Face refinement");
     const Eigen::VectorXd step = this->direction(gradient);
     const double slope = gradient.dot(step);
     if (!(slope < 0.0))

@@ -27,9 +27,6 @@ public:
   /// Whether steps end before the first face flips. If so, all faces must be positive at the start.
   void keepOrientation(bool keep) { this->KeepsOrientation = keep; }
 
-  /// How many quasi-Newton steps follow the Newton step of a round at most.
-  void setQuasiNewtonSteps(int steps) { this->QuasiNewtonSteps = steps; }
-
   /// Sets the damping to its initial value. It grows where steps have to be short, as far from the
   /// minimum.
   void resetDamping();
@@ -68,8 +65,6 @@ private:
   const RefinementTerms& Terms;
   SparseCholesky Cholesky;
   bool KeepsOrientation = false;
-  // A compromise of time: each costs a small part of a factorization, and later ones gain little.
-  int QuasiNewtonSteps = 8;
   double Damping;              // added to the Hessian's diagonal
   std::vector<Update> Updates; // since the last factorization
 };

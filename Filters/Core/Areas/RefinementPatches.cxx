@@ -21,9 +21,6 @@ namespace
 // Rounds in a patch per pass. A choice: the next pass gains more, since it frees the vertices in
 // between.
 constexpr int LargestRounds = 2;
-// Quasi-Newton steps of the only round in a patch of a quick pass. With all steps and rounds, free
-// outlines of brains take a fifth more time and have the same errors.
-constexpr int QuickSteps = 2;
 // The angle between the dividing lines of one pass and the next, in radians. A convention: an irrational
 // share of a turn, so that lines never return.
 constexpr double Turn = 1.0;
@@ -117,12 +114,6 @@ private:
     energy.setEpsilon(this->ThePass.Epsilon);
     RefinementDescent descent(energy, dofs, terms, SparseCholesky::Kernel::Entries);
     descent.keepOrientation(this->ThePass.KeepsOrientation);
-    if (this->ThePass.IsQuick)
-    {
-      descent.setQuasiNewtonSteps(QuickSteps);
-      descent.round(map);
-      return;
-    }
     for (int round = 0; round < LargestRounds; ++round)
     {
       const double gain = descent.round(map);

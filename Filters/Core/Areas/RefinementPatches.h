@@ -49,7 +49,6 @@ public:
     double ShapeFactor = 1.0;     ///< factor of the terms' shape weights
     bool KeepsOrientation = true; ///< whether faces may not flip (RefinementDescent)
     bool SkipsRight = true;       ///< whether patches are left out in which few faces are not right
-    bool IsQuick = false;         ///< whether a few steps are enough, as more deformations follow
   };
 
   /// Minimises the energy in the patches, and returns how many they were.

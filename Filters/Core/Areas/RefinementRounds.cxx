@@ -212,15 +212,6 @@ int RefinementRounds::lowerDistortion(DomainMap& map,
   return most;
 }
 
-void RefinementRounds::correct(DomainMap& map, const ProgressCallback& progress)
-{
-  RefinementPatches::Pass pass = this->pass(map);
-  pass.ShapeFactor = FirstShapeFactor;
-  pass.IsQuick = true;
-  this->Patches.run(pass, map, progress);
-  ++this->Count;
-}
-
 double RefinementRounds::distortion(const DomainMap& map) const
 {
   return shapeDistortion(this->Terms, map.Positions, this->Energy.targets());

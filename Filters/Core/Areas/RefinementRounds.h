@@ -70,10 +70,6 @@ public:
   /// deformations: 0 if angles are asked for, or thin faces would flip. @throws Cancelled.
   int lowerDistortion(DomainMap& map, double areaWeight, int most, const ProgressCallback& progress);
 
-  /// A quick round in the patches, with shapes counting more, after a deformation that others follow.
-  /// @throws Cancelled, ConvergenceError.
-  void correct(DomainMap& map, const ProgressCallback& progress);
-
   /// Makes the lattices of further deformations so many times as fine (smoothlyDeformed), and lets them
   /// be tried again where they flipped thin faces.
   void setFineness(int fineness);

@@ -278,19 +278,18 @@ TEST(FreeOutline, TakesBackADeformationThatLosesAreas)
   expectFreed(139, 99.5, 16.0);
 }
 
-// With the first outline alone, a third to nine tenths of the faces are wrong; in the disk, the angle
-// errors are 33, 32 and 32 degrees.
-TEST(FreeOutline, BeginsWithARounderOutlineWhereTheFirstOneLosesAreas)
+// With the first outline alone, six tenths of the faces are wrong; in the disk, the angle errors are 41
+// and 35 degrees.
+TEST(FreeOutline, BeginsWithARounderOutlineWhereTheFirstOnePressesAgainstItself)
 {
-  expectFreed(8, 99.0, 16.0);
-  expectFreed(80, 99.5, 26.0);
-  expectFreed(98, 99.5, 13.0);
+  expectFreed(22, 99.0, 17.0);
+  expectFreed(138, 99.0, 21.0);
 }
 
-// With all outlines that are begun with, a third of the faces is wrong or more.
-TEST(FreeOutline, LetsGoTheOutlineOfTheDomainWhereAllOthersLoseAreas)
+// With all outlines that are begun with, four tenths of the faces are wrong or more.
+TEST(FreeOutline, LetsGoTheOutlineOfTheDomainWhereAllOthersPressAgainstThemselves)
 {
-  expectFreed(118, 99.0, 30.0);
+  expectFreed(36, 99.0, 32.0);
 }
 
 // The map of an earlier run is the start for other targets, wherever it lies and however large it is.
