@@ -9,7 +9,7 @@ from paraview import simple
 from surfaceflattening_volume import isosurface
 
 TEMPLATES = "/usr/share/mricron/templates"
-HEADER = """| surface | points | strain | faces within 2 %, angle error: boundary alone | *Automatic* | the same, free outline |
+HEADER = """| surface | points | strain | faces within 2 %, angle error: boundary alone | *Automatic* | *Automatic* and free outline |
 | --- | --- | --- | --- | --- | --- |"""
 
 
@@ -53,7 +53,9 @@ def surfaces():
 
 
 def map_of(surface, edge, cut, free):
-    disk = simple.SurfaceToDisk(Input=surface, Remesh=1, TargetEdgeLength=edge, Cut=cut)
+    disk = simple.SurfaceToDisk(
+        Input=surface, Remesh=1, TargetEdgeLength=edge, Cut=cut, FreeOutline=free
+    )
     flat = simple.OMTAreaPreserving(Input=simple.ConformalDisk(Input=disk), FreeOutline=free)
     measured = simple.DistortionMetrics(Input=flat)
     measured.UpdatePipeline()
