@@ -193,8 +193,9 @@ public:
   ///@{
   /**
    * Whether the boundary points are free instead of on the boundary of the domain: the triangles keep
-   * their areas, and their shapes are less distorted. The outline does not cross itself. It needs
-   * FaceRefinement; an error says so. Default: off.
+   * their areas, and their shapes are less distorted, most so if the surface was cut for it (FreeOutline
+   * of vtkSurfaceToDiskFilter). The outline does not cross itself. If areas would be lost, the map stays
+   * in the domain, and a warning says so. It needs FaceRefinement; an error says so. Default: off.
    */
   vtkSetMacro(FreeOutline, bool);
   vtkGetMacro(FreeOutline, bool);

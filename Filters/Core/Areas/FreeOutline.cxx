@@ -312,7 +312,7 @@ std::optional<FreeOutlineMap> freeOutlineMap(const TriangleMesh& surface,
       break;
     }
     FreeOutlineMap map = freedFrom(*start, subrange(part, naturalEnd, 1.0));
-    if (!best || (map.Bijective && map.ShareOff < best->ShareOff))
+    if (!best || (map.Bijective && (!best->Bijective || map.ShareOff < best->ShareOff)))
     {
       best = std::move(map);
     }

@@ -34,9 +34,9 @@ struct FreeOutlineMap
 /// and lowers the distortion of shapes, and a round of the refinement those of the faces, while boundary
 /// vertices are as free as the others. Further deformations lower the distortion, and rounds make the
 /// areas exact. No step lets a face flip or the outline cross itself, and the map remains one-to-one.
-/// Where parts of the outline press against each other, many areas stay wrong: then it begins again with
-/// up to two more maps, whose outlines are rounder, and returns the one with the fewest wrong areas.
-/// Nothing is returned if there is no one-to-one map to begin with.
+/// Parts of the outline may press against each other on the way, and many areas then stay wrong. The
+/// function begins again with up to two more maps, whose outlines are rounder, and returns the one with
+/// the fewest wrong areas. Nothing is returned if there is no one-to-one map to begin with.
 /// @p surface is a disk with the boundary @p loop. The faces are to have the areas @p faceTargets (m,
 /// >= 0, up to a common factor); @p area (> 0) is what the map is to cover. @p shapeWeight (> 0) is that
 /// of the face refinement (RefinementTerms).

@@ -208,10 +208,7 @@ TEST(FreeOutline, TakesWeights)
     const Points2 onDisk = diskMap(mesh.Mesh, weights).Positions;
     const DistortionSummary onDomain = summaryOf(mesh.Mesh, onDisk, weights);
     EXPECT_GE(freed.FacesWithin2Percent, onDomain.FacesWithin2Percent - 1.0) << factor;
-    const bool hasBetterAreas = freed.FacesWithin2Percent > onDomain.FacesWithin2Percent + 0.5;
-    EXPECT_LE(
-      freed[Measure::AngleError].Mean, onDomain[Measure::AngleError].Mean + (hasBetterAreas ? 4.0 : 1.5))
-      << factor;
+    EXPECT_LE(freed[Measure::AngleError].Mean, onDomain[Measure::AngleError].Mean + 1.5) << factor;
     const bool isOnDisk = (map.Positions.array() == onDisk.array()).all();
     EXPECT_EQ(isOnDisk, !map.IsFree) << factor << ": what is not freed is the map to the disk";
   }
@@ -259,7 +256,7 @@ TEST(FreeOutline, CancelsAnywhere)
   EXPECT_GT(last, 0.6);
 }
 
-// Generated surfaces of 990 to 2280 points whose outlines press against themselves on the way.
+// Checks the map of a generated surface, which has some hundred or thousand points.
 void expectFreed(int seed, double leastShare, double greatestError)
 {
   const TriangleMesh surface = surfaceToDisk(samples::randomSurface(seed).Mesh, {}).Surface.Mesh;
@@ -272,7 +269,16 @@ void expectFreed(int seed, double leastShare, double greatestError)
   EXPECT_LE(freed[Measure::AngleError].Mean, greatestError) << seed;
 }
 
-// Where the deformation is kept, the outline cannot be free, and the mean angle error is 29 degrees.
+// The angle errors of these surfaces are above 27 degrees in the disk.
+TEST(FreeOutline, DoesNotPressPartsOfTheOutlineTogether)
+{
+  for (const int seed : { 37, 81, 246 })
+  {
+    expectFreed(seed, 99.0, 16.0);
+  }
+}
+
+// The map of this surface stays in the disk, with 29 degrees of error, if the deformation is kept.
 TEST(FreeOutline, TakesBackADeformationThatLosesAreas)
 {
   expectFreed(39, 99.0, 19.0);
