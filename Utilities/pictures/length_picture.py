@@ -26,6 +26,9 @@ from line_chart import (
 
 MARKERS = [(ORANGE, CIRCLE), (BLUE, CROSS), (GREEN, PLUS), (PINK, SQUARE), (BROWN, DIAMOND), (GREY, CIRCLE), (PINK, CROSS)]
 SIZE = 14
+# So that no marker lies on an axis: percent beyond the points, and the factor of the logarithmic axis.
+MARGIN = 1.0
+FACTOR = 2.0
 
 
 def main(source, picture, surface="half brain, remeshed"):
@@ -33,10 +36,12 @@ def main(source, picture, surface="half brain, remeshed"):
         "mean error of lengths within the map (%)", "mean area error (%)", log_y=True, legend="BottomRight"
     )
     maps = [b for b in benchmarks_of(source) if b["name"].split("/")[0] == surface]
-    for i, b in enumerate(maps):
+    points = [(b["within_map_length_error"], b["area_error_percent"]) for b in maps]
+    for i, (b, point) in enumerate(zip(maps, points)):
         colour, marker = MARKERS[i % len(MARKERS)]
-        point = (b["within_map_length_error"], b["area_error_percent"])
         chart.draw(b["name"].split("/")[1], [point], colour, NO_LINE, marker, SIZE)
+    lengths, areas = zip(*points)
+    chart.set_ranges((min(lengths) - MARGIN, max(lengths) + MARGIN), (min(areas) / FACTOR, max(areas) * FACTOR))
     chart.save(picture)
 
 

@@ -55,6 +55,13 @@ class LineChart:
         display.SeriesMarkerStyle = ["y", str(marker)]
         display.SeriesMarkerSize = ["y", str(size)]
 
+    def set_ranges(self, x, y):
+        """Sets the ends of the axes, pairs of numbers, instead of those of the points."""
+        self.view.BottomAxisUseCustomRange = 1
+        self.view.BottomAxisRangeMinimum, self.view.BottomAxisRangeMaximum = x
+        self.view.LeftAxisUseCustomRange = 1
+        self.view.LeftAxisRangeMinimum, self.view.LeftAxisRangeMaximum = y
+
     def save(self, picture):
         simple.SaveScreenshot(picture, self.view, OverrideColorPalette="WhiteBackground")
 
