@@ -287,6 +287,10 @@ void setReport(vtkFieldData* data, const flattening::AreaPreservingMap& map)
 // percent by which faces count as right.
 constexpr double LargestOutlineLoss = 0.01;
 
+// Share of the triangles whose areas may be off by more than 2 percent without a warning. A choice: maps
+// of surfaces as scans give them have 6 percent at most.
+constexpr double LargestShareOff = 0.1;
+
 } // namespace
 
 vtkOMTAreaPreservingFilter::vtkOMTAreaPreservingFilter()
@@ -366,6 +370,14 @@ void vtkOMTAreaPreservingFilter::Execute(vtkInformationVector** inputVector,
       << (this->FaceRefinement
              ? " and could not be untangled: remesh the surface (Surface To Disk, Remesh)"
              : ", as the centroids of the power cells leave them: turn FaceRefinement on"));
+  }
+  const bool asksForAreas = this->FaceRefinement && this->AngleWeight == 0.0;
+  if (asksForAreas && result.Map.Bijective && result.Map.ShareOff > LargestShareOff)
+  {
+    vtkWarningMacro(
+      << this->GetBlockPrefix() << "the areas of " << flattening::formatted(100.0 * result.Map.ShareOff)
+      << " percent of the triangles are off by more than 2 percent: give the surface more "
+         "points (Surface To Disk, Remesh and Relative Edge Length), or cut it along a longer seam");
   }
   if (this->FreeOutline && !result.Map.IsFree)
   {

@@ -52,9 +52,10 @@
  * the way, or with an AngleWeight. With FreeOutline, the map is made from `FlatPoints` of a map with a
  * free outline, if that is one-to-one.
  *
- * A warning is given if the map is not one-to-one, if its outline could not be freed, or if the outline,
- * which is a polygon, encloses more than 1 percent less than the domain: all areas on the map are then
- * too small by that, and the warning names the factor that makes them right.
+ * A warning is given if the map is not one-to-one, if its outline could not be freed, or if areas were
+ * asked for alone and those of more than a tenth of the triangles are off by more than 2 percent; also if
+ * the outline, which is a polygon, encloses more than 1 percent less than the domain: all areas on the
+ * map are then too small by that, and the warning names the factor that makes them right.
  *
  * Output arrays of port 0:
  * - point `TargetArea` (double, output units squared): area that the point is to have; the sum is the

@@ -721,4 +721,35 @@ TEST(OMTAreaPreservingFilter, WarnsOfWhatACoarseOutlineCutsOff)
   EXPECT_FALSE(warnings->GetWarning()) << warnings->GetWarningMessage();
 }
 
+// All squares of the grid have the same diagonal. Then no map keeps all areas that is smooth: moving an
+// inner vertex hardly changes the difference between the areas of the upper and the lower triangles.
+TEST(OMTAreaPreservingFilter, WarnsIfManyAreasAreOff)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(20, 20);
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(plane->GetOutputPort());
+  vtkNew<vtkConformalDiskFilter> conformal;
+  conformal->SetInputConnection(triangles->GetOutputPort());
+  vtkNew<vtkOMTAreaPreservingFilter> omt;
+  omt->SetInputConnection(conformal->GetOutputPort());
+  vtkNew<vtkTest::ErrorObserver> warnings;
+  omt->AddObserver(vtkCommand::WarningEvent, warnings);
+  vtkNew<vtkDistortionMetrics> metrics;
+  metrics->SetInputConnection(omt->GetOutputPort());
+  metrics->Update();
+  const double within =
+    metrics->GetOutput()->GetFieldData()->GetArray("FacesWithin2Percent")->GetComponent(0, 0);
+  ASSERT_LT(within, 50.0);
+  const std::string warning = warnings->GetWarningMessage();
+  const std::size_t place = warning.find("the areas of ");
+  ASSERT_NE(place, std::string::npos) << warning;
+  EXPECT_NEAR(std::stod(warning.substr(place + 13)), 100.0 - within, 1e-3);
+
+  warnings->Clear();
+  omt->SetAngleWeight(0.5);
+  omt->Update();
+  EXPECT_FALSE(warnings->GetWarning()) << warnings->GetWarningMessage();
+}
+
 } // namespace

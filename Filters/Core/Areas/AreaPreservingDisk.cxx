@@ -64,6 +64,18 @@ double meanAreaError(const TriangleMesh& mesh, const Points2& positions, const E
   return sum / surface.sum();
 }
 
+// The share of the faces whose area is off by more than the tolerance of the refinement.
+double shareOff(const TriangleMesh& mesh,
+  const Points2& positions,
+  const Eigen::VectorXd& weights,
+  const ConvexDomain& domain)
+{
+  return shareOfWrongFaces(positions,
+    mesh.Faces,
+    scaledTargets(faceTargets(mesh, weights), domain.area()),
+    RefinementPatches::AreaTolerance);
+}
+
 void requireNarrow(const Eigen::VectorXd& weights)
 {
   constexpr double slack = 1e-9; // of the logarithm, for rounding
@@ -227,18 +239,15 @@ AreaPreservingResult freedMap(const TriangleMesh& mesh,
   }
   AreaPreservingResult result = mapInSteps(
     mesh, conformal, onDomain, target, weights, options, subrange(progress, freedEnd, domainEnd));
-  const double shareOff = shareOfWrongFaces(result.Map.Positions,
-    mesh.Faces,
-    scaledTargets(targets, target.Domain->area()),
-    RefinementPatches::AreaTolerance);
-  if (freed && freed->keepsAreas(shareOff))
+  const double lost = shareOff(mesh, result.Map.Positions, weights, *target.Domain);
+  if (freed && freed->keepsAreas(lost))
   {
     take(*freed, result.Map);
   }
   else if (result.Map.Bijective)
   {
     std::optional<FreeOutlineMap> released = freedFrom(result.Map.Positions, domainEnd, 1.0);
-    if (released && released->Bijective && released->ShareOff <= shareOff)
+    if (released && released->Bijective && released->ShareOff <= lost)
     {
       released->WarmStarted = false;
       take(*released, result.Map);
@@ -265,8 +274,11 @@ AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
     throw InvalidInput("a free outline needs the face refinement: turn FaceRefinement on, or "
                        "FreeOutline off");
   }
-  return options.FreeOutline ? freedMap(mesh, conformal, onDomain, target, weights, options, progress)
-                             : mapInSteps(mesh, conformal, onDomain, target, weights, options, progress);
+  AreaPreservingResult result =
+    options.FreeOutline ? freedMap(mesh, conformal, onDomain, target, weights, options, progress)
+                        : mapInSteps(mesh, conformal, onDomain, target, weights, options, progress);
+  result.Map.ShareOff = shareOff(mesh, result.Map.Positions, weights, *target.Domain);
+  return result;
 }
 
 } // namespace

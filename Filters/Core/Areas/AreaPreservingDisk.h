@@ -50,6 +50,7 @@ struct AreaPreservingMap
   int PowerDiagrams = 0;           ///< number of power diagrams that the transport computed
   int CoincidentVertices = 0;      ///< vertices that shared the conformal position of another
   double MaxCellError = 0.0;       ///< max_i |A_i - nu_i| / nu_i
+  double ShareOff = 0.0;           ///< share of the faces whose area is off by more than 2 %
   int FlippedFaces = 0;            ///< faces not positively oriented (exact)
   bool Bijective = false;          ///< whether no face is flipped and the boundary vertices are in order
   bool WarmStarted = false;        ///< whether it was made from the positions of Start
