@@ -274,11 +274,11 @@ void RefinementPatches::setReaches(const Pass& pass,
     groups.push_back(this->moves(a, partOf) ? partOf[a] : this->moves(b, partOf) ? partOf[b] : -1);
   }
   const std::vector<double> reach = outlineReach(positions, loop, groups);
+  const double weight = ReachWeight * pass.Targets.mean();
   this->Reaches.clear();
   for (std::size_t k = 0; k < loop.size(); ++k)
   {
-    this->Reaches.push_back(
-      { loop[k], positions.row(loop[k]), reach[k], ReachWeight * pass.Targets.mean() });
+    this->Reaches.push_back({ loop[k], positions.row(loop[k]), reach[k], weight });
   }
 }
 
