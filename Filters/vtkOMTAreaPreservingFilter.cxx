@@ -287,8 +287,8 @@ void setReport(vtkFieldData* data, const flattening::AreaPreservingMap& map)
 // percent by which faces count as right.
 constexpr double LargestOutlineLoss = 0.01;
 
-// Share of the triangles whose areas may be off by more than 2 percent without a warning. A choice: maps
-// of surfaces as scans give them have 6 percent at most.
+// Share of the triangles whose areas may be off by more than 2 percent without a warning. A choice,
+// far above what the maps of scans on the pages have.
 constexpr double LargestShareOff = 0.1;
 
 } // namespace

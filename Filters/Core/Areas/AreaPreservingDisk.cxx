@@ -239,15 +239,15 @@ AreaPreservingResult freedMap(const TriangleMesh& mesh,
   }
   AreaPreservingResult result = mapInSteps(
     mesh, conformal, onDomain, target, weights, options, subrange(progress, freedEnd, domainEnd));
-  const double lost = shareOff(mesh, result.Map.Positions, weights, *target.Domain);
-  if (freed && freed->keepsAreas(lost))
+  const double offInDomain = shareOff(mesh, result.Map.Positions, weights, *target.Domain);
+  if (freed && freed->keepsAreas(offInDomain))
   {
     take(*freed, result.Map);
   }
   else if (result.Map.Bijective)
   {
     std::optional<FreeOutlineMap> released = freedFrom(result.Map.Positions, domainEnd, 1.0);
-    if (released && released->Bijective && released->ShareOff <= lost)
+    if (released && released->Bijective && released->ShareOff <= offInDomain)
     {
       released->WarmStarted = false;
       take(*released, result.Map);
