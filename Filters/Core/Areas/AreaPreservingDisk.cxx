@@ -197,12 +197,10 @@ void take(const FreeOutlineMap& freed, AreaPreservingMap& map)
   map.RepairedFaces = 0;
   map.StartShare = 1.0;
   map.IsFree = true;
-  map.Deformations = freed.Deformations;
 }
 
-// The map with a free outline, with the cells of the transport to the domain. It is made from the map
-// with the natural outline. If that loses too many areas, the outline of the map to the domain is let
-// go, which helps areas more than shapes; and if that loses any, the map to the domain stays.
+// The map with a free outline, with the cells of the transport to the domain. If it loses too many
+// areas, the map to the domain stays.
 AreaPreservingResult freedMap(const TriangleMesh& mesh,
   const Points2& conformal,
   const Points2& onDomain,
@@ -212,24 +210,19 @@ AreaPreservingResult freedMap(const TriangleMesh& mesh,
   const ProgressCallback& progress)
 {
   constexpr double freedEnd = 0.7; // of the progress
-  constexpr double domainEnd = 0.9;
   const std::vector<int>& loop = target.Boundary.Vertices;
   const Eigen::VectorXd targets = faceTargets(mesh, weights);
-  const auto freedFrom = [&](const Points2& start, double begin, double end)
-  {
-    return freeOutlineMap(mesh,
-      loop,
-      start,
-      targets,
-      target.Domain->area(),
-      shapeWeight(options.Refinement),
-      subrange(progress, begin, end));
-  };
   // The angle weight of an earlier map is not known, and one in the domain is no start.
   const Points2& before = options.Start.Positions;
   const bool isStart = options.Refinement.AngleWeight == 0.0 && before.rows() == mesh.vertexCount() &&
                        before.allFinite() && !areOnBoundary(before, loop, *target.Domain);
-  const std::optional<FreeOutlineMap> freed = freedFrom(isStart ? before : Points2(), 0.0, freedEnd);
+  const std::optional<FreeOutlineMap> freed = freeOutlineMap(mesh,
+    loop,
+    isStart ? before : Points2(),
+    targets,
+    target.Domain->area(),
+    shapeWeight(options.Refinement),
+    subrange(progress, 0.0, freedEnd));
   if (freed && freed->keepsAreas(0.0))
   {
     AreaPreservingResult result =
@@ -237,21 +230,12 @@ AreaPreservingResult freedMap(const TriangleMesh& mesh,
     take(*freed, result.Map);
     return result;
   }
-  AreaPreservingResult result = mapInSteps(
-    mesh, conformal, onDomain, target, weights, options, subrange(progress, freedEnd, domainEnd));
+  AreaPreservingResult result =
+    mapInSteps(mesh, conformal, onDomain, target, weights, options, subrange(progress, freedEnd, 1.0));
   const double offInDomain = shareOff(mesh, result.Map.Positions, weights, *target.Domain);
   if (freed && freed->keepsAreas(offInDomain))
   {
     take(*freed, result.Map);
-  }
-  else if (result.Map.Bijective)
-  {
-    std::optional<FreeOutlineMap> released = freedFrom(result.Map.Positions, domainEnd, 1.0);
-    if (released && released->Bijective && released->ShareOff <= offInDomain)
-    {
-      released->WarmStarted = false;
-      take(*released, result.Map);
-    }
   }
   return result;
 }

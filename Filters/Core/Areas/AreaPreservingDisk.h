@@ -58,7 +58,6 @@ struct AreaPreservingMap
   int RepairedFaces = 0;           ///< faces that were untangled between the stages of the refinement
   double StartShare = 1.0;         ///< see FaceRefinementResult
   bool IsFree = false;             ///< whether the outline is free
-  int Deformations = 0;            ///< see FreeOutlineMap; 0 unless the outline is free
   std::vector<int> CornerVertices; ///< vertices that stay in the domain's corners, counter-clockwise
 };
 

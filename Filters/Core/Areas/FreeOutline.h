@@ -17,7 +17,6 @@ namespace flattening
 struct FreeOutlineMap
 {
   Points2 Positions;        ///< n x 2, with the centroid of the map in the origin
-  int Deformations = 0;     ///< number of smooth deformations
   int Rounds = 0;           ///< number of passes of the refinement
   double ShareOff = 0.0;    ///< share of the faces whose area is off by more than 2 %
   int FlippedFaces = 0;     ///< faces not positively oriented (exact)
@@ -29,14 +28,11 @@ struct FreeOutlineMap
   bool keepsAreas(double shareOff) const;
 };
 
-/// Begins with the conformal map that has a free outline (MapsNearNaturalOutline). Its areas go to the
-/// targets in steps. In each, a smooth deformation (smoothlyDeformed) sets the areas of regions right
-/// and lowers the distortion of shapes, and a round of the refinement those of the faces, while boundary
-/// vertices are as free as the others. Further deformations lower the distortion, and rounds make the
-/// areas exact. No step lets a face flip or the outline cross itself, and the map remains one-to-one.
-/// Parts of the outline may press against each other on the way, and many areas then stay wrong. The
-/// function begins again with up to two more maps, whose outlines are rounder, and returns the one with
-/// the fewest wrong areas. Nothing is returned if there is no one-to-one map to begin with.
+/// Begins with the conformal map that has a free outline (MapsNearNaturalOutline). Its regions are
+/// brought to their areas while its outline takes the shape that distorts shapes least (roughFreeMap),
+/// and rounds of the refinement, in which boundary vertices are as free as the others, make the areas of
+/// the faces exact. No step lets a face flip or the outline cross itself, and the map remains
+/// one-to-one. Nothing is returned if there is no one-to-one map to begin with.
 /// @p surface is a disk with the boundary @p loop. The faces are to have the areas @p faceTargets (m,
 /// >= 0, up to a common factor); @p area (> 0) is what the map is to cover. @p shapeWeight (> 0) is that
 /// of the face refinement (RefinementTerms).

@@ -60,7 +60,6 @@ bool MapDeformation::deform(DomainMap& map,
     targets,
     request.Shapes,
     request.AreaWeight,
-    request.Fineness,
     subrange(progress, 0.0, smooth));
   double end = smooth;
   for (const double share : DeformationShares)

@@ -33,7 +33,6 @@ public:
     DeformationEnergy::Shapes Shapes; ///< that faces should have
     double AreaWeight;                ///< of areas against shapes, > 0
     bool MayFlip;                     ///< whether a few faces more may be flipped afterwards
-    int Fineness = 1;                 ///< see smoothlyDeformed
   };
 
   /// Deforms @p map. Without @p request.MayFlip no face of it may be flipped, nor is one afterwards; an

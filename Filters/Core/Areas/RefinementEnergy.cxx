@@ -135,22 +135,6 @@ RefinementEnergy::GapTerm RefinementEnergy::gapTerm(const DomainMap& map, const 
     weight / (rho * rho * gap.Share * gap.Share) };
 }
 
-RefinementEnergy::ReachTerm RefinementEnergy::reachTerm(const DomainMap& map, const VertexReach& reach)
-{
-  const Eigen::Vector2d way =
-    (map.Positions.row(reach.Vertex).transpose() - reach.Place) / reach.Distance;
-  const double rest = 1.0 - way.squaredNorm();
-  if (!(rest > 0.0))
-  {
-    return { std::numeric_limits<double>::infinity(), Eigen::Vector2d::Zero(), Eigen::Matrix2d::Zero() };
-  }
-  const double perLength = reach.Weight / reach.Distance;
-  return { -reach.Weight * std::log(rest),
-    2.0 * perLength / rest * way,
-    perLength / reach.Distance *
-      (2.0 / rest * Eigen::Matrix2d::Identity() + 4.0 / (rest * rest) * way * way.transpose()) };
-}
-
 double RefinementEnergy::evaluateFace(const Points2& positions, int face)
 {
   const FlatFace flat = this->flatFace(positions, face);
@@ -176,10 +160,6 @@ double RefinementEnergy::evaluate(const DomainMap& map)
   for (const BoundaryGap& gap : this->Terms.Gaps)
   {
     sum += this->gapTerm(map, gap).Energy;
-  }
-  for (const VertexReach& reach : this->Terms.Reaches)
-  {
-    sum += reachTerm(map, reach).Energy;
   }
   return sum;
 }
@@ -214,11 +194,6 @@ Eigen::VectorXd RefinementEnergy::gradient(const DomainMap& map) const
     {
       gradient[next] += term.Slope;
     }
-  }
-  for (const VertexReach& reach : this->Terms.Reaches)
-  {
-    const ReachTerm term = reachTerm(map, reach);
-    gradient.segment<2>(this->Dofs.first(reach.Vertex)) += term.Slope;
   }
   return gradient;
 }
@@ -381,14 +356,6 @@ const SparseMatrix& RefinementEnergy::hessian(const DomainMap& map)
     {
       this->Hessian.coeffRef(std::max(a, b), std::min(a, b)) -= curvature;
     }
-  }
-  for (const VertexReach& reach : this->Terms.Reaches)
-  {
-    const Eigen::Matrix2d curvature = reachTerm(map, reach).Curvature;
-    const int x = this->Dofs.first(reach.Vertex);
-    this->Hessian.coeffRef(x, x) += curvature(0, 0);
-    this->Hessian.coeffRef(x + 1, x) += curvature(1, 0);
-    this->Hessian.coeffRef(x + 1, x + 1) += curvature(1, 1);
   }
   return this->Hessian;
 }

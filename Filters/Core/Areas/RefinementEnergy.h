@@ -15,9 +15,8 @@ namespace flattening
 
 /// The sum of the energies of all faces (FaceAreaEnergy), and of rho - 1 - log rho, with a small weight,
 /// over all gaps between neighbours on the boundary, where rho is the length of the gap over its share
-/// by length on the surface. The latter keeps boundary vertices in order as they slide. A vertex with a
-/// reach (VertexReach) has the energy -log(1 - (d / reach)^2) at the distance d from its place, times
-/// its weight. Sums do not depend on the number of threads.
+/// by length on the surface. The latter keeps boundary vertices in order as they slide. Sums do not
+/// depend on the number of threads.
 class RefinementEnergy
 {
 public:
@@ -68,13 +67,6 @@ private:
   FlatFace flatFace(const Points2& positions, int face) const;
   double evaluateFace(const Points2& positions, int face);
   FaceAreaEnergy::Value faceValue(const FlatFace& flat, int face) const;
-  struct ReachTerm // of a vertex with a reach, with its derivatives by the position
-  {
-    double Energy;
-    Eigen::Vector2d Slope;
-    Eigen::Matrix2d Curvature; // a bound of the second derivative that is positive
-  };
-  static ReachTerm reachTerm(const DomainMap& map, const VertexReach& reach);
   GapTerm gapTerm(const DomainMap& map, const BoundaryGap& gap) const;
   int cornerOf(int vertex, int face) const;
   Eigen::Matrix2d block(const FlatFace& flat, int face, int a, int b) const;

@@ -28,9 +28,6 @@ constexpr double Turn = 1.0;
 constexpr double EnoughPatchShare = 0.001;
 // A round that lowers the energy of a patch by a smaller share is its last one in the pass.
 constexpr double LeastPatchGain = 0.1;
-// The weight of the energy of a vertex's reach, in mean target areas. A choice: so little that it counts
-// only near the end of the reach.
-constexpr double ReachWeight = 0.01;
 
 } // namespace
 
@@ -207,19 +204,13 @@ private:
     return part;
   }
 
-  // The edges of a free boundary that move, and the reach of their vertices.
+  // The edges of a free boundary that move.
   void addOutline(RefinementTerms& part, const std::vector<int>& localOf) const
   {
     const auto isFree = [&](int vertex)
     { return localOf[vertex] >= 0 && localOf[vertex] < static_cast<int>(this->Free); };
-    for (std::size_t k = 0; k < this->Whole.Terms.Outline.size(); ++k)
+    for (const auto& [a, b] : this->Whole.Terms.Outline)
     {
-      const auto& [a, b] = this->Whole.Terms.Outline[k];
-      if (isFree(a))
-      {
-        part.Reaches.push_back(this->Whole.Reaches[k]);
-        part.Reaches.back().Vertex = localOf[a];
-      }
       if (isFree(a) || isFree(b))
       {
         part.Outline.push_back({ localOf[a], localOf[b] });
@@ -260,32 +251,10 @@ bool RefinementPatches::moves(int vertex, const std::vector<int>& partOf) const
   return true;
 }
 
-// Edges that move in one patch are kept from crossing by the steps of the patch, the others by the reach
-// of their vertices.
-void RefinementPatches::setReaches(const Pass& pass,
-  const Points2& positions,
-  const std::vector<int>& partOf)
-{
-  std::vector<int> loop;
-  std::vector<int> groups;
-  for (const auto& [a, b] : this->Terms.Outline)
-  {
-    loop.push_back(a);
-    groups.push_back(this->moves(a, partOf) ? partOf[a] : this->moves(b, partOf) ? partOf[b] : -1);
-  }
-  const std::vector<double> reach = outlineReach(positions, loop, groups);
-  const double weight = ReachWeight * pass.Targets.mean();
-  this->Reaches.clear();
-  for (std::size_t k = 0; k < loop.size(); ++k)
-  {
-    this->Reaches.push_back({ loop[k], positions.row(loop[k]), reach[k], weight });
-  }
-}
-
 int RefinementPatches::run(const Pass& pass, DomainMap& map, const ProgressCallback& progress)
 {
   const std::vector<std::vector<int>> parts =
-    recursiveBisection(this->Chart, LargestPatch, Turn * this->Passes++);
+    recursiveBisection(this->Chart, LargestPatch, Turn * pass.Number);
   std::vector<int> partOf(map.Positions.rows());
   for (std::size_t p = 0; p < parts.size(); ++p)
   {
@@ -294,7 +263,6 @@ int RefinementPatches::run(const Pass& pass, DomainMap& map, const ProgressCallb
       partOf[v] = static_cast<int>(p);
     }
   }
-  this->setReaches(pass, map.Positions, partOf);
   // Patches may run at the same time: no patch reads a vertex that another one moves.
   std::atomic<int> worked = 0;
   std::atomic<int> done = 0;

@@ -5,7 +5,6 @@
 #include "Areas/DegreesOfFreedom.h"
 #include "Areas/RefinementTerms.h"
 #include "Base/Progress.h"
-#include "Mesh/OutlineReach.h"
 #include "Mesh/VertexFaces.h"
 
 #include <tbb/enumerable_thread_specific.h>
@@ -49,6 +48,7 @@ public:
     double ShapeFactor = 1.0;     ///< factor of the terms' shape weights
     bool KeepsOrientation = true; ///< whether faces may not flip (RefinementDescent)
     bool SkipsRight = true;       ///< whether patches are left out in which few faces are not right
+    int Number = 0;               ///< of the pass: each divides the mesh along other lines
   };
 
   /// Minimises the energy in the patches, and returns how many they were.
@@ -58,16 +58,13 @@ private:
   class Patch;
   // A vertex stays if it has a neighbour in an earlier part.
   bool moves(int vertex, const std::vector<int>& partOf) const;
-  void setReaches(const Pass& pass, const Points2& positions, const std::vector<int>& partOf);
 
   const RefinementTerms& Terms;
   const VertexFaces& FacesOf;
   const DegreesOfFreedom& Dofs;
   const Points2& Chart;
-  std::vector<VertexReach> Reaches; // of the vertices where the edges of a free boundary begin
   // Each thread numbers the vertices of the patch that it sets up; all others have -1.
   mutable tbb::enumerable_thread_specific<std::vector<int>> LocalOf;
-  int Passes = 0;
 };
 
 } // namespace flattening

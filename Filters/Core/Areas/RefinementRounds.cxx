@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Areas/RefinementRounds.h"
 
+#include "Areas/OutlineScaffold.h"
 #include "Areas/ShapeDistortion.h"
 #include "Areas/TargetAreas.h"
 #include "Mesh/RecursiveBisection.h"
@@ -89,9 +90,10 @@ RefinementRounds::RefinementRounds(const TriangleMesh& surface,
   bool asksForAreas)
   : Surface(surface)
   , Terms(terms)
+  , FacesOf(facesOf)
   , Dofs(dofs)
+  , Chart(chart)
   , Energy(terms, facesOf, dofs)
-  , Patches(terms, facesOf, dofs, chart)
   , Deformation(surface, terms, facesOf, dofs)
   , Start(start)
   , AsksForAreas(asksForAreas)
@@ -172,14 +174,8 @@ bool RefinementRounds::deform(DomainMap& map,
   }
   this->Energy.setEnclosed(map);
   this->FlipsIfDeformed = !this->Deformation.deform(
-    map, this->Energy.targets(), { shapes, areaWeight, this->Epsilon > 0.0, this->Fineness }, progress);
+    map, this->Energy.targets(), { shapes, areaWeight, this->Epsilon > 0.0 }, progress);
   return !this->FlipsIfDeformed;
-}
-
-void RefinementRounds::setFineness(int fineness)
-{
-  this->Fineness = fineness;
-  this->FlipsIfDeformed = false;
 }
 
 bool RefinementRounds::isNearlyRight(const DomainMap& map)
@@ -264,6 +260,41 @@ RefinementPatches::Pass RefinementRounds::pass(const DomainMap& map)
   return pass;
 }
 
+// Returns the number of patches that needed it. With a free boundary, gaps beside the outline are faces
+// too. Where the outline crosses itself in a shallow bay afterwards, the pass is made anew with gaps
+// there.
+int RefinementRounds::runPatches(RefinementPatches::Pass& pass,
+  DomainMap& map,
+  const ProgressCallback& progress)
+{
+  pass.Number = this->Passes++;
+  if (!this->isFree())
+  {
+    return RefinementPatches(this->Terms, this->FacesOf, this->Dofs, this->Chart)
+      .run(pass, map, progress);
+  }
+  using ShallowBays = OutlineScaffold::ShallowBays;
+  double begin = 0.0; // of the progress
+  for (const ShallowBays bays : { ShallowBays::Open, ShallowBays::Filled })
+  {
+    const OutlineScaffold scaffold(this->Terms, map.Positions, pass.Targets, bays);
+    RefinementPatches::Pass withGaps = pass;
+    withGaps.Targets = scaffold.targets(pass.Targets);
+    withGaps.AreaWeights = scaffold.areaWeights(pass.AreaWeights);
+    withGaps.Counts = scaffold.counts(pass.Counts);
+    RefinementPatches patches(scaffold.terms(), scaffold.facesOf(), this->Dofs, this->Chart);
+    DomainMap next = map;
+    const int worked = patches.run(withGaps, next, subrange(progress, begin, 0.5 * (1.0 + begin)));
+    begin = 0.5;
+    if (!edgesCross(next.Positions, this->Terms.Outline))
+    {
+      map = std::move(next);
+      return worked;
+    }
+  }
+  return 0;
+}
+
 void RefinementRounds::polish(DomainMap& map, const ProgressCallback& progress)
 {
   const bool hasWeights = (this->Counts.array() != 1.0).any();
@@ -282,7 +313,7 @@ void RefinementRounds::polish(DomainMap& map, const ProgressCallback& progress)
   for (int round = 0; round < rounds; ++round)
   {
     const double begin = 0.4 + 0.6 * round / rounds;
-    this->Patches.run(pass, map, subrange(progress, begin, begin + 0.6 / rounds));
+    this->runPatches(pass, map, subrange(progress, begin, begin + 0.6 / rounds));
     ++this->Count;
   }
 }
@@ -332,7 +363,7 @@ void RefinementRounds::run(DomainMap& map, int most, Until until, const Progress
     }
     RefinementPatches::Pass pass = this->pass(map);
     pass.ShapeFactor = this->Count <= this->LastShapeRound ? FirstShapeFactor : 1.0;
-    const int patches = this->Patches.run(pass, map, subrange(progress, middle, end));
+    const int patches = this->runPatches(pass, map, subrange(progress, middle, end));
     const WrongFaces next = this->wrongFaces(map);
     const double left = 1.0 - LeastProgress;
     const bool helps = next.Share <= left * before.Share || next.Distance <= left * before.Distance;

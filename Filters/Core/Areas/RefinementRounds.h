@@ -70,10 +70,6 @@ public:
   /// deformations: 0 if angles are asked for, or thin faces would flip. @throws Cancelled.
   int lowerDistortion(DomainMap& map, double areaWeight, int most, const ProgressCallback& progress);
 
-  /// Makes the lattices of further deformations so many times as fine (smoothlyDeformed), and lets them
-  /// be tried again where they flipped thin faces.
-  void setFineness(int fineness);
-
   /// The distortion of shapes (shapeDistortion).
   double distortion(const DomainMap& map) const;
 
@@ -109,13 +105,15 @@ private:
     const ProgressCallback& progress);
   bool isFree() const { return this->Dofs.loop().empty(); } // the boundary
   RefinementPatches::Pass pass(const DomainMap& map);
+  int runPatches(RefinementPatches::Pass& pass, DomainMap& map, const ProgressCallback& progress);
   double descend(DomainMap& map, const ProgressCallback& progress);
 
   const TriangleMesh& Surface;
   const RefinementTerms& Terms;
+  const VertexFaces& FacesOf;
   const DegreesOfFreedom& Dofs;
+  const Points2& Chart;
   RefinementEnergy Energy;
-  RefinementPatches Patches;
   MapDeformation Deformation;
   std::optional<RefinementDescent> Descent; // of the whole mesh
   RefinementStart Start;
@@ -124,8 +122,8 @@ private:
   Eigen::VectorXd Counts;
   double Epsilon = 0.0;
   bool FlipsIfDeformed = false; // in this stage
-  int Fineness = 1;
   int Count = 0;
+  int Passes = 0; // over the patches
   int LastShapeRound;
 };
 

@@ -18,15 +18,6 @@ struct BoundaryGap
   double Share; ///< its part of the domain's perimeter, by length on the surface
 };
 
-/// A vertex that must stay within a distance of a place.
-struct VertexReach
-{
-  int Vertex;
-  Eigen::Vector2d Place;
-  double Distance; ///< > 0
-  double Weight;   ///< of its energy, in the unit of areas
-};
-
 /// The coefficients of a mesh or a part of it.
 struct RefinementTerms
 {
@@ -34,7 +25,6 @@ struct RefinementTerms
   Eigen::MatrixX3d Cotangents;  ///< of the surface's angles (m x 3); slivers are opened first
   Eigen::VectorXd ShapeWeights; ///< per face (m)
   std::vector<BoundaryGap> Gaps;
-  std::vector<VertexReach> Reaches;
   std::vector<FlatEdge> Outline; ///< edges of a free boundary, which must not cross
 
   /// @p loop holds the boundary vertices. @p shapeWeight (>= 0) is for faces that are no slivers;

@@ -30,9 +30,6 @@ constexpr double LatticeMargin = 0.1;
 constexpr double DomainMargin = 1.5;
 constexpr double LeastPerSquare = 16.0;
 constexpr double GreatestPerSquare = 600.0;
-// Weights of the areas before the last one, where the boundary is let go. With that one alone, the way
-// of the boundary vertices out of the domain would be many short steps.
-constexpr double FreeingAreaWeights[] = { 3.0, 30.0 };
 // Limits of the time: Newton steps, and the relative decrease of the energy that ends
 // them earlier.
 constexpr int MostSteps = 12;
@@ -160,25 +157,16 @@ private:
 
 } // namespace
 
-int latticeSquares(int vertices, int fineness)
-{
-  const int usual = squaresOf(vertices, true);
-  return std::max(
-    usual, std::min(fineness * usual, static_cast<int>(std::sqrt(vertices / LeastPerSquare))));
-}
-
 DomainMap smoothlyDeformed(const RefinementTerms& terms,
   const DegreesOfFreedom& dofs,
   const DomainMap& map,
   const Eigen::VectorXd& targets,
   DeformationEnergy::Shapes shapes,
   double areaWeight,
-  int fineness,
   const ProgressCallback& progress)
 {
   const bool isFree = dofs.loop().empty();
-  const auto vertices = static_cast<int>(map.Positions.rows());
-  const int squares = isFree ? latticeSquares(vertices, fineness) : squaresOf(vertices, isFree);
+  const int squares = squaresOf(static_cast<int>(map.Positions.rows()), isFree);
   const DeformationLattice lattice =
     latticeAround(map.Positions, isFree ? LatticeMargin : DomainMargin / squares, squares);
   DeformationEnergy energy(lattice, terms, map.Positions, targets, shapes);
@@ -187,18 +175,8 @@ DomainMap smoothlyDeformed(const RefinementTerms& terms,
     energy.keepOnBoundary(dofs.domain(), boundaryPoints(dofs, map));
   }
   DeformationDescent descent(lattice, energy);
-  double begin = 0.0;
-  for (const double weight : FreeingAreaWeights)
-  {
-    if (isFree && fineness == 1 && weight < areaWeight)
-    {
-      energy.setAreaWeight(weight);
-      descent.descend(subrange(progress, begin, begin + 0.3));
-      begin += 0.3;
-    }
-  }
   energy.setAreaWeight(areaWeight);
-  descent.descend(subrange(progress, begin, 1.0));
+  descent.descend(progress);
   DomainMap moved{ lattice.moved(map.Positions, descent.displacements()), map.BoundaryParameters };
   if (!isFree)
   {

@@ -6,11 +6,8 @@
 #include "Conformal/CurvatureSystem.h"
 #include "Conformal/ProtrusionSpreading.h"
 #include "Mesh/ComplexPositions.h"
-#include "Mesh/FaceOrientation.h"
 #include "Mesh/OutlineCrossings.h"
 #include "Mesh/PlaneVectors.h"
-#include "Mesh/VertexFaces.h"
-#include "Untangling/MapUntangling.h"
 #include "Untangling/OutlineUntangling.h"
 #include "Untangling/TargetTriangles.h"
 
@@ -59,34 +56,6 @@ Eigen::VectorXd angleDefects(const IntrinsicTriangulation& surface)
   CurvatureSystem system(surface, flat, std::vector<char>(surface.vertexCount(), 0));
   system.evaluate(IntrinsicTriangulation::Factors::Zero(surface.vertexCount()));
   return system.gradient();
-}
-
-// Makes a map whose outline does not cross itself one-to-one. The outline moves only where faces cannot
-// be untangled otherwise. Returns whether it succeeded.
-bool untangle(const TriangleMesh& mesh,
-  const std::vector<int>& loop,
-  Points2& positions,
-  const ProgressCallback& progress)
-{
-  if (untangleMap(mesh, loop, positions, subrange(progress, 0.0, 0.5)).FlippedFaces == 0)
-  {
-    return true;
-  }
-  std::vector<FlatEdge> outline;
-  for (std::size_t k = 0; k < loop.size(); ++k)
-  {
-    outline.push_back({ loop[k], loop[(k + 1) % loop.size()] });
-  }
-  const Points2 before = positions;
-  untangleWithOutline(mesh.Faces,
-    VertexFaces(mesh.Faces, mesh.vertexCount()),
-    outline,
-    before,
-    similarTriangles(mesh, before),
-    positions,
-    {},
-    subrange(progress, 0.5, 1.0));
-  return countFlippedFaces(positions, mesh.Faces) == 0 && isSimpleOutline(positions, loop);
 }
 
 } // namespace
@@ -181,7 +150,12 @@ std::optional<Points2> MapsNearNaturalOutline::next(const ProgressCallback& prog
     if (isSimpleOutline(outline, polygon))
     {
       Points2 positions = this->Natural.extended(outline, subrange(part, 0.0, 0.5));
-      if (untangle(this->Mesh, this->Loop, positions, subrange(part, 0.5, 1.0)))
+      if (makeOneToOne(this->Mesh.Faces,
+            this->Loop,
+            similarTriangles(this->Mesh, positions),
+            positions,
+            {},
+            subrange(part, 0.5, 1.0)))
       {
         return positions;
       }

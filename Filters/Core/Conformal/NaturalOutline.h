@@ -50,8 +50,7 @@ private:
 };
 
 /// One-to-one maps of a disk near the one with the natural outline. Their outlines are rounder and
-/// rounder; flipped faces are untangled (untangleMap) and, where that needs it, the outline is moved
-/// (untangleWithOutline).
+/// rounder; flipped faces are untangled and, where that needs it, the outline is moved (makeOneToOne).
 class MapsNearNaturalOutline
 {
 public:

@@ -60,6 +60,17 @@ void forPairsOfNearEdges(const Points2& positions, const std::vector<FlatEdge>& 
 
 } // namespace
 
+std::vector<FlatEdge> outlineEdges(const std::vector<int>& loop)
+{
+  std::vector<FlatEdge> edges;
+  edges.reserve(loop.size());
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    edges.push_back({ loop[k], loop[(k + 1) % loop.size()] });
+  }
+  return edges;
+}
+
 bool edgesCross(const Points2& positions, const std::vector<FlatEdge>& edges)
 {
   bool found = false;
@@ -87,13 +98,7 @@ std::vector<char> crossingEdges(const Points2& positions, const std::vector<Flat
 
 bool isSimpleOutline(const Points2& positions, const std::vector<int>& loop)
 {
-  std::vector<FlatEdge> edges;
-  edges.reserve(loop.size());
-  for (std::size_t k = 0; k < loop.size(); ++k)
-  {
-    edges.push_back({ loop[k], loop[(k + 1) % loop.size()] });
-  }
-  return !edgesCross(positions, edges);
+  return !edgesCross(positions, outlineEdges(loop));
 }
 
 } // namespace flattening

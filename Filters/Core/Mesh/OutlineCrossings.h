@@ -13,6 +13,9 @@ namespace flattening
 /// An edge in the plane, by its two different vertices.
 using FlatEdge = std::array<int, 2>;
 
+/// The edges of the closed polygon through the vertices of @p loop.
+std::vector<FlatEdge> outlineEdges(const std::vector<int>& loop);
+
 /// Whether two of @p edges at @p positions (n x 2, finite) have a point in common beside the vertex that
 /// they share. It is exact for the given doubles (CGAL's filtered predicates).
 bool edgesCross(const Points2& positions, const std::vector<FlatEdge>& edges);

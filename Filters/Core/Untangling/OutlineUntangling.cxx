@@ -112,4 +112,38 @@ void untangleWithOutline(const FaceMatrix& faces,
     progress);
 }
 
+bool makeOneToOne(const FaceMatrix& faces,
+  const std::vector<int>& loop,
+  const TargetTriangles& targets,
+  Points2& positions,
+  const UntanglingOptions& options,
+  const ProgressCallback& progress)
+{
+  if (!isSimpleOutline(positions, loop))
+  {
+    return false;
+  }
+  std::vector<char> onOutline(positions.rows(), 0);
+  for (const int v : loop)
+  {
+    onOutline[v] = 1;
+  }
+  const UntanglingReport report =
+    untangleMap(faces, onOutline, targets, positions, options, subrange(progress, 0.0, 0.5));
+  if (report.FlippedFaces == 0)
+  {
+    return true;
+  }
+  const Points2 before = positions;
+  untangleWithOutline(faces,
+    VertexFaces(faces, static_cast<int>(positions.rows())),
+    outlineEdges(loop),
+    before,
+    targets,
+    positions,
+    options,
+    subrange(progress, 0.5, 1.0));
+  return countFlippedFaces(positions, faces) == 0 && isSimpleOutline(positions, loop);
+}
+
 } // namespace flattening

@@ -30,4 +30,14 @@ void untangleWithOutline(const FaceMatrix& faces,
   const UntanglingOptions& options = {},
   const ProgressCallback& progress = {});
 
+/// Makes the flat map @p positions (n x 2) of a disk with the boundary @p loop one-to-one, if its
+/// outline does not cross itself. The outline moves only where faces cannot be untangled otherwise.
+/// Returns whether the map is one-to-one afterwards. @throws Cancelled.
+bool makeOneToOne(const FaceMatrix& faces,
+  const std::vector<int>& loop,
+  const TargetTriangles& targets,
+  Points2& positions,
+  const UntanglingOptions& options = {},
+  const ProgressCallback& progress = {});
+
 } // namespace flattening
