@@ -47,19 +47,14 @@ struct FlatMap
     const std::vector<int> loop = requireDisk(this->Surface);
     this->Terms = RefinementTerms(this->Surface, loop, 1.0, 1e-3);
     this->Terms.Gaps.clear();
-    for (std::size_t k = 0; k < loop.size(); ++k)
-    {
-      this->Terms.Outline.push_back({ loop[k], loop[(k + 1) % loop.size()] });
-    }
+    this->Terms.Outline = outlineEdges(loop);
   }
 
-  bool deform(double areaWeight, int fineness, const ProgressCallback& progress = {})
+  bool deform(double areaWeight, const ProgressCallback& progress = {})
   {
     return MapDeformation(this->Surface, this->Terms, this->FacesOf, this->Dofs)
-      .deform(this->Map,
-        this->Targets,
-        { DeformationEnergy::Shapes::OfSurface, areaWeight, false, fineness },
-        progress);
+      .deform(
+        this->Map, this->Targets, { DeformationEnergy::Shapes::OfSurface, areaWeight, false }, progress);
   }
 
   double distortion() const { return shapeDistortion(this->Terms, this->Map.Positions, this->Targets); }
@@ -117,7 +112,7 @@ TEST(MapDeformation, PartsOfTheOutlineStayApart)
     [](double x, double y) { return Eigen::RowVector2d(x, y + 0.05 * std::sin(4.0 * EIGEN_PI * x)); });
   ASSERT_FALSE(edgesCross(map.Map.Positions, map.Terms.Outline));
   const double before = map.distortion();
-  ASSERT_TRUE(map.deform(30.0, 1));
+  ASSERT_TRUE(map.deform(30.0));
   EXPECT_EQ(countFlippedFaces(map.Map.Positions, map.Surface.Faces), 0);
   EXPECT_FALSE(edgesCross(map.Map.Positions, map.Terms.Outline));
   EXPECT_LT(map.distortion(), 0.2 * before);
@@ -131,7 +126,6 @@ TEST(MapDeformation, ProgressGrowsWhereASmallerShareIsTaken)
     [](double x, double y) { return Eigen::RowVector2d(x, y + 0.2 * std::sin(16.0 * EIGEN_PI * x)); });
   std::vector<double> fractions;
   map.deform(30.0,
-    1,
     [&](double fraction, const char*)
     {
       fractions.push_back(fraction);
@@ -140,24 +134,6 @@ TEST(MapDeformation, ProgressGrowsWhereASmallerShareIsTaken)
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   EXPECT_GT(fractions.back(), 0.8);
   EXPECT_LE(fractions.back(), 1.0);
-}
-
-// Waves that are shorter than the squares of the usual lattice need a finer one.
-TEST(MapDeformation, AFinerLatticeFollowsShorterWaves)
-{
-  const auto left = [](int fineness)
-  {
-    FlatMap map(squareMesh(300, 300),
-      [](double x, double y)
-      { return Eigen::RowVector2d(x, y + 0.01 * std::sin(30.0 * EIGEN_PI * x)); });
-    const double before = map.distortion();
-    EXPECT_TRUE(map.deform(300.0, fineness));
-    return map.distortion() / before;
-  };
-  const double usual = left(1);
-  const double finer = left(2);
-  EXPECT_GT(usual, 0.3);
-  EXPECT_LT(finer, 0.1);
 }
 
 } // namespace

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesh/OutlineCrossings.h"
 #include "Mesh/OutlineGaps.h"
-#include "Mesh/OutlineReach.h"
-#include "Support/RandomNumbers.h"
+#include "Mesh/OutlineTriangulation.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -48,26 +46,16 @@ TEST(OutlineCrossings, AreFoundExactly)
   EXPECT_FALSE(isSimpleOutline(square, loop));
 }
 
-std::vector<FlatEdge> edgesOf(const std::vector<int>& loop)
-{
-  std::vector<FlatEdge> edges;
-  for (std::size_t k = 0; k < loop.size(); ++k)
-  {
-    edges.push_back({ loop[k], loop[(k + 1) % loop.size()] });
-  }
-  return edges;
-}
-
 TEST(OutlineCrossings, TellWhichEdgesCross)
 {
   Points2 outline(5, 2);
   outline << 0, 0, 4, 0, 1, 2, 2, 2, 3,
     -1; // the last edge but one passes the first, the last touches none
-  EXPECT_EQ(crossingEdges(outline, edgesOf(loopOf(outline))), std::vector<char>({ 1, 1, 0, 1, 0 }));
+  EXPECT_EQ(crossingEdges(outline, outlineEdges(loopOf(outline))), std::vector<char>({ 1, 1, 0, 1, 0 }));
 }
 
 // A comb, 11 wide and 4 high, with five gaps of 1 x 3 that open upwards.
-TEST(OutlineGaps, FillTheConvexHull)
+Points2 combOfGaps()
 {
   Points2 comb(24, 2);
   comb.topRows(2) << 0, 0, 11, 0;
@@ -78,8 +66,14 @@ TEST(OutlineGaps, FillTheConvexHull)
   }
   comb.row(2) << 11, 4;
   comb.row(23) << 0, 4;
+  return comb;
+}
+
+TEST(OutlineGaps, FillTheConvexHull)
+{
+  const Points2 comb = combOfGaps();
   ASSERT_TRUE(isSimpleOutline(comb, loopOf(comb)));
-  const FaceMatrix gaps = outlineGaps(comb, edgesOf(loopOf(comb)));
+  const FaceMatrix gaps = outlineGaps(comb, outlineEdges(loopOf(comb)));
   ASSERT_EQ(gaps.rows(), 10);
   for (Eigen::Index k = 0; k < gaps.rows(); ++k)
   {
@@ -91,7 +85,7 @@ TEST(OutlineGaps, FillTheConvexHull)
 
 TEST(OutlineGaps, AConvexOutlineHasNone)
 {
-  EXPECT_EQ(outlineGaps(star(0, 50), edgesOf(loopOf(star(0, 50)))).rows(), 0);
+  EXPECT_EQ(outlineGaps(star(0, 50), outlineEdges(loopOf(star(0, 50)))).rows(), 0);
 }
 
 TEST(OutlineCrossings, NeighboursMustNotFoldBack)
@@ -115,49 +109,51 @@ TEST(OutlineCrossings, OfSomeEdgesCountOnlyTheirs)
   EXPECT_FALSE(edgesCross(cross, {}));
 }
 
-// The worst that the reach allows: every vertex goes to the end of its reach, in a random direction.
-TEST(OutlineReach, MovesWithinItDoNotCross)
+// The triangles of a comb with a vertex in its first tooth.
+TEST(OutlineTriangulation, HasBothSidesOfTheOutline)
 {
-  samples::RandomNumbers random(7);
-  for (int arms = 2; arms < 30; ++arms)
+  Points2 comb = combOfGaps();
+  const std::vector<FlatEdge> edges = outlineEdges(loopOf(comb));
+  comb.conservativeResize(25, 2);
+  comb.row(24) << 0.5, 2.0;
+  OutlineTriangulation triangulation(comb, edges, { 24 });
+  EXPECT_NEAR(signedFaceAreas(comb, triangulation.inside()).sum(), 44.0 - 15.0, 1e-12);
+  EXPECT_NEAR(signedFaceAreas(comb, triangulation.outside()).sum(), 15.0, 1e-12);
+  EXPECT_GT(signedFaceAreas(comb, triangulation.inside()).minCoeff(), 0.0);
+  for (Eigen::Index face = 0; face < triangulation.inside().rows(); ++face)
   {
-    const Points2 outline = star(arms, 40 * arms);
-    const std::vector<int> loop = loopOf(outline);
-    ASSERT_TRUE(isSimpleOutline(outline, loop)) << arms;
-    const std::vector<double> reach = outlineReach(outline, loop, std::vector<int>(loop.size(), -1));
-    EXPECT_GT(*std::min_element(reach.begin(), reach.end()), 0.0);
-    for (int trial = 0; trial < 20; ++trial)
-    {
-      Points2 moved = outline;
-      for (std::size_t k = 0; k < loop.size(); ++k)
-      {
-        const double angle = random.real(0.0, 2.0 * EIGEN_PI);
-        moved.row(k) += reach[k] * Eigen::RowVector2d(std::cos(angle), std::sin(angle));
-      }
-      EXPECT_TRUE(isSimpleOutline(moved, loop)) << arms << " arms";
-    }
+    const Eigen::RowVector3i corners = triangulation.inside().row(face);
+    const Eigen::Vector2d centroid =
+      (comb.row(corners[0]) + comb.row(corners[1]) + comb.row(corners[2])).transpose() / 3.0;
+    EXPECT_EQ(triangulation.insideAt(centroid), face);
+    const int atCorner = triangulation.insideAt(comb.row(corners[0]));
+    ASSERT_GE(atCorner, 0);
+    EXPECT_TRUE((triangulation.inside().row(atCorner).array() == corners[0]).any());
   }
+  EXPECT_EQ(triangulation.insideAt({ 1.5, 3.0 }), -1); // in a gap
+  EXPECT_EQ(triangulation.insideAt({ 20.0, 3.0 }), -1);
+  EXPECT_EQ(triangulation.insideAt({ -20.0, 3.0 }), -1);
 }
 
-TEST(OutlineReach, OfASquareIsNearlyHalfOfItsSide)
+// An arc of many vertices that bends inward by a little is one shallow bay, and the gap of a comb is
+// none.
+TEST(OutlineGaps, ShallowBaysCanBeLeftOut)
 {
-  Points2 square(4, 2);
-  square << 0, 0, 1, 0, 1, 1, 0, 1;
-  for (const double reach : outlineReach(square, loopOf(square), { -1, -1, -1, -1 }))
+  Points2 bay(12, 2);
+  for (int k = 0; k < 10; ++k)
   {
-    EXPECT_DOUBLE_EQ(reach, 0.49);
+    const double x = 1.0 - k / 9.0;
+    bay.row(k) << x, 1.0 - 0.4 * x * (1.0 - x);
   }
-}
-
-// Edges of one group are left to the group: the gap between the two long edges counts only if they
-// belong to different ones.
-TEST(OutlineReach, LeavesOutEdgesOfOneGroup)
-{
-  Points2 slot(4, 2);
-  slot << 0, 0, 1, 0, 1, 0.01, 0, 0.01;
-  const std::vector<int> loop = loopOf(slot);
-  EXPECT_NEAR(outlineReach(slot, loop, { 0, -1, 1, -1 })[0], 0.0049, 1e-12);
-  EXPECT_NEAR(outlineReach(slot, loop, { 2, 2, 2, 2 })[0], 0.49, 1e-12);
+  bay.bottomRows(2) << 0, 0, 1, 0;
+  const std::vector<FlatEdge> edges = outlineEdges(loopOf(bay));
+  const FaceMatrix gaps = outlineGaps(bay, edges);
+  EXPECT_EQ(gaps.rows(), 8);
+  EXPECT_EQ(withoutShallowBays(gaps, bay, edges).rows(), 0);
+  const Points2 comb = combOfGaps();
+  const std::vector<FlatEdge> combEdges = outlineEdges(loopOf(comb));
+  const FaceMatrix deep = outlineGaps(comb, combEdges);
+  EXPECT_EQ(withoutShallowBays(deep, comb, combEdges), deep);
 }
 
 } // namespace
