@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Areas/AreaApproach.h"
+#include "Areas/OutlineScaffold.h"
+#include "Areas/ScaffoldDescent.h"
+#include "Base/Errors.h"
+#include "Mesh/FaceOrientation.h"
+#include "Mesh/MeshTopology.h"
+#include "Mesh/OutlineCrossings.h"
+#include "Mesh/OutlineGaps.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace
+{
+
+using namespace flattening;
+
+// A flat horseshoe of squares, each cut in two: two arms of 4 x 20 on a bridge, with a gap of the width
+// `gap` between the arms.
+TriangleMesh horseshoe(double gap)
+{
+  TriangleMesh mesh;
+  std::vector<Eigen::RowVector3i> faces;
+  constexpr int columns = 9; // of points; the gap is between the columns 4 and 5
+  constexpr int rows = 25;
+  mesh.Vertices.resize(columns * rows + rows, 3);
+  mesh.Vertices.setZero();
+  const auto add = [&](int a, int b, int c, int d)
+  {
+    faces.push_back({ a, b, c });
+    faces.push_back({ a, c, d });
+  };
+  // Ten columns of points: five for each arm; the bridge joins the fifth and the sixth.
+  for (int j = 0; j < rows; ++j)
+  {
+    for (int i = 0; i <= columns; ++i)
+    {
+      const double x = i < 5 ? i : i - 1 + gap;
+      mesh.Vertices.row(j * (columns + 1) + i) << x, j, 0.0;
+    }
+  }
+  for (int j = 0; j + 1 < rows; ++j)
+  {
+    for (int i = 0; i < columns; ++i)
+    {
+      if (i != 4 || j < 4)
+      {
+        const int a = j * (columns + 1) + i;
+        add(a, a + 1, a + columns + 2, a + columns + 1);
+      }
+    }
+  }
+  mesh.Faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    mesh.Faces.row(static_cast<Eigen::Index>(f)) = faces[f];
+  }
+  return mesh;
+}
+
+RefinementTerms termsOf(const TriangleMesh& mesh, double shapeWeight)
+{
+  RefinementTerms terms(mesh, {}, 1.0, shapeWeight);
+  terms.Outline = outlineEdges(requireDisk(mesh));
+  return terms;
+}
+
+TEST(AreaApproach, MeasuresTheWayInLogarithms)
+{
+  const TriangleMesh mesh = horseshoe(0.5);
+  const Points2 positions = mesh.Vertices.leftCols<2>();
+  const Eigen::VectorXd areas = signedFaceAreas(positions, mesh.Faces);
+  // Half of the target area has twice its area, the other half a half of it.
+  Eigen::VectorXd targets = areas;
+  double sum = 0.0;
+  for (Eigen::Index f = 0; f < areas.size(); ++f)
+  {
+    targets[f] *= sum < 0.8 * areas.sum() ? 0.5 : 2.0; // 0.4 of 0.8 is in the first
+    sum += areas[f];
+  }
+  const AreaApproach approach(positions, mesh.Faces, targets);
+  EXPECT_NEAR(approach.distance(), std::log(2.0), 2e-3);
+  EXPECT_EQ(approach.steps(), 3);
+  EXPECT_TRUE(approach.targets(0.0, 7.0).isApprox(areas * (7.0 / areas.sum()), 1e-12));
+  EXPECT_TRUE(approach.targets(1.0, 7.0).isApprox(targets * (7.0 / targets.sum()), 1e-12));
+  const Eigen::VectorXd half = approach.targets(0.5, 1.0);
+  EXPECT_NEAR(half[half.size() - 1] / half[0], 2.0 * areas[half.size() - 1] / areas[0], 1e-9);
+  EXPECT_EQ(AreaApproach(positions, mesh.Faces, 3.0 * areas).distance() < 1e-7, true);
+}
+
+TEST(OutlineScaffold, AddsTheGapsAsFacesThatKeepTheirAreas)
+{
+  const TriangleMesh mesh = horseshoe(0.5);
+  const Points2 positions = mesh.Vertices.leftCols<2>();
+  const RefinementTerms terms = termsOf(mesh, 0.1);
+  const Eigen::VectorXd targets = signedFaceAreas(positions, mesh.Faces);
+  const OutlineScaffold scaffold(terms, positions, targets);
+  const FaceMatrix& faces = scaffold.terms().Faces;
+  const Eigen::Index gaps = outlineGaps(positions, terms.Outline).rows();
+  ASSERT_EQ(faces.rows(), mesh.faceCount() + gaps);
+  EXPECT_EQ(faces.topRows(mesh.faceCount()), mesh.Faces);
+  EXPECT_TRUE(scaffold.targets(targets).isApprox(signedFaceAreas(positions, faces), 1e-12));
+  EXPECT_NEAR(scaffold.targets(targets).tail(gaps).sum(), 0.5 * 20.0, 1e-9); // of the gap
+  // Each gap counts as much as a face of mean area.
+  const Eigen::VectorXd counts = scaffold.counts(Eigen::VectorXd::Ones(targets.size()));
+  EXPECT_TRUE((counts.array() * scaffold.targets(targets).array())
+                .tail(gaps)
+                .isApproxToConstant(targets.mean(), 1e-9));
+}
+
+// Both arms are to become half as wide again, for which there is no place between them.
+TEST(ScaffoldDescent, NoPartOfTheOutlineCrossesAnother)
+{
+  const TriangleMesh mesh = horseshoe(0.01);
+  const Points2 positions = mesh.Vertices.leftCols<2>();
+  const RefinementTerms terms = termsOf(mesh, 0.01);
+  Eigen::VectorXd targets = signedFaceAreas(positions, mesh.Faces);
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    targets[f] *= positions(mesh.Faces(f, 0), 1) >= 4.0 ? 2.0 : 1.0;
+  }
+  const Points2 map = descendInScaffold(terms, positions, targets);
+  EXPECT_EQ(countFlippedFaces(map, mesh.Faces), 0);
+  EXPECT_FALSE(edgesCross(map, terms.Outline));
+  const Eigen::VectorXd areas = signedFaceAreas(map, mesh.Faces);
+  const Eigen::ArrayXd ratios = (areas / areas.sum()).array() / (targets / targets.sum()).array();
+  EXPECT_LT((ratios - 1.0).abs().mean(), 0.02);
+}
+
+TEST(ScaffoldDescent, CanBeCancelled)
+{
+  const TriangleMesh mesh = horseshoe(0.5);
+  EXPECT_THROW(descendInScaffold(termsOf(mesh, 0.1),
+                 mesh.Vertices.leftCols<2>(),
+                 Eigen::VectorXd::Ones(mesh.faceCount()),
+                 [](double fraction, const char*) { return fraction < 0.01; }),
+    Cancelled);
+}
+
+} // namespace
