@@ -156,15 +156,15 @@ std::optional<FreeOutlineMap> freeOutlineMap(const TriangleMesh& surface,
   {
     MapsNearNaturalOutline starts(surface, loop, subrange(progress, 0.0, 0.5 * startEnd));
     positions = starts.next(subrange(progress, 0.5 * startEnd, startEnd));
-    if (!positions)
-    {
-      return std::nullopt;
-    }
   }
-  if (AreaApproach(*positions, surface.Faces, faceTargets).distance() > Negligible)
+  if (positions && AreaApproach(*positions, surface.Faces, faceTargets).distance() > Negligible)
   {
     positions = roughFreeMap(
       surface, loop, *positions, faceTargets, shapeWeight, subrange(progress, startEnd, roughEnd));
+  }
+  if (!positions)
+  {
+    return std::nullopt;
   }
   OutlineFreeing freeing(surface, loop, *positions, faceTargets, area, shapeWeight);
   FreeOutlineMap map = freeing.run(subrange(progress, roughEnd, 1.0));

@@ -32,7 +32,7 @@ struct FreeOutlineMap
 /// brought to their areas while its outline takes the shape that distorts shapes least (roughFreeMap),
 /// and rounds of the refinement, in which boundary vertices are as free as the others, make the areas of
 /// the faces exact. No step lets a face flip or the outline cross itself, and the map remains
-/// one-to-one. Nothing is returned if there is no one-to-one map to begin with.
+/// one-to-one. Nothing is returned if there is no one-to-one map to begin with, or no such rough map.
 /// @p surface is a disk with the boundary @p loop. The faces are to have the areas @p faceTargets (m,
 /// >= 0, up to a common factor); @p area (> 0) is what the map is to cover. @p shapeWeight (> 0) is that
 /// of the face refinement (RefinementTerms).

@@ -13,9 +13,8 @@ namespace flattening
 namespace
 {
 
-// LatticeSquares of the lattice along the longer side of its box. A compromise: with half as many the
-// angle error of half a brain is 0.05 degrees larger, with twice as many it is the same and takes five
-// times as long.
+// LatticeSquares of the lattice along the longer side of its box. A compromise: with twice as many maps
+// are as good, and a deformation takes five times as long.
 constexpr int LatticeSquares = 40;
 // The least number of vertices per square of the lattice around a map whose boundary is free. A choice:
 // a lattice that is finer than the mesh moves the mesh no better, and took seconds for a hundred faces.
