@@ -30,6 +30,9 @@ constexpr double GreatestLoss = 0.01;
 // head of 650,000 points with many narrow protrusions has 0.7 % of its faces off with 16 and 0.6 %
 // with 24.
 constexpr int MostRounds = 24;
+// Rounds in which shapes count more. A choice: with 4 instead of 2, the mean angle error of half a brain
+// is 8.5 instead of 8.6 degrees.
+constexpr int ShapeRounds = 4;
 // Areas that are nearer than this to their targets (AreaApproach) are brought to them by the rounds
 // alone. A choice.
 constexpr double Negligible = 0.02;
@@ -75,6 +78,7 @@ public:
   FreeOutlineMap run(const ProgressCallback& progress)
   {
     this->Map.Positions *= std::sqrt(this->Area / this->covered());
+    this->Rounds.favourShapes(ShapeRounds);
     this->Rounds.run(
       this->Map, MostRounds, RefinementRounds::Until::Enough, subrange(progress, 0.0, 0.6));
     this->Rounds.balance(
