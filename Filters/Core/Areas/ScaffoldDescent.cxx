@@ -13,11 +13,11 @@ namespace flattening
 namespace
 {
 
-// Rounds with the last targets: they end when RoundsWithoutGain in a row lower the energy by less than
-// the share LeastScaffoldGain. A compromise of time.
+// Rounds with the last targets: they end when one lowers the energy by less than the share
+// LeastScaffoldGain. A compromise: with half of it, the mean angle error of a head is 19.8 instead
+// of 20.1 degrees, and the time for the half of a brain is a tenth longer.
 constexpr int MostLastRounds = 60;
-constexpr double LeastScaffoldGain = 0.005;
-constexpr int RoundsWithoutGain = 2;
+constexpr double LeastScaffoldGain = 0.01;
 
 // Makes a round. Returns the share by which it lowers the energy.
 double descendOnce(const RefinementTerms& terms,
@@ -52,15 +52,14 @@ Points2 descendInScaffold(const RefinementTerms& terms,
   const AreaApproach approach(positions, terms.Faces, targets);
   const int steps = approach.steps();
   const int most = steps + MostLastRounds;
-  int vain = 0;
-  for (int k = 0; k < most && vain < RoundsWithoutGain; ++k)
+  double gain = 1.0;
+  for (int k = 0; k < most && (k < steps || gain >= LeastScaffoldGain); ++k)
   {
     const double share = k < steps ? (k + 1.0) / steps : 1.0;
     const double area = signedFaceAreas(positions, terms.Faces).sum();
     const double begin = static_cast<double>(k) / most;
-    const double gain = descendOnce(
+    gain = descendOnce(
       terms, approach.targets(share, area), positions, subrange(progress, begin, begin + 1.0 / most));
-    vain = k < steps || gain >= LeastScaffoldGain ? 0 : vain + 1;
   }
   return positions;
 }
