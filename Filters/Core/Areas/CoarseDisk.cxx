@@ -2,7 +2,6 @@
 #include "Areas/CoarseDisk.h"
 
 #include "Areas/RefinementTerms.h"
-#include "Base/EigenVersions.h"
 #include "Mesh/OutlineTriangulation.h"
 #include "Mesh/PlaneVectors.h"
 #include "Mesh/SpreadVertices.h"
@@ -215,8 +214,6 @@ Points2 CoarseDisk::carried(const Points2& positions) const
       all.row(v) += this->Weights(v, k) * positions.row(this->Faces(this->FaceOf[v], k));
     }
   }
-  // Without rounding, so that the outline is the same.
-  all(this->Vertices, flattening::all) = positions;
   return all;
 }
 

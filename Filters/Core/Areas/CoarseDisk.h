@@ -26,7 +26,7 @@ struct CoarseDisk
   Eigen::MatrixX3d Weights;    ///< the same: its barycentric coordinates there
 
   /// The map of the surface (n x 2) for a flat map of this disk (k x 2): every vertex keeps its
-  /// barycentric coordinates.
+  /// barycentric coordinates, and those of this disk are where they are in its map, without rounding.
   Points2 carried(const Points2& positions) const;
 };
 

@@ -15,7 +15,6 @@
 #include "Mesh/VertexFaces.h"
 
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <utility>
 
