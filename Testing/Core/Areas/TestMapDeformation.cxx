@@ -118,12 +118,12 @@ TEST(MapDeformation, PartsOfTheOutlineStayApart)
   EXPECT_LT(map.distortion(), 0.2 * before);
 }
 
-// These waves have four times the height and a quarter of the length. The whole deformation is tried in
-// vain, and then a part of it is taken.
+// These waves have twenty times the height and a quarter of the length. The whole deformation is tried
+// in vain, and then a part of it is taken.
 TEST(MapDeformation, ProgressGrowsWhereASmallerShareIsTaken)
 {
   FlatMap map(slitMesh(),
-    [](double x, double y) { return Eigen::RowVector2d(x, y + 0.2 * std::sin(16.0 * EIGEN_PI * x)); });
+    [](double x, double y) { return Eigen::RowVector2d(x, y + 1.0 * std::sin(16.0 * EIGEN_PI * x)); });
   std::vector<double> fractions;
   map.deform(30.0,
     [&](double fraction, const char*)
