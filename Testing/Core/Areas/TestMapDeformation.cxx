@@ -123,7 +123,7 @@ TEST(MapDeformation, PartsOfTheOutlineStayApart)
 TEST(MapDeformation, ProgressGrowsWhereASmallerShareIsTaken)
 {
   FlatMap map(slitMesh(),
-    [](double x, double y) { return Eigen::RowVector2d(x, y + 1.0 * std::sin(16.0 * EIGEN_PI * x)); });
+    [](double x, double y) { return Eigen::RowVector2d(x, y + std::sin(16.0 * EIGEN_PI * x)); });
   std::vector<double> fractions;
   map.deform(30.0,
     [&](double fraction, const char*)
