@@ -22,7 +22,8 @@ public:
   /// targets.
   double distance() const;
 
-  /// The number of steps to the targets that are each about 0.3 of distance() long; at least 1.
+  /// The number of equal steps to the targets of which none changes distance() by more than 0.3; from 1
+  /// to 100, so that longer ways have longer steps.
   int steps() const;
 
   /// The areas (m) after @p share of the way, with the sum @p area.

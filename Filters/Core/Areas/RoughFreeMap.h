@@ -19,7 +19,7 @@ namespace flattening
 /// faces are untangled. A surface of few vertices is itself brought to its areas. Nothing is returned if
 /// the map cannot be made one-to-one.
 /// @param loop         the boundary vertices
-/// @param chart        the one-to-one map to begin with (n x 2), near a conformal one
+/// @param chart        the one-to-one map to begin with (n x 2), best a nearly conformal one
 /// @param faceTargets  the areas that the faces should have (m, > 0), up to a common factor
 /// @param shapeWeight  of the face refinement (RefinementTerms), > 0
 /// @throws Cancelled, ConvergenceError.

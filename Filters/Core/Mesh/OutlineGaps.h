@@ -17,9 +17,10 @@ namespace flattening
 /// @p edges  the edges of the polygon, of which none may cross, at @p positions (n x 2, finite)
 FaceMatrix outlineGaps(const Points2& positions, const std::vector<FlatEdge>& edges);
 
-/// Those of the @p gaps that do not fill shallow bays. A bay is shallow if a single triangle fills it
-/// whose angle is above 120 degrees, or if one does after shallow bays on its sides are filled. Such a
-/// triangle keeps no parts of the outline apart, but would resist if the bay were to become convex.
+/// Leaves out those of the @p gaps that fill shallow bays, and returns the others. A bay is shallow if a
+/// single triangle fills it whose angle is above 120 degrees, or if one does after shallow bays on its
+/// sides are filled. Such a triangle keeps no parts of the outline apart, but would resist if the bay
+/// were to become convex.
 /// @p edges  the edges of the polygon, in order, with its inside on the left
 FaceMatrix withoutShallowBays(const FaceMatrix& gaps,
   const Points2& positions,

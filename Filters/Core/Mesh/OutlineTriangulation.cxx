@@ -25,7 +25,7 @@ using OutlineDelaunay = CGAL::Constrained_Delaunay_triangulation_2<OutlineKernel
 using FaceHandle = OutlineDelaunay::Face_handle;
 using Corners = std::array<int, 3>;
 
-// What the info of a face is: a row of the faces inside, or one of these.
+// The info of a face inside is its row; the info of the others is one of these.
 constexpr int NotReached = -2;
 constexpr int IsOutside = -1;
 // Points that are inserted between two reports of progress.

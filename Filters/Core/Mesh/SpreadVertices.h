@@ -10,10 +10,10 @@
 namespace flattening
 {
 
-/// The vertices of the boundary @p loop of a disk, in their order, and after them inner ones, in theirs:
-/// every vertex that is as far from all before it as the vertices were asked to be. Distances are along
-/// edges. Near the boundary less is asked for, a share of the distance from the boundary, so that
-/// triangles between the vertices can grow from there on.
+/// Chooses the vertices of the boundary @p loop of a disk and, in ascending order, every inner vertex
+/// that is at least @p spacing from all chosen before it. Distances are along edges. Near the boundary
+/// 0.7 times the distance from it is enough, so that the triangles between the vertices grow from there
+/// on. Returns those of the boundary, in their order, and then the inner ones.
 /// @param spacing  how far the vertices should be from each other (> 0, input units)
 /// @throws Cancelled.
 std::vector<int> spreadVertices(const TriangleMesh& disk,

@@ -275,15 +275,17 @@ void expectFreed(int seed, double leastShare, double greatestError)
   EXPECT_LE(freed[Measure::AngleError].Mean, greatestError) << seed;
 }
 
-// The angle errors of these surfaces are above 27 degrees in the disk. Parts of their outlines come near
-// each other: without a scaffold these press against each other, and up to six tenths of the faces are
-// wrong.
+// In the disk most of these surfaces have angle errors above 27 degrees. Parts of their outlines come
+// near each other: without a scaffold these press against each other, and up to six tenths of the faces
+// are wrong.
 TEST(FreeOutline, DoesNotPressPartsOfTheOutlineTogether)
 {
-  for (const int seed : { 22, 36, 37, 39, 81, 139, 175, 246 })
+  for (const int seed : { 22, 36, 37, 81, 139, 175, 246 })
   {
-    expectFreed(seed, 99.0, 18.0);
+    expectFreed(seed, 99.0, 16.0);
   }
+  expectFreed(39, 99.0, 18.0);
+  expectFreed(138, 99.0, 19.0);
 }
 
 // The map of an earlier run is the start for other targets, wherever it lies and however large it is.

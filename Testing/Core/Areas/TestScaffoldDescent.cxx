@@ -18,38 +18,25 @@ namespace
 
 using namespace flattening;
 
-// A flat horseshoe of squares, each cut in two: two arms of 4 x 20 on a bridge, with a gap of the width
-// `gap` between the arms.
+// A flat horseshoe of squares, each cut in two: two arms of 4 x 20 on a bridge of 9 x 4, with a gap of
+// the width `gap` between the arms.
 TriangleMesh horseshoe(double gap)
 {
-  TriangleMesh mesh;
-  std::vector<Eigen::RowVector3i> faces;
-  constexpr int columns = 9; // of points; the gap is between the columns 4 and 5
+  constexpr int columns = 10; // of points: five in each arm
   constexpr int rows = 25;
-  mesh.Vertices.resize(columns * rows + rows, 3);
-  mesh.Vertices.setZero();
-  const auto add = [&](int a, int b, int c, int d)
-  {
-    faces.push_back({ a, b, c });
-    faces.push_back({ a, c, d });
-  };
-  // Ten columns of points: five for each arm; the bridge joins the fifth and the sixth.
+  TriangleMesh mesh;
+  mesh.Vertices = Points3::Zero(columns * rows, 3);
+  std::vector<Eigen::RowVector3i> faces;
   for (int j = 0; j < rows; ++j)
-  {
-    for (int i = 0; i <= columns; ++i)
-    {
-      const double x = i < 5 ? i : i - 1 + gap;
-      mesh.Vertices.row(j * (columns + 1) + i) << x, j, 0.0;
-    }
-  }
-  for (int j = 0; j + 1 < rows; ++j)
   {
     for (int i = 0; i < columns; ++i)
     {
-      if (i != 4 || j < 4)
+      const int v = j * columns + i;
+      mesh.Vertices.row(v) << (i < 5 ? i : i - 1 + gap), j, 0.0;
+      if (i + 1 < columns && j + 1 < rows && (i != 4 || j < 4))
       {
-        const int a = j * (columns + 1) + i;
-        add(a, a + 1, a + columns + 2, a + columns + 1);
+        faces.push_back({ v, v + 1, v + columns + 1 });
+        faces.push_back({ v, v + columns + 1, v + columns });
       }
     }
   }
@@ -88,14 +75,14 @@ TEST(AreaApproach, MeasuresTheWayInLogarithms)
   EXPECT_TRUE(approach.targets(1.0, 7.0).isApprox(targets * (7.0 / targets.sum()), 1e-12));
   const Eigen::VectorXd half = approach.targets(0.5, 1.0);
   EXPECT_NEAR(half[half.size() - 1] / half[0], 2.0 * areas[half.size() - 1] / areas[0], 1e-9);
-  EXPECT_EQ(AreaApproach(positions, mesh.Faces, 3.0 * areas).distance() < 1e-7, true);
+  EXPECT_LT(AreaApproach(positions, mesh.Faces, 3.0 * areas).distance(), 1e-7);
 }
 
 TEST(OutlineScaffold, AddsTheGapsAsFacesThatKeepTheirAreas)
 {
   const TriangleMesh mesh = horseshoe(0.5);
   const Points2 positions = mesh.Vertices.leftCols<2>();
-  const RefinementTerms terms = termsOf(mesh, 0.1);
+  const RefinementTerms terms = termsOf(mesh, 0.01);
   const Eigen::VectorXd targets = signedFaceAreas(positions, mesh.Faces);
   const OutlineScaffold scaffold(terms, positions, targets);
   const FaceMatrix& faces = scaffold.terms().Faces;
@@ -111,7 +98,8 @@ TEST(OutlineScaffold, AddsTheGapsAsFacesThatKeepTheirAreas)
                 .isApproxToConstant(targets.mean(), 1e-9));
 }
 
-// Both arms are to become half as wide again, for which there is no place between them.
+// The outer halves of both arms are to grow, so that the arms bend towards each other. Without a
+// scaffold they are stuck, and areas are off by 60 %.
 TEST(ScaffoldDescent, NoPartOfTheOutlineCrossesAnother)
 {
   const TriangleMesh mesh = horseshoe(0.01);
@@ -120,14 +108,15 @@ TEST(ScaffoldDescent, NoPartOfTheOutlineCrossesAnother)
   Eigen::VectorXd targets = signedFaceAreas(positions, mesh.Faces);
   for (int f = 0; f < mesh.faceCount(); ++f)
   {
-    targets[f] *= positions(mesh.Faces(f, 0), 1) >= 4.0 ? 2.0 : 1.0;
+    const double x = positions(mesh.Faces(f, 0), 0);
+    targets[f] *= x < 2.0 || x > 6.0 ? 3.0 : 1.0;
   }
   const Points2 map = descendInScaffold(terms, positions, targets);
   EXPECT_EQ(countFlippedFaces(map, mesh.Faces), 0);
   EXPECT_FALSE(edgesCross(map, terms.Outline));
   const Eigen::VectorXd areas = signedFaceAreas(map, mesh.Faces);
   const Eigen::ArrayXd ratios = (areas / areas.sum()).array() / (targets / targets.sum()).array();
-  EXPECT_LT((ratios - 1.0).abs().mean(), 0.02);
+  EXPECT_LT((ratios - 1.0).abs().mean(), 0.01);
 }
 
 TEST(ScaffoldDescent, CanBeCancelled)
