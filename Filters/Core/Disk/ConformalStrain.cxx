@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Disk/ConformalStrain.h"
 
+#include "Base/EigenVersions.h"
+#include "Base/Errors.h"
 #include "Intrinsic/IntrinsicTriangulation.h"
 
+#include <Eigen/Cholesky>
+
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace flattening
@@ -15,17 +20,13 @@ constexpr const char* StrainStage = "Strain of the flat map";
 
 } // namespace
 
-ConformalStrain::Solver::Solver()
-  : SparseCholesky(EliminationOrder(), Kernel::Entries)
-{
-  this->expectConstantPattern();
-}
-
 ConformalStrain::ConformalStrain(const TriangleMesh& mesh)
   : Curvature(Eigen::VectorXd::Constant(mesh.vertexCount(), 2.0 * std::acos(-1.0)))
   , Area(vertexAreas(mesh))
   , Laplacian(mesh.vertexCount(), mesh.vertexCount())
+  , Cholesky(EliminationOrder(), SparseCholesky::Kernel::Entries)
 {
+  this->Cholesky.expectConstantPattern();
   IntrinsicTriangulation surface(mesh);
   surface.flipToDelaunay();
   std::vector<Eigen::Triplet<double>> entries;
@@ -50,8 +51,7 @@ ConformalStrain::ConformalStrain(const TriangleMesh& mesh)
   this->Laplacian.setFromTriplets(entries.begin(), entries.end());
 }
 
-Eigen::VectorXd ConformalStrain::conformalFactors(const std::vector<char>& outline,
-  const ProgressCallback& progress) const
+void ConformalStrain::open(const std::vector<char>& outline, const ProgressCallback& progress)
 {
   // The factors of the outline stay among the unknowns, each with an equation of its own, so that the
   // pattern of the matrix is always the same.
@@ -68,17 +68,44 @@ Eigen::VectorXd ConformalStrain::conformalFactors(const std::vector<char>& outli
     }
     curvature[v] = outline[v] ? 0.0 : curvature[v];
   }
-  SparseCholesky& cholesky = this->Solvers.local();
-  cholesky.compute(std::move(matrix), progress, 0.0, StrainStage);
-  if (cholesky.info() != Eigen::Success)
+  this->Cholesky.compute(std::move(matrix), progress, 0.0, StrainStage);
+  if (this->Cholesky.info() != Eigen::Success)
   {
     throw ConvergenceError("the strain of the surface could not be computed, as the cotangent Laplacian "
                            "could not be factored: remesh the surface");
   }
-  return cholesky.solve(curvature);
+  this->Factors = this->Cholesky.solve(curvature);
 }
 
-double ConformalStrain::of(const Eigen::VectorXd& factors) const
+std::vector<double> ConformalStrain::strainsWith(const std::vector<std::vector<int>>& paths) const
+{
+  const auto lengthOf = [](Eigen::Index sum, const std::vector<int>& path)
+  { return sum + static_cast<Eigen::Index>(path.size()); };
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(
+    this->Factors.size(), std::accumulate(paths.begin(), paths.end(), Eigen::Index(0), lengthOf));
+  Eigen::Index column = 0;
+  for (const std::vector<int>& path : paths)
+  {
+    for (const int v : path)
+    {
+      columns(v, column++) = 1.0;
+    }
+  }
+  columns = this->Cholesky.solve(columns);
+  std::vector<double> strains;
+  column = 0;
+  for (const std::vector<int>& path : paths)
+  {
+    const auto ofPath = columns.middleCols(column, static_cast<Eigen::Index>(path.size()));
+    const Eigen::MatrixXd onPath = ofPath(path, flattening::all);
+    const Eigen::VectorXd change = ofPath * onPath.ldlt().solve(this->Factors(path));
+    strains.push_back(this->strainOf(this->Factors - change));
+    column += ofPath.cols();
+  }
+  return strains;
+}
+
+double ConformalStrain::strainOf(const Eigen::VectorXd& factors) const
 {
   const double whole = this->Area.sum();
   const double mean = this->Area.dot(factors) / whole;

@@ -8,8 +8,6 @@
 
 #include <Eigen/Core>
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include <vector>
 
 namespace flattening
@@ -21,36 +19,39 @@ namespace flattening
 /// 2017, "Boundary first flattening", section 6.1). It solves the Poisson equation, Laplacian of u =
 /// Gaussian curvature, with the cotangents and the angle defects of the intrinsic Delaunay
 /// triangulation.
+///
+/// The strain is the standard deviation of the factors over the area of the surface, without unit. A map
+/// that keeps all areas must stretch each place by e^s one way and e^-s the other, and the root mean
+/// square of s is about this number. (Derivation for small factors: the displacement that evens the
+/// areas out is the gradient of a potential p with Laplacian -2 (u - mean u), and the integral of the
+/// squared traceless part of its second derivatives is half of that of the squared Laplacian.)
 class ConformalStrain
 {
 public:
   explicit ConformalStrain(const TriangleMesh& mesh);
 
-  /// The factors (n) if the surface is cut open at the flagged vertices, to which its boundary belongs.
-  /// Several threads may call it at once.
+  /// Cuts the surface open at the flagged vertices, to which its boundary belongs.
   /// @param outline  one flag per vertex, at least one of them set on each component
   /// @throws ConvergenceError if the system cannot be factored; Cancelled.
-  Eigen::VectorXd conformalFactors(const std::vector<char>& outline,
-    const ProgressCallback& progress = {}) const;
+  void open(const std::vector<char>& outline, const ProgressCallback& progress = {});
 
-  /// The standard deviation of the factors over the area of the surface, without unit. A map that keeps
-  /// all areas must stretch each place by e^s one way and e^-s the other, and the root mean square of s
-  /// is about this number. (Derivation for small factors: the displacement that evens the areas out is
-  /// the gradient of a potential p with Laplacian -2 (u - mean u), and the integral of the squared
-  /// traceless part of its second derivatives is half of that of the squared Laplacian.)
-  double of(const Eigen::VectorXd& factors) const;
+  /// The factors (n) and the strain of the surface that is cut open so.
+  const Eigen::VectorXd& conformalFactors() const { return this->Factors; }
+  double strain() const { return this->strainOf(this->Factors); }
+
+  /// The strains if the surface were cut open at the vertices of one of the @p paths as well, for each
+  /// of them. The system need not be factored again: the factors change by those combinations of the
+  /// columns of the inverse matrix that make them 0 on the path.
+  std::vector<double> strainsWith(const std::vector<std::vector<int>>& paths) const;
 
 private:
-  struct Solver : SparseCholesky
-  {
-    Solver();
-  };
+  double strainOf(const Eigen::VectorXd& factors) const;
 
   Eigen::VectorXd Curvature; // angle defect of every vertex, radians; without meaning on the boundary
   Eigen::VectorXd Area;      // of every vertex, input units squared
   SparseMatrix Laplacian;    // positive semi-definite
-  // Each thread factors the Laplacian with the outline's rows and columns set to 0 but for a 1.
-  mutable tbb::enumerable_thread_specific<Solver> Solvers;
+  SparseCholesky Cholesky;   // of the Laplacian whose rows and columns of the outline are 0 but for a 1
+  Eigen::VectorXd Factors;
 };
 
 } // namespace flattening

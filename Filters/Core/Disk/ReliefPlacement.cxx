@@ -9,8 +9,6 @@
 #include "Mesh/MeshTopology.h"
 #include "Remeshing/IsotropicRemeshing.h"
 
-#include <tbb/parallel_for_each.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -54,7 +52,6 @@ struct Branch
 {
   std::vector<int> Path; // from the tip to the outline
   double Length = 0.0;
-  double Strain = 0.0; // of the surface with this branch, where it was computed
 };
 
 // The relief after one of its branches.
@@ -170,15 +167,15 @@ private:
   {
     const Eigen::VectorXd distance = this->distances();
     const Eigen::VectorXd height =
-      distance.array().isFinite().select(this->Factors.cwiseAbs().array(), -1.0);
+      distance.array().isFinite().select(this->Strain.conformalFactors().cwiseAbs().array(), -1.0);
     const int highest = indexOfLargest(height);
     return height[highest] >= 0.0 && highest != root ? highest : -1;
   }
 
   void update(const ProgressCallback& progress)
   {
-    this->Factors = this->Strain.conformalFactors(this->Outline, progress);
-    this->PresentStrain = this->Strain.of(this->Factors);
+    this->Strain.open(this->Outline, progress);
+    this->PresentStrain = this->Strain.strain();
   }
 
   // Distances from the outline along free edges.
@@ -244,17 +241,21 @@ private:
       }
     }
     report(progress, 0.0, PlacementStage);
-    tbb::parallel_for_each(
-      branches, [this](Branch& branch) { branch.Strain = this->strainWith(branch); });
+    std::vector<std::vector<int>> paths;
+    for (const Branch& branch : branches)
+    {
+      paths.push_back(branch.Path);
+    }
+    const std::vector<double> strains = this->Strain.strainsWith(paths);
     Branch best;
     double bestGain = -HUGE_VAL;
-    for (Branch& branch : branches)
+    for (std::size_t i = 0; i < branches.size(); ++i)
     {
-      const double gain = (this->PresentStrain - branch.Strain) / this->countedLength(branch);
+      const double gain = (this->PresentStrain - strains[i]) / this->countedLength(branches[i]);
       if (gain > bestGain)
       {
         bestGain = gain;
-        best = std::move(branch);
+        best = std::move(branches[i]);
       }
     }
     return best;
@@ -268,7 +269,7 @@ private:
   // The greatest of the peaks of the factors to which a free path leads.
   std::vector<int> peaks(const Eigen::VectorXd& distance) const
   {
-    const Eigen::VectorXd height = this->Factors.cwiseAbs();
+    const Eigen::VectorXd height = this->Strain.conformalFactors().cwiseAbs();
     std::vector<int> peaks;
     for (const Vertex v : this->Surface.vertices())
     {
@@ -293,16 +294,6 @@ private:
     return { shortestPath(this->Surface, distance, Vertex(tip)), distance[tip] };
   }
 
-  double strainWith(const Branch& branch) const
-  {
-    std::vector<char> outline = this->Outline;
-    for (const int v : branch.Path)
-    {
-      outline[v] = 1;
-    }
-    return this->Strain.of(this->Strain.conformalFactors(outline));
-  }
-
   void keep(const Branch& branch, PlacedRelief& relief, const ProgressCallback& progress)
   {
     for (const int v : branch.Path)
@@ -323,8 +314,7 @@ private:
   Eigen::VectorXd DistanceFromAvoided; // infinite if there is no region
   std::vector<char> Blocked;           // per vertex: whether no branch may run there
   std::vector<char> Outline;           // per vertex: whether it is on the boundary or a branch
-  Eigen::VectorXd Factors;             // of the surface cut open along the outline
-  double PresentStrain = 0.0;          // of these factors
+  double PresentStrain = 0.0;          // of the surface cut open along the outline
   double Length = 0.0;                 // of all branches
   double CountedLength = 0.0;          // the same, with what is added to each branch
 };

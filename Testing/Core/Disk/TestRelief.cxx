@@ -103,7 +103,8 @@ TEST(ConformalStrain, OfAHemisphereIsThatOfTheStereographicProjection)
   {
     const TriangleMesh mesh = hemisphere(levels);
     ConformalStrain strain(mesh);
-    const Eigen::VectorXd factors = strain.conformalFactors(boundaryFlags(mesh));
+    strain.open(boundaryFlags(mesh));
+    const Eigen::VectorXd& factors = strain.conformalFactors();
     double error = 0.0;
     for (int v = 0; v < mesh.vertexCount(); ++v)
     {
@@ -114,7 +115,7 @@ TEST(ConformalStrain, OfAHemisphereIsThatOfTheStereographicProjection)
     if (levels == 5)
     {
       EXPECT_LT(error, 0.01);
-      EXPECT_NEAR(strain.of(factors), deviation, 0.002); // 0.19773
+      EXPECT_NEAR(strain.strain(), deviation, 0.002); // 0.19773
     }
   }
 }
@@ -124,7 +125,42 @@ TEST(ConformalStrain, OfDevelopableSurfacesIsNone)
   for (const TriangleMesh& mesh : { rectangleGrid(12, 8, 1.5), cylinder(24, 10, 3.0) })
   {
     ConformalStrain strain(mesh);
-    EXPECT_LT(strain.of(strain.conformalFactors(boundaryFlags(mesh))), 1e-12);
+    strain.open(boundaryFlags(mesh));
+    EXPECT_LT(strain.strain(), 1e-12);
+  }
+}
+
+TEST(ConformalStrain, WithAPathIsThatOfTheSurfaceOpenedThere)
+{
+  const TriangleMesh mesh = hemisphere(4);
+  const std::vector<char> boundary = boundaryFlags(mesh);
+  ConformalStrain strain(mesh);
+  std::vector<std::vector<int>> paths{ { requireDisk(mesh).front() } }; // which changes nothing
+  for (const double angle : { 0.0, 1.0, 2.5 })
+  {
+    const Eigen::Vector3d across(std::sin(angle), -std::cos(angle), 0.0);
+    std::vector<int>& path = paths.emplace_back();
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+    {
+      if (std::abs(mesh.Vertices.row(v).dot(across)) < 0.05)
+      {
+        path.push_back(v);
+      }
+    }
+  }
+  strain.open(boundary);
+  const std::vector<double> strains = strain.strainsWith(paths);
+  ASSERT_EQ(strains.size(), paths.size());
+  for (std::size_t i = 0; i < paths.size(); ++i)
+  {
+    std::vector<char> outline = boundary;
+    for (const int v : paths[i])
+    {
+      outline[v] = 1;
+    }
+    strain.open(outline);
+    EXPECT_NEAR(strains[i], strain.strain(), 1e-12);
+    EXPECT_LT(strain.strain(), i == 0 ? 0.2 : 0.1);
   }
 }
 
