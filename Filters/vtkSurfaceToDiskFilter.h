@@ -502,7 +502,7 @@ public:
   /**
    * Greatest length of all branches together if CutMode is RELIEF or AUTOMATIC, in square roots of the
    * surface's area. The first branch of a closed surface is cut whatever its length. Range (0, inf),
-   * otherwise an error. Default: 8.
+   * otherwise an error. Default: 20.
    */
   vtkSetMacro(LongestRelief, double);
   vtkGetMacro(LongestRelief, double);
@@ -646,7 +646,7 @@ protected:
   std::vector<std::array<double, 3>> SeamPoints;
   std::vector<int> SeamPathStarts;
   double ReliefGain = 0.01;
-  double LongestRelief = 8.0;
+  double LongestRelief = 20.0;
   bool FreeOutline = false;
   int CutLabel = 1;
   double PlaneOrigin[3] = { 0.0, 0.0, 0.0 };

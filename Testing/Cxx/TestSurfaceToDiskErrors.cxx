@@ -418,7 +418,7 @@ TEST(SurfaceToDiskErrors, LinesLabelsAndReliefsThatMakeNoCut)
   filter->SetReliefGain(0.05);
   filter->SetLongestRelief(0.0);
   expectError(filter, input, "the longest relief is 0");
-  filter->SetLongestRelief(8.0);
+  filter->SetLongestRelief(20.0);
   filter->UseRegionOfInterestOn();
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Labels");
   expectError(filter, input, "covers all of the surface");

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Base/SparseFactorization.h"
 
+#include "Base/BlasLock.h"
 #include "Base/Errors.h"
 #include "Base/InterruptibleCall.h"
 
 #include <Eigen/CholmodSupport>
 #include <Eigen/UmfPackSupport>
 
-#ifdef SURFACEFLATTENING_OPENMP
-#include <omp.h>
-#endif
-
-#include <mutex>
 #include <new>
 #include <utility>
 
@@ -26,12 +22,6 @@ namespace
 // search too often.
 constexpr double GreatestGrowth = 1.15;
 
-std::mutex& blas()
-{
-  static std::mutex mutex;
-  return mutex;
-}
-
 // CHOLMOD and UMFPACK return where they should throw.
 void requireMemory(bool hasMemory)
 {
@@ -41,51 +31,68 @@ void requireMemory(bool hasMemory)
   }
 }
 
-// The first call of OpenBLAS takes a work area, and tries again without end where it gets none.
-void requireWorkArea()
-{
-  constexpr std::size_t WorkArea = std::size_t(160) << 20; // OpenBLAS 0.3 takes 129 MiB
-  static bool wasFound = false;
-  if (!wasFound)
-  {
-    const std::unique_ptr<char[]> area(
-      new (std::nothrow) char[WorkArea]); // not touched: it costs nothing
-    requireMemory(area != nullptr);
-    wasFound = true;
-  }
-}
-
-// A lock that serializes calls of BLAS, because not every BLAS may be called from several threads (the
-// serial build of OpenBLAS returns wrong numbers then). It also keeps OpenMP from starting threads:
-// CHOLMOD would start four, however few cores there are, and have them wait for each other at every
-// supernode; a factorization of a million unknowns takes a third longer on two idle cores and several
-// times as long on busy ones.
-class BlasLock
+// Solves L y = e_i with the factor L whose entries are stored one by one.
+class HalfSolution
 {
 public:
-  BlasLock()
-    : Lock(blas())
+  HalfSolution(cholmod_factor* factor, cholmod_common& common)
+    : Factor(factor)
+    , Common(common)
+    , RightSide(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(factor->n)))
+    , Row(static_cast<Eigen::Index>(factor->n), 1)
   {
-    requireWorkArea();
-#ifdef SURFACEFLATTENING_OPENMP
-    this->OpenMPLevels = omp_get_max_active_levels();
-    omp_set_max_active_levels(0);
-#endif
+    this->Row.insert(0, 0) = 1.0;
+    this->Row.makeCompressed();
   }
-  ~BlasLock()
+
+  ~HalfSolution()
   {
-#ifdef SURFACEFLATTENING_OPENMP
-    omp_set_max_active_levels(this->OpenMPLevels);
-#endif
+    cholmod_free_dense(&this->Solution, &this->Common);
+    cholmod_free_sparse(&this->Rows, &this->Common);
+    cholmod_free_dense(&this->Work[0], &this->Common);
+    cholmod_free_dense(&this->Work[1], &this->Common);
   }
-  BlasLock(const BlasLock&) = delete;
-  BlasLock& operator=(const BlasLock&) = delete;
+
+  HalfSolution(const HalfSolution&) = delete;
+  HalfSolution& operator=(const HalfSolution&) = delete;
+
+  void solve(int row)
+  {
+    this->RightSide[row] = 1.0;
+    this->Row.innerIndexPtr()[0] = row;
+    cholmod_dense right = Eigen::viewAsCholmod(this->RightSide);
+    cholmod_sparse pattern = Eigen::viewAsCholmod(this->Row);
+    cholmod_solve2(CHOLMOD_L,
+      this->Factor,
+      &right,
+      &pattern,
+      &this->Solution,
+      &this->Rows,
+      &this->Work[0],
+      &this->Work[1],
+      &this->Common);
+    this->RightSide[row] = 0.0;
+  }
+
+  // Appends the entries of the last solution as column @p column.
+  void appendTo(std::vector<Eigen::Triplet<double>>& entries, int column) const
+  {
+    const auto* rows = static_cast<const int*>(this->Rows->i);
+    const auto* values = static_cast<const double*>(this->Solution->x);
+    for (int k = 0; k < static_cast<const int*>(this->Rows->p)[1]; ++k)
+    {
+      entries.emplace_back(rows[k], column, values[rows[k]]);
+    }
+  }
 
 private:
-  std::unique_lock<std::mutex> Lock;
-#ifdef SURFACEFLATTENING_OPENMP
-  int OpenMPLevels = 0; // of nested parallel regions, as it was before
-#endif
+  cholmod_factor* Factor;
+  cholmod_common& Common;
+  Eigen::VectorXd RightSide;
+  SparseMatrix Row; // the pattern of the right side
+  cholmod_dense* Solution = nullptr;
+  cholmod_sparse* Rows = nullptr; // the pattern of the solution
+  cholmod_dense* Work[2] = { nullptr, nullptr };
 };
 
 } // namespace
@@ -124,6 +131,30 @@ struct SparseCholesky::Factor : Eigen::CholmodDecomposition<SparseMatrix, Eigen:
     Eigen::MatrixXd result = this->solve(rightSide);
     this->requireMemoryAndSize();
     return result;
+  }
+
+  // With A = L L^T, the entry of the inverse at (i, j) is the product of the solutions of L y = e_i and
+  // L y = e_j, which have few entries.
+  Eigen::MatrixXd inverseAt(const std::vector<int>& unknowns)
+  {
+    const auto size = static_cast<int>(this->m_cholmodFactor->n);
+    const auto* order = static_cast<const int*>(this->m_cholmodFactor->Perm);
+    std::vector<int> rank(size);
+    for (int k = 0; k < size; ++k)
+    {
+      rank[order[k]] = k;
+    }
+    HalfSolution half(this->m_cholmodFactor, this->cholmod());
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+    {
+      half.solve(rank[unknowns[i]]);
+      this->requireMemoryAndSize();
+      half.appendTo(entries, static_cast<int>(i));
+    }
+    SparseMatrix solutions(size, static_cast<Eigen::Index>(unknowns.size()));
+    solutions.setFromTriplets(entries.begin(), entries.end());
+    return SparseMatrix(solutions.transpose() * solutions).toDense();
   }
 
   // Analyses the pattern in the order that is known. False if that order does not serve.
@@ -254,6 +285,11 @@ Eigen::ComputationInfo SparseCholesky::info() const
 Eigen::MatrixXd SparseCholesky::solve(const Eigen::Ref<const Eigen::MatrixXd>& rightSide) const
 {
   return this->Shared->solution(rightSide);
+}
+
+Eigen::MatrixXd SparseCholesky::inverseAt(const std::vector<int>& unknowns) const
+{
+  return this->Shared->inverseAt(unknowns);
 }
 
 const EliminationOrder& SparseCholesky::order() const

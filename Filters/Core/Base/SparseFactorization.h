@@ -74,6 +74,10 @@ public:
   /// The solution for every column of @p rightSide.
   Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& rightSide) const;
 
+  /// The rows and the columns @p unknowns of the inverse matrix, which take much less time than its
+  /// whole columns. Only for factors that are computed entry by entry.
+  Eigen::MatrixXd inverseAt(const std::vector<int>& unknowns) const;
+
   /// The order of the last matrix, with the fill of the matrix that it was found for.
   const EliminationOrder& order() const;
 

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Disk/ConformalStrain.h"
 
-#include "Base/EigenVersions.h"
 #include "Base/Errors.h"
 #include "Intrinsic/IntrinsicTriangulation.h"
 
 #include <Eigen/Cholesky>
 
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace flattening
@@ -79,28 +77,19 @@ void ConformalStrain::open(const std::vector<char>& outline, const ProgressCallb
 
 std::vector<double> ConformalStrain::strainsWith(const std::vector<std::vector<int>>& paths) const
 {
-  const auto lengthOf = [](Eigen::Index sum, const std::vector<int>& path)
-  { return sum + static_cast<Eigen::Index>(path.size()); };
-  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(
-    this->Factors.size(), std::accumulate(paths.begin(), paths.end(), Eigen::Index(0), lengthOf));
-  Eigen::Index column = 0;
-  for (const std::vector<int>& path : paths)
+  const auto count = static_cast<Eigen::Index>(paths.size());
+  Eigen::MatrixXd changes = Eigen::MatrixXd::Zero(this->Factors.size(), count);
+  for (Eigen::Index i = 0; i < count; ++i)
   {
-    for (const int v : path)
-    {
-      columns(v, column++) = 1.0;
-    }
+    const std::vector<int>& path = paths[i];
+    const Eigen::VectorXd shares = this->Cholesky.inverseAt(path).ldlt().solve(this->Factors(path));
+    changes(path, i) = shares;
   }
-  columns = this->Cholesky.solve(columns);
+  changes = this->Cholesky.solve(changes);
   std::vector<double> strains;
-  column = 0;
-  for (const std::vector<int>& path : paths)
+  for (Eigen::Index i = 0; i < count; ++i)
   {
-    const auto ofPath = columns.middleCols(column, static_cast<Eigen::Index>(path.size()));
-    const Eigen::MatrixXd onPath = ofPath(path, flattening::all);
-    const Eigen::VectorXd change = ofPath * onPath.ldlt().solve(this->Factors(path));
-    strains.push_back(this->strainOf(this->Factors - change));
-    column += ofPath.cols();
+    strains.push_back(this->strainOf(this->Factors - changes.col(i)));
   }
   return strains;
 }

@@ -40,8 +40,8 @@ public:
   double strain() const { return this->strainOf(this->Factors); }
 
   /// The strains if the surface were cut open at the vertices of one of the @p paths as well, for each
-  /// of them. The system need not be factored again: the factors change by those combinations of the
-  /// columns of the inverse matrix that make them 0 on the path.
+  /// of them. The system need not be factored again: the factors change by that combination of the
+  /// columns of the inverse matrix that makes them 0 on the path.
   std::vector<double> strainsWith(const std::vector<std::vector<int>>& paths) const;
 
 private:
