@@ -79,6 +79,18 @@ double residual(SparseCholesky& cholesky, const SparseMatrix& matrix)
 }
 
 // A few more edges keep the order of elimination; very many more, or another size, do not.
+TEST(SparseCholesky, HasEntriesOfTheInverse)
+{
+  const SparseMatrix matrix = laplacian(12, 5);
+  SparseCholesky cholesky(EliminationOrder(), SparseCholesky::Kernel::Entries);
+  cholesky.compute(matrix);
+  const Eigen::MatrixXd inverse =
+    Eigen::MatrixXd(SparseMatrix(matrix.selfadjointView<Eigen::Lower>())).inverse();
+  const std::vector<int> unknowns{ 100, 3, 143, 4 };
+  EXPECT_LT((cholesky.inverseAt(unknowns) - inverse(unknowns, unknowns)).norm(), 1e-13);
+  EXPECT_EQ(cholesky.inverseAt({}).size(), 0);
+}
+
 TEST(SparseCholesky, OfAMatrixWithoutEntriesIsAFailure)
 {
   SparseCholesky cholesky;
