@@ -69,7 +69,7 @@ public:
         true)
     , Map{ start, {} }
   {
-    this->Terms.Gaps.clear();
+    this->Terms.Intervals.clear();
     this->Terms.Outline = outlineEdges(loop);
     this->Rounds.setStage(this->Targets, 0.0);
   }

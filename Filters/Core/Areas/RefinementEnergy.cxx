@@ -20,9 +20,9 @@ constexpr int ElementsPerTask = 2048;
 // The share of the bound of the areas' second derivative in the Hessian: half of it converges twice as
 // fast as all of it and is enough, since damping catches the rest.
 constexpr double BoundShare = 0.5;
-// The weight of the order of boundary vertices against areas, per square of a gap: small, so that areas
-// decide how far vertices slide; with 0 they may pass each other.
-constexpr double GapWeight = 1e-3;
+// The weight of the order of boundary vertices against areas, per square of an interval: small, so that
+// areas decide how far vertices slide; with 0 they may pass each other.
+constexpr double IntervalWeight = 1e-3;
 
 // The sum task by task, in the same order for any number of threads.
 template <typename Function>
@@ -120,19 +120,21 @@ FaceAreaEnergy::Value RefinementEnergy::faceValue(const FlatFace& flat, int face
     { this->AreaWeights[face], this->Terms.ShapeWeights[face], this->Counts[face] });
 }
 
-RefinementEnergy::GapTerm RefinementEnergy::gapTerm(const DomainMap& map, const BoundaryGap& gap) const
+RefinementEnergy::IntervalTerm RefinementEnergy::intervalTerm(const DomainMap& map,
+  const BoundaryInterval& interval) const
 {
-  const double turn = gap.Second < gap.First ? this->Dofs.domain().perimeter() : 0.0;
-  const double length = map.BoundaryParameters[gap.Second] - map.BoundaryParameters[gap.First] + turn;
-  const double weight = GapWeight * gap.Share * gap.Share;
-  const double rho = length / gap.Share;
+  const double turn = interval.Second < interval.First ? this->Dofs.domain().perimeter() : 0.0;
+  const double length =
+    map.BoundaryParameters[interval.Second] - map.BoundaryParameters[interval.First] + turn;
+  const double weight = IntervalWeight * interval.Share * interval.Share;
+  const double rho = length / interval.Share;
   if (!(rho > 0.0))
   {
     return { std::numeric_limits<double>::infinity(), 0.0, 0.0 };
   }
   return { weight * (rho - 1.0 - std::log(rho)),
-    weight * (1.0 - 1.0 / rho) / gap.Share,
-    weight / (rho * rho * gap.Share * gap.Share) };
+    weight * (1.0 - 1.0 / rho) / interval.Share,
+    weight / (rho * rho * interval.Share * interval.Share) };
 }
 
 double RefinementEnergy::evaluateFace(const Points2& positions, int face)
@@ -157,9 +159,9 @@ double RefinementEnergy::evaluate(const DomainMap& map)
   this->Values.resize(faces);
   this->Slopes.resize(3 * static_cast<std::size_t>(faces));
   double sum = orderedSum(faces, [&](int f) { return this->evaluateFace(map.Positions, f); });
-  for (const BoundaryGap& gap : this->Terms.Gaps)
+  for (const BoundaryInterval& interval : this->Terms.Intervals)
   {
-    sum += this->gapTerm(map, gap).Energy;
+    sum += this->intervalTerm(map, interval).Energy;
   }
   return sum;
 }
@@ -181,11 +183,11 @@ Eigen::VectorXd RefinementEnergy::gradient(const DomainMap& map) const
         gradient.segment(this->Dofs.first(v), this->Dofs.countOf(v)) = own.head(this->Dofs.countOf(v));
       }
     });
-  for (const BoundaryGap& gap : this->Terms.Gaps)
+  for (const BoundaryInterval& interval : this->Terms.Intervals)
   {
-    const GapTerm term = this->gapTerm(map, gap);
-    const int own = this->Dofs.dofOfMember(gap.First);
-    const int next = this->Dofs.dofOfMember(gap.Second);
+    const IntervalTerm term = this->intervalTerm(map, interval);
+    const int own = this->Dofs.dofOfMember(interval.First);
+    const int next = this->Dofs.dofOfMember(interval.Second);
     if (own >= 0)
     {
       gradient[own] -= term.Slope;
@@ -340,11 +342,11 @@ const SparseMatrix& RefinementEnergy::hessian(const DomainMap& map)
         this->addVertexBlocks(map, v);
       }
     });
-  for (const BoundaryGap& gap : this->Terms.Gaps)
+  for (const BoundaryInterval& interval : this->Terms.Intervals)
   {
-    const double curvature = this->gapTerm(map, gap).Curvature;
-    const int a = this->Dofs.dofOfMember(gap.First);
-    const int b = this->Dofs.dofOfMember(gap.Second);
+    const double curvature = this->intervalTerm(map, interval).Curvature;
+    const int a = this->Dofs.dofOfMember(interval.First);
+    const int b = this->Dofs.dofOfMember(interval.Second);
     for (const int own : { a, b })
     {
       if (own >= 0)

@@ -14,9 +14,9 @@ namespace flattening
 {
 
 /// The sum of the energies of all faces (FaceAreaEnergy), and of rho - 1 - log rho, with a small weight,
-/// over all gaps between neighbours on the boundary, where rho is the length of the gap over its share
-/// by length on the surface. The latter keeps boundary vertices in order as they slide. Sums do not
-/// depend on the number of threads.
+/// over all intervals between neighbours on the boundary, where rho is the length of the interval over
+/// its share by length on the surface. The latter keeps boundary vertices in order as they slide. Sums
+/// do not depend on the number of threads.
 class RefinementEnergy
 {
 public:
@@ -58,7 +58,7 @@ public:
 
 private:
   struct FlatFace;
-  struct GapTerm // of a gap, with its derivatives by the length
+  struct IntervalTerm // of an interval, with its derivatives by the length
   {
     double Energy;
     double Slope;
@@ -67,7 +67,7 @@ private:
   FlatFace flatFace(const Points2& positions, int face) const;
   double evaluateFace(const Points2& positions, int face);
   FaceAreaEnergy::Value faceValue(const FlatFace& flat, int face) const;
-  GapTerm gapTerm(const DomainMap& map, const BoundaryGap& gap) const;
+  IntervalTerm intervalTerm(const DomainMap& map, const BoundaryInterval& interval) const;
   int cornerOf(int vertex, int face) const;
   Eigen::Matrix2d block(const FlatFace& flat, int face, int a, int b) const;
   std::vector<int> higherNeighbours(int vertex) const;

@@ -192,12 +192,12 @@ private:
     };
     for (const int member : members)
     {
-      BoundaryGap gap = all.Gaps[member];
-      gap.First = indexOf(gap.First);
-      gap.Second = indexOf(gap.Second);
-      if (gap.Second >= 0)
+      BoundaryInterval interval = all.Intervals[member];
+      interval.First = indexOf(interval.First);
+      interval.Second = indexOf(interval.Second);
+      if (interval.Second >= 0)
       {
-        part.Gaps.push_back(gap);
+        part.Intervals.push_back(interval);
       }
     }
     this->addOutline(part, localOf);

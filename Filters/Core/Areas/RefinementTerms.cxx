@@ -12,8 +12,9 @@ namespace flattening
 namespace
 {
 
-// The least share of a gap, in mean gaps. A guard for boundary edges without length on the surface.
-constexpr double LeastGap = 1e-3;
+// The least share of an interval, in mean intervals. A guard for boundary edges without length on the
+// surface.
+constexpr double LeastInterval = 1e-3;
 
 } // namespace
 
@@ -53,19 +54,19 @@ RefinementTerms::RefinementTerms(const TriangleMesh& surface,
   for (int k = 0; k < members; ++k)
   {
     const int next = (k + 1) % members;
-    const double gap = (surface.Vertices.row(loop[next]) - surface.Vertices.row(loop[k])).norm();
-    this->Gaps.push_back({ k, next, gap });
-    length += gap;
+    const double interval = (surface.Vertices.row(loop[next]) - surface.Vertices.row(loop[k])).norm();
+    this->Intervals.push_back({ k, next, interval });
+    length += interval;
   }
   double sum = 0.0;
-  for (BoundaryGap& gap : this->Gaps)
+  for (BoundaryInterval& interval : this->Intervals)
   {
-    gap.Share = std::max(gap.Share, LeastGap * length / members);
-    sum += gap.Share;
+    interval.Share = std::max(interval.Share, LeastInterval * length / members);
+    sum += interval.Share;
   }
-  for (BoundaryGap& gap : this->Gaps)
+  for (BoundaryInterval& interval : this->Intervals)
   {
-    gap.Share = sum > 0.0 ? gap.Share * perimeter / sum : perimeter / members;
+    interval.Share = sum > 0.0 ? interval.Share * perimeter / sum : perimeter / members;
   }
 }
 

@@ -10,8 +10,8 @@
 namespace flattening
 {
 
-/// The gap between two neighbours on the boundary, given as indices into its loop.
-struct BoundaryGap
+/// The interval between two neighbours on the boundary, given as indices into its loop.
+struct BoundaryInterval
 {
   int First;
   int Second;
@@ -24,7 +24,7 @@ struct RefinementTerms
   FaceMatrix Faces;
   Eigen::MatrixX3d Cotangents;  ///< of the surface's angles (m x 3); slivers are opened first
   Eigen::VectorXd ShapeWeights; ///< per face (m)
-  std::vector<BoundaryGap> Gaps;
+  std::vector<BoundaryInterval> Intervals;
   std::vector<FlatEdge> Outline; ///< edges of a free boundary, which must not cross
 
   /// @p loop holds the boundary vertices. @p shapeWeight (>= 0) is for faces that are no slivers;

@@ -46,7 +46,7 @@ struct FlatMap
     this->Targets = faceAreas(this->Surface.Vertices, this->Surface.Faces);
     const std::vector<int> loop = requireDisk(this->Surface);
     this->Terms = RefinementTerms(this->Surface, loop, 1.0, 1e-3);
-    this->Terms.Gaps.clear();
+    this->Terms.Intervals.clear();
     this->Terms.Outline = outlineEdges(loop);
   }
 
