@@ -34,7 +34,8 @@
  * centroid. With FreeOutline, the map lies around the centroid of the domain instead. Output port 1 is
  * the power diagram (Zhao et al. 2013, figure 4): one polygon per cell, with arcs as polylines of steps
  * of at most one degree. Points that share a position or a site share a cell. With FreeOutline, the
- * cells are carried along with the map; their areas are those in the domain.
+ * sites are those of the map itself, scaled into the domain, and the cells are carried along with the
+ * map; their areas are those in the domain.
  *
  * Newton's method on the convex energy is damped by the rule of Kitagawa, Merigot and Thibert, which
  * converges from any start without empty cells. Where the conformal map shrinks a long protrusion to

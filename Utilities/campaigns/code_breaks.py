@@ -20,7 +20,7 @@ BREAKS = [
     at("Base/LaggedSolver.cxx", "rightSide.dot(solution) >= 0.0", "true"),
     at("Base/LaggedSolver.cxx", "this->Size != lower.rows()", "this->Size < 0"),
     at("Base/LaggedSolver.cxx", "iterations > expected + WorthLevels", "false"),
-    at("Base/SparseFactorization.cxx", "rank[order[k]] = k;", "rank[k] = k;"),
+    at("Base/SparseFactorization.cxx", "order[k]", "k", "rank[order[k]] = k"),
     at("Base/RowMatrix.cxx", "static_cast<double>(a.Value[e]) * b.Value[f]", "b.Value[f]"),
     at("Base/Multigrid.cxx", "rowOf<K>(level.Solution, i) + product", "rowOf<K>(level.Solution, i)"),
     at("Base/Multigrid.cxx", "smooth<K>(level, false);", ""),

@@ -186,10 +186,9 @@ Points2 turnedTowards(const Points2& others, const Points2& positions)
   return length > 0.0 ? Points2(positions * (turn / length).transpose()) : positions;
 }
 
-// Gives the result the positions of the map with a free outline, which lies as the map to the domain.
 void take(const FreeOutlineMap& freed, AreaPreservingMap& map)
 {
-  map.Positions = turnedTowards(map.OnDomain, freed.Positions);
+  map.Positions = freed.Positions;
   map.FlippedFaces = freed.FlippedFaces;
   map.Bijective = freed.Bijective;
   map.WarmStarted = freed.WarmStarted;
@@ -199,8 +198,35 @@ void take(const FreeOutlineMap& freed, AreaPreservingMap& map)
   map.IsFree = true;
 }
 
-// The map with a free outline, with the cells of the transport to the domain. If it loses too many
-// areas, the map to the domain stays.
+// The map with a free outline; nothing if the outline cannot be freed. It lies as the conformal map
+// does.
+std::optional<FreeOutlineMap> freedOutline(const TriangleMesh& mesh,
+  const Points2& conformal,
+  const DomainTarget& target,
+  const Eigen::VectorXd& weights,
+  const AreaPreservingOptions& options,
+  const ProgressCallback& progress)
+{
+  const std::vector<int>& loop = target.Boundary.Vertices;
+  // The angle weight of an earlier map is not known, and one in the domain is no start.
+  const Points2& before = options.Start.Positions;
+  const bool isStart = options.Refinement.AngleWeight == 0.0 && before.rows() == mesh.vertexCount() &&
+                       before.allFinite() && !areOnBoundary(before, loop, *target.Domain);
+  std::optional<FreeOutlineMap> freed = freeOutlineMap(mesh,
+    loop,
+    isStart ? before : Points2(),
+    faceTargets(mesh, weights),
+    target.Domain->area(),
+    shapeWeight(options.Refinement),
+    progress);
+  if (freed)
+  {
+    freed->Positions = turnedTowards(conformal, freed->Positions);
+  }
+  return freed;
+}
+
+// The map with a free outline. If it loses too many areas, the map to the domain stays.
 AreaPreservingResult freedMap(const TriangleMesh& mesh,
   const Points2& conformal,
   const Points2& onDomain,
@@ -210,23 +236,15 @@ AreaPreservingResult freedMap(const TriangleMesh& mesh,
   const ProgressCallback& progress)
 {
   constexpr double freedEnd = 0.7; // of the progress
-  const std::vector<int>& loop = target.Boundary.Vertices;
-  const Eigen::VectorXd targets = faceTargets(mesh, weights);
-  // The angle weight of an earlier map is not known, and one in the domain is no start.
-  const Points2& before = options.Start.Positions;
-  const bool isStart = options.Refinement.AngleWeight == 0.0 && before.rows() == mesh.vertexCount() &&
-                       before.allFinite() && !areOnBoundary(before, loop, *target.Domain);
-  const std::optional<FreeOutlineMap> freed = freeOutlineMap(mesh,
-    loop,
-    isStart ? before : Points2(),
-    targets,
-    target.Domain->area(),
-    shapeWeight(options.Refinement),
-    subrange(progress, 0.0, freedEnd));
+  const std::optional<FreeOutlineMap> freed =
+    freedOutline(mesh, conformal, target, weights, options, subrange(progress, 0.0, freedEnd));
   if (freed && freed->keepsAreas(0.0))
   {
-    AreaPreservingResult result =
-      transportedMap(mesh, conformal, target, weights, options, subrange(progress, freedEnd, 1.0));
+    // The transport only makes the cells. It begins with this map, as the conformal map of a surface
+    // with a long boundary may be too uneven for it.
+    const double scale = target.Domain->innerRadius() / freed->Positions.rowwise().norm().maxCoeff();
+    AreaPreservingResult result = transportedMap(
+      mesh, scale * freed->Positions, target, weights, options, subrange(progress, freedEnd, 1.0));
     take(*freed, result.Map);
     return result;
   }

@@ -22,7 +22,8 @@ AreaPreservingResult mapByTransport(const TriangleMesh& mesh,
   const ProgressCallback& progress = {});
 
 /// The same without its refinement: the transport with the sites that the refinement takes, and the map
-/// that it gives, in which faces may be flipped.
+/// that it gives, in which faces may be flipped. In place of the conformal map, any map within the domain
+/// may be given.
 AreaPreservingResult transportedMap(const TriangleMesh& mesh,
   const Points2& conformal,
   const DomainTarget& target,
