@@ -27,8 +27,8 @@ constexpr int FewVertices = 4000;
 // and narrow on the surface. A choice: conformal charts have 0.001, those of outlines that had to be
 // made rounder 0.1 to 1.
 constexpr double PoorChart = 0.05;
-// How many vertices there are for each inner one of the coarse disks that are made one after the other.
-// The map that one makes is the chart of the next. A compromise: with half as many vertices in a single
+// How many vertices there are for each inner one of the coarse disks that are made one after the other:
+// the map that one makes is the chart of the next. A compromise: with half as many vertices in a single
 // disk, the mean angle error of a head is 16.4 instead of 16.1 degrees, and the whole map takes an
 // eighth less time; with one disk, two and three in a poor chart, that of a brain is 19.0, 16.0 and 15.3
 // degrees, after 52, 51 and 61 seconds.

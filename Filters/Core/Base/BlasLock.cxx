@@ -26,8 +26,13 @@ void requireWorkArea()
   static bool wasFound = false;
   if (!wasFound)
   {
-    const std::unique_ptr<char[]> area(new char[WorkArea]); // not touched: it costs nothing
-    wasFound = area != nullptr;
+    const std::unique_ptr<char[]> area(
+      new (std::nothrow) char[WorkArea]); // not touched: it costs nothing
+    if (!area)
+    {
+      throw std::bad_alloc();
+    }
+    wasFound = true;
   }
 }
 
