@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <functional>
 #include <string>
 #include <vector>
@@ -169,6 +170,29 @@ TEST(FreeOutline, KeepsAreasAndBettersAngles)
   const DistortionSummary onDomain = summaryOf(surface, diskMap(surface).Positions);
   EXPECT_GE(freed.FacesWithin2Percent, 99.5);
   EXPECT_LE(freed[Measure::AngleError].Mean, 0.8 * onDomain[Measure::AngleError].Mean);
+}
+
+// From another map to the disk, the map has another rotation, and its cells are the same.
+TEST(FreeOutline, CellsAreThoseOfTheMapItself)
+{
+  const TriangleMesh surface = sunflowerMesh(gaussianBump(1.0, 0.35), 2000).Mesh;
+  const Points2 conformal = conformalDiskMap(surface).Positions;
+  Points2 moved(conformal.rows(), 2); // by a Moebius transformation of the disk
+  for (Eigen::Index v = 0; v < conformal.rows(); ++v)
+  {
+    const std::complex<double> z(conformal(v, 0), conformal(v, 1));
+    const std::complex<double> image = (z - 0.4) / (1.0 - 0.4 * z);
+    moved.row(v) << image.real(), image.imag();
+  }
+  AreaPreservingOptions options;
+  options.FreeOutline = true;
+  const AreaPreservingMap map = areaPreservingDiskMap(surface, conformal, {}, options).Map;
+  const AreaPreservingMap other = areaPreservingDiskMap(surface, moved, {}, options).Map;
+  ASSERT_TRUE(map.IsFree && other.IsFree);
+  const Eigen::VectorXd weights = map.PowerWeights.array() - map.PowerWeights.mean();
+  const Eigen::VectorXd others = other.PowerWeights.array() - other.PowerWeights.mean();
+  EXPECT_GT(weights.norm(), 0.01);
+  EXPECT_LT((weights - others).norm(), 1e-4 * weights.norm());
 }
 
 // An isosurface has no symmetry that the disk could share.
