@@ -81,38 +81,15 @@ Moments moments(const ComplexVector& disk, const Eigen::VectorXd& masses)
   return m;
 }
 
-} // namespace
-
-ComplexVector cayley(const ComplexVector& halfPlane, Complex centre)
-{
-  ComplexVector disk(halfPlane.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, halfPlane.size(), PointsPerTask),
-    [&](const tbb::blocked_range<std::size_t>& points)
-    {
-      for (std::size_t i = points.begin(); i < points.end(); ++i)
-      {
-        const Complex z = halfPlane[i];
-        disk[i] = std::isfinite(z.real()) ? (z - centre) / (z - std::conj(centre)) : Complex(1.0, 0.0);
-      }
-    });
-  return disk;
-}
-
-void moveToCircle(const std::vector<int>& vertices, ComplexVector& disk)
-{
-  for (const int v : vertices)
-  {
-    disk[v] /= std::abs(disk[v]);
-  }
-}
-
+// The medians of the coordinates, each weighted by the masses: a point amid the mass.
 Complex medianOf(const ComplexVector& halfPlane, const Eigen::VectorXd& masses)
 {
   return { weightedMedian(coordinates(halfPlane, false), masses),
     weightedMedian(coordinates(halfPlane, true), masses) };
 }
 
-Complex centreOfMass(const ComplexVector& halfPlane, const Eigen::VectorXd& masses)
+// The centre of mass; nothing if Newton's method does not reach it.
+std::optional<Complex> foundCentre(const ComplexVector& halfPlane, const Eigen::VectorXd& masses)
 {
   // The first centre lies amid the mass, so that no image loses digits by lying close to the circle.
   Complex centre = medianOf(halfPlane, masses);
@@ -160,12 +137,43 @@ Complex centreOfMass(const ComplexVector& halfPlane, const Eigen::VectorXd& mass
       break;
     }
   }
-  if (std::abs(m.First) > AcceptedOffset * total)
+  return std::abs(m.First) <= AcceptedOffset * total ? std::optional<Complex>(centre) : std::nullopt;
+}
+
+} // namespace
+
+ComplexVector cayley(const ComplexVector& halfPlane, Complex centre)
+{
+  ComplexVector disk(halfPlane.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, halfPlane.size(), PointsPerTask),
+    [&](const tbb::blocked_range<std::size_t>& points)
+    {
+      for (std::size_t i = points.begin(); i < points.end(); ++i)
+      {
+        const Complex z = halfPlane[i];
+        disk[i] = std::isfinite(z.real()) ? (z - centre) / (z - std::conj(centre)) : Complex(1.0, 0.0);
+      }
+    });
+  return disk;
+}
+
+void moveToCircle(const std::vector<int>& vertices, ComplexVector& disk)
+{
+  for (const int v : vertices)
+  {
+    disk[v] /= std::abs(disk[v]);
+  }
+}
+
+Complex centreOfMass(const ComplexVector& halfPlane, const Eigen::VectorXd& masses)
+{
+  const std::optional<Complex> centre = foundCentre(halfPlane, masses);
+  if (!centre)
   {
     throw ConvergenceError("the conformal disk could not be centred, as happens to long narrow strips: "
                            "set Domain to Rectangle");
   }
-  return centre;
+  return *centre;
 }
 
 std::optional<double> intrinsicRotation(const ComplexVector& disk,
@@ -207,7 +215,12 @@ Complex DiskCentring::centre(const ComplexVector& halfPlane) const
 
 Complex DiskCentring::roughCentre(const ComplexVector& halfPlane) const
 {
-  return this->Vertex >= 0 ? halfPlane[this->Vertex] : medianOf(halfPlane, this->Weights);
+  if (this->Vertex >= 0)
+  {
+    return halfPlane[this->Vertex];
+  }
+  const std::optional<Complex> centre = foundCentre(halfPlane, this->Weights);
+  return centre ? *centre : medianOf(halfPlane, this->Weights);
 }
 
 } // namespace flattening

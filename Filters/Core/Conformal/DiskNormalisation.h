@@ -19,9 +19,6 @@ ComplexVector cayley(const ComplexVector& halfPlane, std::complex<double> centre
 /// Moves the given vertices of @p disk radially onto the unit circle.
 void moveToCircle(const std::vector<int>& vertices, ComplexVector& disk);
 
-/// The medians of the coordinates, each weighted by the masses: a point amid the mass.
-std::complex<double> medianOf(const ComplexVector& halfPlane, const Eigen::VectorXd& masses);
-
 /// The point of the half-plane for which the Cayley map m puts the centre of mass of the images at 0:
 /// sum_i mass_i m(z_i) = 0, the conformal barycentre (docs/mathematics.md, "Conformal map"). It is
 /// unique if no point on the boundary carries half of the mass.
@@ -57,7 +54,7 @@ public:
   /// half-plane.
   /// @throws ConvergenceError as centreOfMass
   std::complex<double> centre(const ComplexVector& halfPlane) const;
-  /// A point near it, which is there also if the positions are too coarse for the other.
+  /// The same, or the medians of the coordinates if the positions are too coarse for it.
   std::complex<double> roughCentre(const ComplexVector& halfPlane) const;
 
 private:
