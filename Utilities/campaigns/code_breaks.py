@@ -100,6 +100,11 @@ BREAKS = [
     at("Conformal/CurvatureSystem.cxx", "cotangent(h) + (twin >= 0 ? cotangent(twin) : 0.0)", "cotangent(h)"),
     at("Conformal/CurvatureSystem.cxx", "-weight", "weight"),
     at("Conformal/CurvatureSystem.cxx", "this->subtract(t.tipOfBoundaryEdge(b), cell.AngleAtTip);", ""),
+    at(
+        "Conformal/DiskNormalisation.cxx",
+        "centre ? *centre : medianOf(halfPlane, this->Weights)",
+        "medianOf(halfPlane, this->Weights)",
+    ),
     at("Conformal/CotangentWeights.cxx", "cotangents[h] + cotangents[twin]", "cotangents[h] - cotangents[twin]"),
     at("Conformal/MeanValueDisk.cxx", "std::tan(0.5 * angles.Angle[k])", "std::tan(0.25 * angles.Angle[k])"),
     at("Conformal/MeanValueDisk.cxx", "-static_cast<double>(t.logLength(in))", "static_cast<double>(t.logLength(in))"),
@@ -176,7 +181,9 @@ BREAKS = [
     at("Untangling/MapUntangling.cxx", "this->untangle(patch, Start::Tutte, progress)", "false", "|| this->untangle(patch, Start::Tutte, progress))\n        {"),
     # --- Areas
     at("Areas/FaceAreaEnergy.cxx", "2.0 * w * (r - 1.0)", "w * (r - 1.0)"),
-    at("Areas/FaceAreaEnergy.cxx", "s / chiOfQ.Root", "-s / chiOfQ.Root"),
+    at("Areas/FaceAreaEnergy.cxx", "s * excess / chiOfQ.Root", "-s * excess / chiOfQ.Root"),
+    at("Areas/FaceAreaEnergy.cxx", "s * excess * byLog", "s * byLog"),
+    at("Areas/FaceAreaEnergy.cxx", "logCurvature + byLog * byLog", "logCurvature"),
     at(
         "Areas/RefinementEnergy.cxx",
         "0.25 * this->Terms.Cotangents(face, k)",
@@ -192,6 +199,7 @@ BREAKS = [
     at("Areas/AreaApproach.cxx", "(1.0 - share) * this->First", "share * this->First"),
     at("Areas/CoarseDisk.cxx", "values.inverse()", "values"),
     at("Areas/OutlineScaffold.cxx", "joined(ofMesh, this->GapAreas)", "joined(ofMesh, 2.0 * this->GapAreas)"),
+    at("Areas/RefinementTerms.cxx", "this->ShapeLimits[f] = OutlineShapeLimit;", ""),
     at("Areas/RoughFreeMap.cxx", "surface.vertexCount() <= FewVertices", "false"),
     at("Areas/RoughFreeMap.cxx", "positions ? *positions : chart", "chart"),
     at("Mesh/OutlineGaps.cxx", "next[before] = after;", ""),

@@ -40,16 +40,21 @@ FaceAreaEnergy::Value FaceAreaEnergy::value(double area,
   // Smoothed like r, so that a face does not gain by shrinking to a point.
   const double q = std::max(dirichlet / target, LeastDirichlet);
   const SmoothPositivePart chiOfQ = smoothPositivePart(q, this->Epsilon);
+  const double ratio = chiOfQ.Value / chi;
+  const bool isBeyond = ratio > weights.ShapeLimit;
+  const double excess = isBeyond ? ratio / weights.ShapeLimit : 1.0; // derivative of D by log x
 
-  const double shape = s > 0.0 ? s * (std::log(chiOfQ.Value) - logChi) : 0.0;
+  const double logRatio = isBeyond ? std::log(weights.ShapeLimit) : std::log(chiOfQ.Value) - logChi;
+  const double shape = s > 0.0 ? s * (logRatio + excess - 1.0) : 0.0;
   result.Energy = c * target * (w * (r - 1.0) * (r - 1.0) + FlipWeight * (chi - 1.0 - logChi) + shape);
-  result.ByArea = c * (2.0 * w * (r - 1.0) + FlipWeight * (chiByR - byLog) - s * byLog);
-  result.ByDirichlet = c * s / chiOfQ.Root;
+  result.ByArea = c * (2.0 * w * (r - 1.0) + FlipWeight * (chiByR - byLog) - s * excess * byLog);
+  result.ByDirichlet = c * s * excess / chiOfQ.Root;
   // Minus the logarithm is concave where the face is flipped; only positive curvature counts.
   const double logCurvature = r * byLog * byLog * byLog;
   const double flipCurvature = std::max(0.0, chiByRR + logCurvature);
-  result.Curvature =
-    c * (2.0 * w + FlipWeight * flipCurvature + s * std::max(0.0, logCurvature)) / target;
+  const double shapeCurvature =
+    isBeyond ? excess * (logCurvature + byLog * byLog) : std::max(0.0, logCurvature);
+  result.Curvature = c * (2.0 * w + FlipWeight * flipCurvature + s * shapeCurvature) / target;
   return result;
 }
 

@@ -69,8 +69,7 @@ public:
         true)
     , Map{ start, {} }
   {
-    this->Terms.Intervals.clear();
-    this->Terms.Outline = outlineEdges(loop);
+    this->Terms.freeBoundary(loop);
     this->Rounds.setStage(this->Targets, 0.0);
   }
 

@@ -59,6 +59,7 @@ RefinementTerms withGaps(const RefinementTerms& terms, const FaceMatrix& gaps, c
   all.Faces = joined(terms.Faces, ofGaps.Faces);
   all.Cotangents = joined(terms.Cotangents, ofGaps.Cotangents);
   all.ShapeWeights = joined(terms.ShapeWeights, ofGaps.ShapeWeights);
+  all.ShapeLimits = joined(terms.ShapeLimits, ofGaps.ShapeLimits);
   all.Outline = terms.Outline;
   return all;
 }

@@ -117,7 +117,10 @@ FaceAreaEnergy::Value RefinementEnergy::faceValue(const FlatFace& flat, int face
   return this->Energy.value(flat.Area,
     this->Scale * this->Targets[face],
     flat.Dirichlet,
-    { this->AreaWeights[face], this->Terms.ShapeWeights[face], this->Counts[face] });
+    { this->AreaWeights[face],
+      this->Terms.ShapeWeights[face],
+      this->Counts[face],
+      this->Terms.ShapeLimits[face] });
 }
 
 RefinementEnergy::IntervalTerm RefinementEnergy::intervalTerm(const DomainMap& map,

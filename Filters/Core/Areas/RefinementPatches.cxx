@@ -184,6 +184,7 @@ private:
     part.Faces =
       all.Faces(this->Rows, flattening::all).unaryExpr([&localOf](int v) { return localOf[v]; });
     part.Cotangents = all.Cotangents(this->Rows, flattening::all);
+    part.ShapeLimits = all.ShapeLimits(this->Rows);
     part.ShapeWeights = this->ThePass.ShapeFactor * all.ShapeWeights(this->Rows);
     const auto indexOf = [&](int member)
     {

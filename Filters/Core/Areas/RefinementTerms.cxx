@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <limits>
+#include <unordered_set>
 
 namespace flattening
 {
@@ -15,6 +17,11 @@ namespace
 // The least share of an interval, in mean intervals. A guard for boundary edges without length on the
 // surface.
 constexpr double LeastInterval = 1e-3;
+// The shape limit (FaceAreaEnergy) of faces with two vertices on a free boundary. Without it a point
+// with few faces may stick out as a needle, which the logarithm lets go and the areas then hold. A
+// compromise: the longest edge of the map of a cortex has 5.3 mean edges instead of 13.1; with the limit
+// for all faces 5.0, but the mean angle error of half a brain is 8.5 instead of 8.35 degrees.
+constexpr double OutlineShapeLimit = 3.0;
 
 } // namespace
 
@@ -25,6 +32,7 @@ RefinementTerms::RefinementTerms(const TriangleMesh& surface,
   : Faces(surface.Faces)
   , Cotangents(surface.faceCount(), 3)
   , ShapeWeights(surface.faceCount())
+  , ShapeLimits(Eigen::VectorXd::Constant(surface.faceCount(), std::numeric_limits<double>::infinity()))
 {
   for (int f = 0; f < surface.faceCount(); ++f)
   {
@@ -67,6 +75,22 @@ RefinementTerms::RefinementTerms(const TriangleMesh& surface,
   for (BoundaryInterval& interval : this->Intervals)
   {
     interval.Share = sum > 0.0 ? interval.Share * perimeter / sum : perimeter / members;
+  }
+}
+
+void RefinementTerms::freeBoundary(const std::vector<int>& loop)
+{
+  this->Intervals.clear();
+  this->Outline = outlineEdges(loop);
+  const std::unordered_set<int> members(loop.begin(), loop.end());
+  this->ShapeLimits.setConstant(this->Faces.rows(), std::numeric_limits<double>::infinity());
+  for (Eigen::Index f = 0; f < this->Faces.rows(); ++f)
+  {
+    const auto row = this->Faces.row(f);
+    if (std::count_if(row.begin(), row.end(), [&members](int v) { return members.count(v) > 0; }) >= 2)
+    {
+      this->ShapeLimits[f] = OutlineShapeLimit;
+    }
   }
 }
 

@@ -24,6 +24,7 @@ struct RefinementTerms
   FaceMatrix Faces;
   Eigen::MatrixX3d Cotangents;  ///< of the surface's angles (m x 3); slivers are opened first
   Eigen::VectorXd ShapeWeights; ///< per face (m)
+  Eigen::VectorXd ShapeLimits;  ///< per face (m)
   std::vector<BoundaryInterval> Intervals;
   std::vector<FlatEdge> Outline; ///< edges of a free boundary, which must not cross
 
@@ -34,6 +35,10 @@ struct RefinementTerms
     double perimeter,
     double shapeWeight);
   RefinementTerms() = default;
+
+  /// Lets the boundary go, whose vertices @p loop holds: its edges become the outline instead of the
+  /// intervals, and its faces get a shape limit.
+  void freeBoundary(const std::vector<int>& loop);
 };
 
 } // namespace flattening

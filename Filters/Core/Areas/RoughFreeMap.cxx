@@ -59,7 +59,7 @@ Points2 mapOfFewVertices(const TriangleMesh& surface,
   for (const double weight : { std::max(FirstShapeWeight, shapeWeight), LastShapeShare * shapeWeight })
   {
     RefinementTerms terms(surface, {}, 1.0, weight);
-    terms.Outline = outlineEdges(loop);
+    terms.freeBoundary(loop);
     positions = descendInScaffold(terms, positions, faceTargets, subrange(progress, begin, begin + 0.5));
     begin = 0.5;
   }
@@ -77,7 +77,7 @@ Points2 coarseMap(const CoarseDisk& disk,
   terms.Faces = disk.Faces;
   terms.Cotangents = disk.Cotangents;
   terms.ShapeWeights = Eigen::VectorXd::Constant(disk.Faces.rows(), FirstShapeWeight);
-  terms.Outline = outlineEdges(loop);
+  terms.freeBoundary(loop);
   return descendInScaffold(terms, chart(disk.Vertices, flattening::all), disk.Targets, progress);
 }
 

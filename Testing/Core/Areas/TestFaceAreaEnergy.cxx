@@ -41,10 +41,11 @@ TEST(FaceAreaEnergy, AFaceDoesNotGainByShrinkingToAPoint)
 TEST(FaceAreaEnergy, DerivativesMatchDifferences)
 {
   constexpr double target = 0.3;
-  constexpr FaceAreaEnergy::Weights weights{ 5.0, 0.02, 3.0 };
   constexpr double step = 1e-5;
-  for (const double epsilon : { 0.0, 0.1 })
+  for (const auto& [epsilon, shapeLimit] :
+    { std::pair(0.0, 1e9), { 0.1, 1e9 }, { 0.0, 1.2 }, { 0.1, 1.2 } })
   {
+    const FaceAreaEnergy::Weights weights{ 5.0, 0.02, 3.0, shapeLimit };
     const FaceAreaEnergy energy(epsilon);
     for (const double area : { -0.2, 0.05, 0.3, 0.9 })
     {
@@ -69,6 +70,18 @@ TEST(FaceAreaEnergy, DerivativesMatchDifferences)
       }
     }
   }
+}
+
+// Up to the limit the shape's energy is a logarithm, whose derivative is that of the continuation there.
+TEST(FaceAreaEnergy, GrowsInProportionBeyondTheShapeLimit)
+{
+  const FaceAreaEnergy energy(0.0);
+  const auto shape = [&energy](double dirichlet) {
+    return energy.value(1.0, 1.0, dirichlet, { 1.0, 0.5, 1.0, 3.0 }).Energy;
+  };
+  EXPECT_DOUBLE_EQ(shape(2.0), 0.5 * std::log(2.0));
+  EXPECT_DOUBLE_EQ(shape(3.0), 0.5 * std::log(3.0));
+  EXPECT_DOUBLE_EQ(shape(30.0), 0.5 * (std::log(3.0) + 9.0));
 }
 
 } // namespace

@@ -51,7 +51,7 @@ TriangleMesh horseshoe(double gap)
 RefinementTerms termsOf(const TriangleMesh& mesh, double shapeWeight)
 {
   RefinementTerms terms(mesh, {}, 1.0, shapeWeight);
-  terms.Outline = outlineEdges(requireDisk(mesh));
+  terms.freeBoundary(requireDisk(mesh));
   return terms;
 }
 
@@ -117,6 +117,52 @@ TEST(ScaffoldDescent, NoPartOfTheOutlineCrossesAnother)
   const Eigen::VectorXd areas = signedFaceAreas(map, mesh.Faces);
   const Eigen::ArrayXd ratios = (areas / areas.sum()).array() / (targets / targets.sum()).array();
   EXPECT_LT((ratios - 1.0).abs().mean(), 0.01);
+}
+
+// A square of 8 x 8 squares, with a point above the middle of its upper side that has two faces.
+TriangleMesh squareWithATip()
+{
+  constexpr int points = 9; // of a side
+  TriangleMesh mesh;
+  mesh.Vertices = Points3::Zero(points * points + 1, 3);
+  std::vector<Eigen::RowVector3i> faces;
+  for (int v = 0; v < points * points; ++v)
+  {
+    mesh.Vertices.row(v) << v % points, v / points, 0.0;
+    if (v % points + 1 < points && v / points + 1 < points)
+    {
+      faces.push_back({ v, v + 1, v + points + 1 });
+      faces.push_back({ v, v + points + 1, v + points });
+    }
+  }
+  constexpr int tip = points * points;
+  constexpr int middle = tip - 1 - points / 2;
+  mesh.Vertices.row(tip) << points / 2, points, 0.0;
+  faces.push_back({ middle, tip, middle - 1 });
+  faces.push_back({ middle, middle + 1, tip });
+  mesh.Faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    mesh.Faces.row(static_cast<Eigen::Index>(f)) = faces[f];
+  }
+  return mesh;
+}
+
+// The start has a needle twenty edges long with the area that it is to have.
+TEST(ScaffoldDescent, ANeedleOfTheOutlineBecomesShort)
+{
+  const TriangleMesh mesh = squareWithATip();
+  const int tip = mesh.vertexCount() - 1;
+  const int middle = mesh.Faces(mesh.faceCount() - 1, 0);
+  Points2 start = mesh.Vertices.leftCols<2>();
+  constexpr double width = 0.05;
+  start(middle - 1, 0) = start(middle, 0) - width;
+  start(middle + 1, 0) = start(middle, 0) + width;
+  start(tip, 1) = start(middle, 1) + 1.0 / width;
+  const Eigen::VectorXd targets = faceAreas(mesh.Vertices, mesh.Faces);
+  ASSERT_EQ(countFlippedFaces(start, mesh.Faces), 0);
+  const Points2 map = descendInScaffold(termsOf(mesh, 0.01), start, targets);
+  EXPECT_LT((map.row(tip) - map.row(middle)).norm(), 3.0);
 }
 
 TEST(ScaffoldDescent, CanBeCancelled)
