@@ -13,10 +13,11 @@
 namespace flattening
 {
 
-/// The sum of the energies of all faces (FaceAreaEnergy), and of rho - 1 - log rho, with a small weight,
-/// over all intervals between neighbours on the boundary, where rho is the length of the interval over
-/// its share by length on the surface. The latter keeps boundary vertices in order as they slide. Sums
-/// do not depend on the number of threads.
+/// The sum of the energies of all faces (FaceAreaEnergy) and of all intervals between neighbours on the
+/// boundary. With rho, the length of an interval over its share by length on the surface, its energy is
+/// rho - 1 - log rho, with a small weight: boundary vertices keep their order as they slide. A tiny
+/// interval, whose face is a sliver without a shape to keep, has the energy (rho / 3 - 1)^2 beyond
+/// rho = 3 as well. Sums do not depend on the number of threads.
 class RefinementEnergy
 {
 public:

@@ -15,7 +15,8 @@ struct BoundaryInterval
 {
   int First;
   int Second;
-  double Share; ///< its part of the domain's perimeter, by length on the surface
+  double Share;             ///< its part of the domain's perimeter, by length on the surface
+  double LimitWeight = 0.0; ///< the weight of its stretch beyond a limit (RefinementEnergy)
 };
 
 /// The coefficients of a mesh or a part of it.

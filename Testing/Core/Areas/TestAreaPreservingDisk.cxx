@@ -188,6 +188,60 @@ TEST(AreaPreservingDisk, EveryVertexMayLieOnTheBoundary)
   EXPECT_TRUE(result.Map.Bijective);
 }
 
+// Splits every @p step-th edge of the boundary near its first end, as cuts along paths do.
+TriangleMesh withTinyEdges(TriangleMesh mesh, int step)
+{
+  constexpr double share = 0.03; // of the edge
+  const std::vector<int> loop = requireDisk(mesh);
+  std::vector<Eigen::RowVector3i> added;
+  for (std::size_t k = 0; k < loop.size(); k += step)
+  {
+    const int a = loop[k];
+    const int b = loop[(k + 1) % loop.size()];
+    const int middle = mesh.vertexCount();
+    mesh.Vertices.conservativeResize(middle + 1, 3);
+    mesh.Vertices.row(middle) = (1.0 - share) * mesh.Vertices.row(a) + share * mesh.Vertices.row(b);
+    for (int corner = 0; corner < 3 * mesh.faceCount(); ++corner)
+    {
+      auto face = mesh.Faces.row(corner / 3);
+      const int next = (corner + 1) % 3;
+      if (face[corner % 3] == a && face[next] == b)
+      {
+        added.push_back({ middle, b, face[(corner + 2) % 3] });
+        face[next] = middle;
+      }
+    }
+  }
+  const int faces = mesh.faceCount();
+  mesh.Faces.conservativeResize(faces + static_cast<Eigen::Index>(added.size()), 3);
+  for (std::size_t f = 0; f < added.size(); ++f)
+  {
+    mesh.Faces.row(faces + static_cast<Eigen::Index>(f)) = added[f];
+  }
+  return mesh;
+}
+
+// Their faces are slivers, whose areas they would keep a hundred times as long as well.
+TEST(AreaPreservingDisk, TinyEdgesOfTheBoundaryAreStretchedLikeOthers)
+{
+  const TriangleMesh mesh =
+    withTinyEdges(analytic::sunflowerMesh(analytic::sphericalCap(1.2), 3000).Mesh, 7);
+  const std::vector<int> loop = requireDisk(mesh);
+  const AreaPreservingMap map = areaPreservingDiskMap(mesh, conformal(mesh)).Map;
+  EXPECT_TRUE(map.Bijective);
+  const double scale = std::sqrt(faceAreas(mesh.Vertices, mesh.Faces).sum() / Pi);
+  double greatest = 0.0;
+  for (std::size_t k = 0; k < loop.size(); ++k)
+  {
+    const int a = loop[k];
+    const int b = loop[(k + 1) % loop.size()];
+    greatest = std::max(greatest,
+      scale * (map.Positions.row(a) - map.Positions.row(b)).norm() /
+        (mesh.Vertices.row(a) - mesh.Vertices.row(b)).norm());
+  }
+  EXPECT_LT(greatest, 4.0); // 2.4, and 85 without a limit
+}
+
 // Twice the weight, twice the area relative to the rest: exactly, to the tolerance of the cells.
 TEST(AreaPreservingDisk, DoublingAWeightDoublesTheArea)
 {

@@ -91,6 +91,32 @@ TEST_F(RefinementEnergyOfAMap, GradientMatchesDifferences)
 
 // Half of the bound of what could be indefinite is in the Hessian: it may fall short of a second
 // difference, but only by a part of it.
+// An interval whose share is a hundredth of its length in the map.
+TEST_F(RefinementEnergyOfAMap, ATinyIntervalIsHeld)
+{
+  BoundaryInterval& interval = this->Terms.Intervals[5];
+  interval.Share *= 0.01;
+  const double free = this->Energy.evaluate(this->Map);
+  interval.LimitWeight = 20.0;
+  const double value = this->Energy.evaluate(this->Map);
+  const double length = this->Map.BoundaryParameters[6] - this->Map.BoundaryParameters[5];
+  const double excess = length / interval.Share / 3.0 - 1.0;
+  ASSERT_GT(excess, 10.0);
+  EXPECT_NEAR(value - free, 20.0 * excess * excess, 1e-9 * value);
+  const Eigen::VectorXd gradient = this->Energy.gradient(this->Map);
+  const SparseMatrix hessian = this->Energy.hessian(this->Map);
+  for (int seed = 0; seed < 10; ++seed)
+  {
+    const Eigen::VectorXd step = this->randomStep(seed);
+    constexpr double size = 1e-5;
+    const double up = this->Energy.evaluate(this->Dofs.moved(this->Map, step, size));
+    const double down = this->Energy.evaluate(this->Dofs.moved(this->Map, step, -size));
+    EXPECT_NEAR(gradient.dot(step), (up - down) / (2.0 * size), 1e-6 * gradient.norm());
+    const double second = step.dot(hessian.selfadjointView<Eigen::Lower>() * step);
+    EXPECT_NEAR(second, (up - 2.0 * value + down) / (size * size), 0.01 * second);
+  }
+}
+
 TEST_F(RefinementEnergyOfAMap, HessianIsPositiveAndNearlyTheSecondDerivative)
 {
   const double value = this->Energy.evaluate(this->Map);
