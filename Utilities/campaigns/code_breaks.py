@@ -212,8 +212,8 @@ BREAKS = [
     at("Areas/DeformationEnergy.cxx", "kept.Point.Stays", "!kept.Point.Stays", "if (kept.Point.Stays)"),
     at("Areas/TargetAreas.cxx", "scaledTargets(faceTargets(surface, {}), targets.sum())", "targets"),
     at("Areas/AreaPreservingDisk.cxx", "range <= std::log(WidestStep)", "true"),
-    at("Areas/AreaPreservingDisk.cxx", "scale * freed->Positions", "conformal"),
-    at("Areas/AreaPreservingDisk.cxx", "result.Map.OnDomain", "conformal", "start = result.Map.OnDomain"),
+    at("Areas/AreaPreservingDisk.cxx", "scale * freed->Positions", "start.Conformal"),
+    at("Areas/AreaPreservingDisk.cxx", "result.Map.OnDomain", "start.Conformal", "reached = result.Map.OnDomain"),
     at("Areas/TargetAreas.cxx", "EIGEN_PI / areas.sum()", "2.0 * EIGEN_PI / areas.sum()"),
     at(
         "Areas/WarmStart.cxx",

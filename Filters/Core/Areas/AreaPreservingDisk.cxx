@@ -91,18 +91,14 @@ void requireNarrow(const Eigen::VectorXd& weights)
 
 // Transports the map until the transported map is reached (FaceRefinementResult::StartShare), or until
 // none nearer to it can be.
-AreaPreservingResult mapByTransports(const TriangleMesh& mesh,
-  const Points2& conformal,
-  const Points2& onDomain,
-  const DomainTarget& target,
-  const Eigen::VectorXd& weights,
-  const AreaPreservingOptions& options,
+AreaPreservingResult mapByTransports(const MapProblem& problem,
+  const MapStart& start,
   const ProgressCallback& progress)
 {
-  AreaPreservingOptions next = options;
+  AreaPreservingOptions next = problem.Options;
+  const MapProblem part{ problem.Mesh, problem.Target, problem.Weights, next };
   next.Refinement.StopsOnTheWay = true;
-  AreaPreservingResult result = mapByTransport(
-    mesh, conformal, onDomain, target, weights, next, subrange(progress, 0.0, FirstShownShare));
+  AreaPreservingResult result = mapByTransport(part, start, subrange(progress, 0.0, FirstShownShare));
   next.Start = {};
   double shown = FirstShownShare;
   for (int transports = 2; transports <= MostTransports; ++transports)
@@ -113,8 +109,8 @@ AreaPreservingResult mapByTransports(const TriangleMesh& mesh,
     }
     next.Refinement.StopsOnTheWay = transports < MostTransports;
     const double begin = std::exchange(shown, shown + ShownShare * (1.0 - shown));
-    const Points2 start = result.Map.OnDomain;
-    result = mapByTransport(mesh, start, start, target, weights, next, subrange(progress, begin, shown));
+    const Points2 reached = result.Map.OnDomain;
+    result = mapByTransport(part, { reached, reached }, subrange(progress, begin, shown));
   }
   report(progress, 1.0, "Area-preserving map");
   return result;
@@ -122,23 +118,20 @@ AreaPreservingResult mapByTransports(const TriangleMesh& mesh,
 
 // The map, by way of maps for weights of less range where it is wide. A step whose map is not one-to-one
 // or far from its areas is made again in halves, as long as it is wide enough.
-AreaPreservingResult mapInSteps(const TriangleMesh& mesh,
-  const Points2& conformal,
-  const Points2& onDomain,
-  const DomainTarget& target,
-  const Eigen::VectorXd& weights,
-  const AreaPreservingOptions& options,
+AreaPreservingResult mapInSteps(const MapProblem& problem,
+  const MapStart& start,
   const ProgressCallback& progress)
 {
+  const Eigen::VectorXd& weights = problem.Weights;
   const double range = rangeOf(weights);
-  if (!options.RefineFaces || range <= std::log(WidestStep))
+  if (!problem.Options.RefineFaces || range <= std::log(WidestStep))
   {
-    return mapByTransports(mesh, conformal, onDomain, target, weights, options, progress);
+    return mapByTransports(problem, start, progress);
   }
-  AreaPreservingOptions before = options;
+  AreaPreservingOptions before = problem.Options;
   before.Start = {};
-  Points2 start = conformal;
-  Points2 startOnDomain = onDomain;
+  Points2 last = start.Conformal; // the map of the last step
+  Points2 lastOnDomain = start.OnDomain;
   double reached = 0.0; // the exponent of the weights of the last map
   double step = 1.0 / std::ceil(range / std::log(WidestStep));
   double shown = 0.0; // progress
@@ -149,15 +142,13 @@ AreaPreservingResult mapInSteps(const TriangleMesh& mesh,
     const Eigen::VectorXd part = isLast ? weights : Eigen::VectorXd(weights.array().pow(exponent));
     const double begin = shown;
     shown += ShownShare * (1.0 - shown) * (exponent - reached) / (1.0 - reached);
-    AreaPreservingResult result = mapByTransports(mesh,
-      start,
-      startOnDomain,
-      target,
-      part,
-      isLast ? options : before,
-      subrange(progress, begin, shown));
+    AreaPreservingResult result =
+      mapByTransports({ problem.Mesh, problem.Target, part, isLast ? problem.Options : before },
+        { last, lastOnDomain },
+        subrange(progress, begin, shown));
     const AreaPreservingMap& map = result.Map;
-    const bool failed = !map.Bijective || meanAreaError(mesh, map.OnDomain, part) > GreatestStepError;
+    const bool failed =
+      !map.Bijective || meanAreaError(problem.Mesh, map.OnDomain, part) > GreatestStepError;
     if (failed && step * range > std::log(NarrowestStep))
     {
       step *= 0.5;
@@ -167,8 +158,8 @@ AreaPreservingResult mapInSteps(const TriangleMesh& mesh,
     {
       return result;
     }
-    start = map.Positions;
-    startOnDomain = map.Positions;
+    last = map.Positions;
+    lastOnDomain = map.Positions;
     reached = exponent;
   }
 }
@@ -200,13 +191,11 @@ void take(const FreeOutlineMap& freed, AreaPreservingMap& map)
 
 // The map with a free outline; nothing if the outline cannot be freed. It lies as the conformal map
 // does.
-std::optional<FreeOutlineMap> freedOutline(const TriangleMesh& mesh,
+std::optional<FreeOutlineMap> freedOutline(const MapProblem& problem,
   const Points2& conformal,
-  const DomainTarget& target,
-  const Eigen::VectorXd& weights,
-  const AreaPreservingOptions& options,
   const ProgressCallback& progress)
 {
+  const auto& [mesh, target, weights, options] = problem;
   const std::vector<int>& loop = target.Boundary.Vertices;
   // The angle weight of an earlier map is not known, and one in the domain is no start.
   const Points2& before = options.Start.Positions;
@@ -227,30 +216,26 @@ std::optional<FreeOutlineMap> freedOutline(const TriangleMesh& mesh,
 }
 
 // The map with a free outline. If it loses too many areas, the map to the domain stays.
-AreaPreservingResult freedMap(const TriangleMesh& mesh,
-  const Points2& conformal,
-  const Points2& onDomain,
-  const DomainTarget& target,
-  const Eigen::VectorXd& weights,
-  const AreaPreservingOptions& options,
+AreaPreservingResult freedMap(const MapProblem& problem,
+  const MapStart& start,
   const ProgressCallback& progress)
 {
   constexpr double freedEnd = 0.7; // of the progress
   const std::optional<FreeOutlineMap> freed =
-    freedOutline(mesh, conformal, target, weights, options, subrange(progress, 0.0, freedEnd));
+    freedOutline(problem, start.Conformal, subrange(progress, 0.0, freedEnd));
+  const ConvexDomain& domain = *problem.Target.Domain;
   if (freed && freed->keepsAreas(0.0))
   {
     // The transport only makes the cells. It begins with this map, as the conformal map of a surface
     // with a long boundary may be too uneven for it.
-    const double scale = target.Domain->innerRadius() / freed->Positions.rowwise().norm().maxCoeff();
-    AreaPreservingResult result = transportedMap(
-      mesh, scale * freed->Positions, target, weights, options, subrange(progress, freedEnd, 1.0));
+    const double scale = domain.innerRadius() / freed->Positions.rowwise().norm().maxCoeff();
+    AreaPreservingResult result =
+      transportedMap(problem, scale * freed->Positions, subrange(progress, freedEnd, 1.0));
     take(*freed, result.Map);
     return result;
   }
-  AreaPreservingResult result =
-    mapInSteps(mesh, conformal, onDomain, target, weights, options, subrange(progress, freedEnd, 1.0));
-  const double offInDomain = shareOff(mesh, result.Map.Positions, weights, *target.Domain);
+  AreaPreservingResult result = mapInSteps(problem, start, subrange(progress, freedEnd, 1.0));
+  const double offInDomain = shareOff(problem.Mesh, result.Map.Positions, problem.Weights, domain);
   if (freed && freed->keepsAreas(offInDomain))
   {
     take(*freed, result.Map);
@@ -258,14 +243,11 @@ AreaPreservingResult freedMap(const TriangleMesh& mesh,
   return result;
 }
 
-AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
-  const Points2& conformal,
-  const Points2& onDomain,
-  const DomainTarget& target,
-  const Eigen::VectorXd& weights,
-  const AreaPreservingOptions& options,
+AreaPreservingResult areaPreservingMap(const MapProblem& problem,
+  const MapStart& start,
   const ProgressCallback& progress)
 {
+  const auto& [mesh, target, weights, options] = problem;
   targetAreas(mesh, weights); // throws if the weights are no such numbers
   if (options.RefineFaces)
   {
@@ -277,8 +259,7 @@ AreaPreservingResult areaPreservingMap(const TriangleMesh& mesh,
                        "FreeOutline off");
   }
   AreaPreservingResult result =
-    options.FreeOutline ? freedMap(mesh, conformal, onDomain, target, weights, options, progress)
-                        : mapInSteps(mesh, conformal, onDomain, target, weights, options, progress);
+    options.FreeOutline ? freedMap(problem, start, progress) : mapInSteps(problem, start, progress);
   result.Map.ShareOff = shareOff(mesh, result.Map.Positions, weights, *target.Domain);
   return result;
 }
@@ -292,7 +273,7 @@ AreaPreservingResult areaPreservingDiskMap(const TriangleMesh& mesh,
   const ProgressCallback& progress)
 {
   const DomainTarget target = diskTarget(mesh, conformal);
-  return areaPreservingMap(mesh, conformal, conformal, target, weights, options, progress);
+  return areaPreservingMap({ mesh, target, weights, options }, { conformal, conformal }, progress);
 }
 
 AreaPreservingResult areaPreservingRectangleMap(const TriangleMesh& mesh,
@@ -303,7 +284,7 @@ AreaPreservingResult areaPreservingRectangleMap(const TriangleMesh& mesh,
   const ProgressCallback& progress)
 {
   const DomainTarget target = rectangleTarget(mesh, conformal, width);
-  return areaPreservingMap(mesh, conformal, conformal, target, weights, options, progress);
+  return areaPreservingMap({ mesh, target, weights, options }, { conformal, conformal }, progress);
 }
 
 AreaPreservingResult areaPreservingPolygonMap(const TriangleMesh& mesh,
@@ -318,7 +299,7 @@ AreaPreservingResult areaPreservingPolygonMap(const TriangleMesh& mesh,
   const double scale = target.Domain->innerRadius() / conformal.rowwise().norm().maxCoeff();
   const Points2 scaled = scale * conformal;
   const Points2 onDomain = stretchedAlongRays(conformal, source, *target.Domain);
-  return areaPreservingMap(mesh, scaled, onDomain, target, weights, options, progress);
+  return areaPreservingMap({ mesh, target, weights, options }, { scaled, onDomain }, progress);
 }
 
 } // namespace flattening

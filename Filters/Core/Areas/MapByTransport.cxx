@@ -47,20 +47,14 @@ void chooseCorners(BoundaryLoop& boundary,
 class MapMaker
 {
 public:
-  // @p onDomain: the conformal map, or another map to the domain with few faces flipped
-  MapMaker(const TriangleMesh& mesh,
-    const Points2& conformal,
-    const Points2& onDomain,
-    DomainTarget target,
-    const Eigen::VectorXd& weights,
-    const AreaPreservingOptions& options)
-    : Mesh(mesh)
-    , Conformal(conformal)
-    , OnDomain(onDomain)
-    , Domain(std::move(target.Domain))
-    , Boundary(std::move(target.Boundary))
-    , Weights(weights)
-    , Options(options)
+  MapMaker(const MapProblem& problem, const MapStart& start)
+    : Mesh(problem.Mesh)
+    , Conformal(start.Conformal)
+    , OnDomain(start.OnDomain)
+    , Domain(problem.Target.Domain)
+    , Boundary(problem.Target.Boundary)
+    , Weights(problem.Weights)
+    , Options(problem.Options)
   {
   }
 
@@ -254,25 +248,18 @@ private:
 
 } // namespace
 
-AreaPreservingResult mapByTransport(const TriangleMesh& mesh,
-  const Points2& conformal,
-  const Points2& onDomain,
-  const DomainTarget& target,
-  const Eigen::VectorXd& weights,
-  const AreaPreservingOptions& options,
+AreaPreservingResult mapByTransport(const MapProblem& problem,
+  const MapStart& start,
   const ProgressCallback& progress)
 {
-  return MapMaker(mesh, conformal, onDomain, target, weights, options).make(progress);
+  return MapMaker(problem, start).make(progress);
 }
 
-AreaPreservingResult transportedMap(const TriangleMesh& mesh,
-  const Points2& conformal,
-  const DomainTarget& target,
-  const Eigen::VectorXd& weights,
-  const AreaPreservingOptions& options,
+AreaPreservingResult transportedMap(const MapProblem& problem,
+  const Points2& start,
   const ProgressCallback& progress)
 {
-  return MapMaker(mesh, conformal, conformal, target, weights, options).makeTransported(progress);
+  return MapMaker(problem, { start, start }).makeTransported(progress);
 }
 
 } // namespace flattening
