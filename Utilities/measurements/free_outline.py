@@ -10,17 +10,35 @@ With a file name, writes that page's table in place of the old one.
 import sys
 import time
 
-from paraview import simple
+import numpy as np
+from paraview import servermanager, simple
 from surfaceflattening_volume import isosurface
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 SCAN = "/usr/share/mricron/templates/ch2bet.nii.gz"
 MIDDLE = [90, 0, 0]  # mm, between the halves
-HEADER = """| surface | vertices | outline | seconds | faces within 2 % | mean area error | mean angle error | flipped |
-| --- | --- | --- | --- | --- | --- | --- | --- |"""
+HEADER = """| surface | vertices | outline | seconds | faces within 2 % | mean area error | mean angle error | flipped | boundary |
+| --- | --- | --- | --- | --- | --- | --- | --- | --- |"""
 
 
 def figure(proxy, name):
     return proxy.FieldData[name].GetRange()[0]
+
+
+def boundary_stretch(flat):
+    """The greatest ratio of the length of a boundary edge on the map to its length on the surface."""
+    data = servermanager.Fetch(flat)
+    triangles = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    edges = np.sort(np.concatenate([triangles[:, [k, (k + 1) % 3]] for k in range(3)]), axis=1)
+    edges, counts = np.unique(edges, axis=0, return_counts=True)
+    start, end = edges[counts == 1].T
+
+    def lengths(points):
+        points = vtk_to_numpy(points).astype(float)
+        return np.linalg.norm(points[start] - points[end], axis=1)
+
+    on_surface = lengths(data.GetPointData().GetArray("SurfacePoints"))
+    return (lengths(data.GetPoints().GetData()) / on_surface).max()
 
 
 def rows_of(name, disk):
@@ -39,7 +57,7 @@ def rows_of(name, disk):
         yield (
             f"| {name} | {vertices:,} | {outline} | {seconds:.1f} "
             f"| {figure(measured, 'FacesWithin2Percent'):.1f} % | {figure(measured, 'MeanAreaError'):.2f} % "
-            f"| {figure(measured, 'MeanAngleError'):.1f}° | {figure(measured, 'FlippedFaces'):.0f} |"
+            f"| {figure(measured, 'MeanAngleError'):.1f}° | {figure(measured, 'FlippedFaces'):.0f} | {boundary_stretch(flat):.1f} |"
         )
 
 
