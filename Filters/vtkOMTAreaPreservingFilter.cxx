@@ -2,6 +2,7 @@
 #include "vtkOMTAreaPreservingFilter.h"
 
 #include "Core/Areas/AreaPreservingDisk.h"
+#include "Core/Conformal/ConformalDisk.h"
 #include "Core/FlatMap/FlatMapLocation.h"
 #include "Core/Mesh/CoordinateFrame.h"
 #include "Core/Mesh/MeshTopology.h"
@@ -48,6 +49,7 @@ constexpr const char* FlatPoints = "FlatPoints";
 // The surface, its conformal map, and the domain to map it to.
 struct TransportInput
 {
+  bool IsInSpace = false;           // whether the points of the input are those of the surface
   flattening::TriangleMesh Surface; // in its frame
   flattening::CoordinateFrame Frame;
   std::vector<int> Loop;                            // the boundary
@@ -56,17 +58,50 @@ struct TransportInput
   std::optional<flattening::DomainPolygon> Polygon; // to map to instead, if there is one
 };
 
-TransportInput readInput(vtkPolyData* map, vtkPolyData* polygon)
+void setSurface(const flattening::TriangleMesh& surface, TransportInput& input)
 {
-  TransportInput input;
-  const flattening::TriangleMesh surface = flattening::surfaceOfFlattened(map);
   input.Frame = flattening::CoordinateFrame(surface);
   input.Surface = input.Frame.normalised(surface);
   input.Loop = flattening::requireDisk(input.Surface);
+}
+
+TransportInput conformalInput(vtkPolyData* map)
+{
+  TransportInput input;
+  setSurface(flattening::surfaceOfFlattened(map), input);
   const flattening::Points2 positions = flattening::toPlanarPositions(map);
   const flattening::Points2 flat = flattening::PlaneFrame(positions).normalised(positions);
   input.Domain = flattening::flatDomain(flat, input.Loop);
   input.Conformal = (flat.rowwise() - input.Domain.Centre) / input.Domain.Scale;
+  return input;
+}
+
+// A disk in space. A map with a free outline takes little more from a conformal map than its rotation,
+// so that a map by mean values serves, which is found in a fraction of the time.
+TransportInput inputInSpace(vtkPolyData* disk, const flattening::ProgressCallback& progress)
+{
+  TransportInput input;
+  input.IsInSpace = true;
+  setSurface(flattening::toTriangleMesh(disk), input);
+  flattening::ConformalDiskOptions options;
+  options.Method = flattening::ConformalMethod::MeanValue;
+  input.Conformal = flattening::conformalDiskMap(input.Surface, options, progress).Positions;
+  return input;
+}
+
+TransportInput readInput(vtkPolyData* data,
+  vtkPolyData* polygon,
+  bool hasFreeOutline,
+  const flattening::ProgressCallback& progress)
+{
+  const bool isFlat = data->GetPointData()->HasArray(flattening::SurfacePointsName);
+  if (!isFlat && !hasFreeOutline)
+  {
+    throw flattening::InvalidInput(
+      "the input has no point array SurfacePoints, so it is not a flattened surface: run Conformal Disk "
+      "first, or turn FreeOutline on");
+  }
+  TransportInput input = isFlat ? conformalInput(data) : inputInSpace(data, progress);
   if (polygon)
   {
     input.Polygon = flattening::domainPolygon(flattening::polygonOutline(polygon));
@@ -191,14 +226,27 @@ Eigen::VectorXd placedAreas(const Eigen::VectorXd& areas, const Placement& place
   return placement.Scale * (placement.Scale * areas);
 }
 
+// What Conformal Disk does for the others.
+void keepSurface(vtkPolyData* output)
+{
+  flattening::keepSurfaceTextureCoordinates(output);
+  flattening::addSurfacePoints(output, flattening::pointsOf(output));
+  flattening::removeEarlierReports(output->GetFieldData());
+}
+
 void fillMap(vtkPolyData* output,
   vtkPolyData* input,
+  bool isInSpace,
   const flattening::AreaPreservingMap& map,
   const flattening::Points2& positions,
   const Placement& placement)
 {
   output->ShallowCopy(input);
   flattening::removeEarlierMeasures(output);
+  if (isInSpace)
+  {
+    keepSurface(output);
+  }
   output->SetPoints(vtk::TakeSmartPointer(flattening::newPlanarPoints(positions)));
   flattening::deactivateNormals(output);
   flattening::setTextureCoordinates(output, map.Positions);
@@ -283,6 +331,9 @@ void setReport(vtkFieldData* data, const flattening::AreaPreservingMap& map)
   count("FreeOutline", map.IsFree ? 1 : 0);
 }
 
+// The share of the progress of the map by mean values.
+constexpr double ReadingShare = 0.1;
+
 // Share of the domain's area that the outline of the map may cut off without a warning: half of the 2
 // percent by which faces count as right.
 constexpr double LargestOutlineLoss = 0.01;
@@ -331,25 +382,32 @@ vtkPolyData* vtkOMTAreaPreservingFilter::GetPowerDiagram()
 void vtkOMTAreaPreservingFilter::Execute(vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
-  vtkPolyData* conformal = vtkPolyData::GetData(inputVector[0]);
-  const TransportInput input = readInput(conformal, vtkPolyData::GetData(inputVector[1]));
+  vtkPolyData* data = vtkPolyData::GetData(inputVector[0]);
+  const flattening::ProgressCallback progress = flattening::progressOf(this);
+  const TransportInput input = readInput(data,
+    vtkPolyData::GetData(inputVector[1]),
+    this->FreeOutline,
+    flattening::subrange(progress, 0.0, ReadingShare));
   Eigen::VectorXd weights;
   this->WeightsInUse = "none";
   if (this->UseAreaWeight)
   {
-    weights = readWeights(conformal, this->GetInputArrayInformation(0), this->WeightsInUse);
+    weights = readWeights(data, this->GetInputArrayInformation(0), this->WeightsInUse);
   }
   const Placement placement = placementOf(input, this->NormalizeTo == UNIT_DOMAIN);
   flattening::AreaPreservingOptions options;
   options.Transport.Tolerance = this->Tolerance;
-  options.Start.PowerWeights = startWeights(conformal, placement);
-  options.Start.Positions = startPositions(conformal, placement);
+  options.Start.PowerWeights = startWeights(data, placement);
+  options.Start.Positions = startPositions(data, placement);
   options.RefineFaces = this->FaceRefinement;
   options.Refinement.AngleWeight = this->AngleWeight;
   options.FreeOutline = this->FreeOutline;
   options.VerticesPerSite = this->PointsPerSite;
-  flattening::AreaPreservingResult result =
-    areaPreservingMap(input, this->FixCorners, weights, options, flattening::progressOf(this));
+  flattening::AreaPreservingResult result = areaPreservingMap(input,
+    this->FixCorners,
+    weights,
+    options,
+    flattening::subrange(progress, input.IsInSpace ? ReadingShare : 0.0, 1.0));
   const flattening::PlacedMap placed =
     flattening::placeMap(input.Surface, input.Loop, result.Map.Positions, placement);
   result.Map.FlippedFaces = placed.FlippedFaces;
@@ -358,7 +416,7 @@ void vtkOMTAreaPreservingFilter::Execute(vtkInformationVector** inputVector,
     (!result.Map.IsFree || flattening::isSimpleOutline(placed.Positions, input.Loop));
 
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  fillMap(output, conformal, result.Map, placed.Positions, placement);
+  fillMap(output, data, input.IsInSpace, result.Map, placed.Positions, placement);
   fillPowerDiagram(vtkPolyData::GetData(outputVector, 1), result, input.Surface.Faces, placement);
   setReport(output->GetFieldData(), result.Map);
   flattening::setDatum(output->GetFieldData(), "WeightsInUse", this->WeightsInUse);

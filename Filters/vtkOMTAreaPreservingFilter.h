@@ -3,14 +3,15 @@
  * @class   vtkOMTAreaPreservingFilter
  * @brief   moves the points of a conformal map so that every point keeps its share of the area
  *
- * The input is the output of vtkConformalDiskFilter. Each of its points is a site that carries a third
- * of the surface area of its triangles, times the weight of the point. The filter finds power weights
- * for which the power cell of every site, clipped exactly to the domain, has the area that the site
- * carries: the optimal transport from the area of the surface to the uniform domain (Monge-Brenier).
- * Interior points then go to the centroids of their cells, and boundary points to the middle of the
- * part of the boundary that their cells have. The domain is the disk around the origin, or the
- * rectangle along the axes if the boundary of the input lies on one; the points in its corners stay
- * there.
+ * The input is the output of vtkConformalDiskFilter. With FreeOutline it may be a disk in space as
+ * well, such as that of vtkSurfaceToDiskFilter: such a map hardly depends on the conformal one, and a
+ * map by mean value coordinates is made in its place. Each point is a site that carries a third of the
+ * surface area of its triangles, times the weight of the point. The filter finds power weights for which
+ * the power cell of every site, clipped exactly to the domain, has the area that the site carries: the
+ * optimal transport from the area of the surface to the uniform domain (Monge-Brenier). Interior points
+ * then go to the centroids of their cells, and boundary points to the middle of the part of the boundary
+ * that their cells have. The domain is the disk around the origin, or the rectangle along the axes if
+ * the boundary of the input lies on one; the points in its corners stay there.
  *
  * The optional input port 1 gives another domain: polydata with one convex polygon, or one closed line,
  * in a plane of constant z. The cells are clipped exactly to it. It may have either orientation and any
@@ -54,9 +55,9 @@
  * free outline, if that is one-to-one.
  *
  * A warning is given if the map is not one-to-one, if its outline could not be freed, or if areas were
- * asked for alone and those of more than a tenth of the triangles are off by more than 2 percent; also if
- * the outline, which is a polygon, encloses more than 1 percent less than the domain: all areas on the
- * map are then too small by that, and the warning names the factor that makes them right.
+ * asked for alone and those of more than a tenth of the triangles are off by more than 2 percent; also
+ * if the outline, which is a polygon, encloses more than 1 percent less than the domain: all areas on
+ * the map are then too small by that, and the warning names the factor that makes them right.
  *
  * Output arrays of port 0:
  * - point `TargetArea` (double, output units squared): area that the point is to have; the sum is the
@@ -67,6 +68,8 @@
  *   diagram.
  * - point `FlatPoints` (double x 3, output units): flat position of the point, for the warm start of a
  *   later run.
+ * - point `SurfacePoints` (double x 3, input units): position of the point on the surface, as in the
+ *   input or, if that is in space, its points.
  * - point `TCoords` (float x 2, [0, 1]): active texture coordinates, the flat position in the smallest
  *   square around the map with the same centre.
  *
@@ -95,15 +98,15 @@
  *   counter-clockwise; absent if there are none or the outline is free.
  *
  * An empty input gives empty outputs. The following are errors, each with empty outputs: no array
- * `SurfacePoints`; a boundary that is neither a circle around the origin nor a rectangle with a point
- * in each corner; weights that are not positive and finite, or that leave a point less than 2e-16 of
- * the domain, or, with FaceRefinement, that differ by a factor of more than a million; a weight array
- * that does not exist; the errors of vtkConformalDiskFilter about its input; no convergence to
- * Tolerance. On port 1: not exactly one polygon or closed line; an outline that is not flat, not finite
- * or not convex, crosses itself, has fewer than three corners or no area, is more than a million times
- * as long as wide, is smaller than 1e-9 of its coordinates, has a centroid at more than 1e9 times the
- * radius of a disk with the area of the surface, unless NormalizeTo is UNIT_DOMAIN, or has more corners
- * to be fixed than there are boundary points.
+ * `SurfacePoints`, unless FreeOutline is on; a boundary that is neither a circle around the origin nor a
+ * rectangle with a point in each corner; weights that are not positive and finite, or that leave a point
+ * less than 2e-16 of the domain, or, with FaceRefinement, that differ by a factor of more than a
+ * million; a weight array that does not exist; the errors of vtkConformalDiskFilter about its input; no
+ * convergence to Tolerance. On port 1: not exactly one polygon or closed line; an outline that is not
+ * flat, not finite or not convex, crosses itself, has fewer than three corners or no area, is more than
+ * a million times as long as wide, is smaller than 1e-9 of its coordinates, has a centroid at more than
+ * 1e9 times the radius of a disk with the area of the surface, unless NormalizeTo is UNIT_DOMAIN, or has
+ * more corners to be fixed than there are boundary points.
  *
  * Sources: Zhao et al., "Area-Preservation Mapping using Optimal Mass Transport", TVCG 2013, section 4
  * and Algorithm 1; Kitagawa, Merigot, Thibert, "Convergence of a Newton algorithm for semi-discrete

@@ -621,6 +621,49 @@ TEST(OMTAreaPreservingFilter, FreeOutline)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
 }
 
+TEST(OMTAreaPreservingFilter, AFreeOutlineNeedsNoConformalMap)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(30, 10);
+  plane->SetOrigin(0.0, 0.0, 5.0);
+  plane->SetPoint1(90.0, 20.0, 5.0);
+  plane->SetPoint2(0.0, 0.0, 35.0);
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(plane->GetOutputPort());
+  triangles->Update();
+  const vtkSmartPointer<vtkPolyData> surface = copyOf(triangles->GetOutput());
+  surface->GetPointData()->GetTCoords()->SetName("TCoords");
+  vtkNew<vtkOMTAreaPreservingFilter> filter;
+  filter->SetInputData(surface);
+  filter->FreeOutlineOn();
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  EXPECT_EQ(figure(output, "FreeOutline"), 1.0);
+  EXPECT_EQ(figure(output, "Bijective"), 1.0);
+  vtkDataArray* surfacePoints = output->GetPointData()->GetArray("SurfacePoints");
+  ASSERT_EQ(output->GetNumberOfPoints(), surface->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_EQ(vtkMath::Distance2BetweenPoints(surfacePoints->GetTuple3(i), surface->GetPoint(i)), 0.0);
+  }
+  const auto apart = [output](vtkIdType a, vtkIdType b)
+  {
+    double place[3];
+    output->GetPoint(a, place);
+    return std::sqrt(vtkMath::Distance2BetweenPoints(place, output->GetPoint(b)));
+  };
+  EXPECT_NEAR(apart(0, 30), std::hypot(90.0, 20.0), 1e-3);
+  EXPECT_NEAR(apart(0, 10 * 31), 30.0, 1e-3);
+  EXPECT_TRUE(output->GetPointData()->HasArray("SurfaceTCoords")) << "those of the surface itself";
+
+  filter->FreeOutlineOff();
+  const ErrorLog errors(filter.Get());
+  filter->Update();
+  ASSERT_EQ(errors.messages().size(), 1u);
+  EXPECT_NE(errors.messages().front().find("run Conformal Disk first, or turn FreeOutline on"),
+    std::string::npos);
+}
+
 TEST(OMTAreaPreservingFilter, ARectangleStaysARectangle)
 {
   constexpr int columns = 41;

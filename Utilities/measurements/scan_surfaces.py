@@ -113,10 +113,10 @@ class Run:
 
     def flat_cells(self, disk):
         began = time.monotonic()
-        conformal = simple.ConformalDisk(Input=disk)
-        area_preserving = simple.OMTAreaPreserving(Input=conformal, FreeOutline=int(self.free_outline))
+        start = disk if self.free_outline else simple.ConformalDisk(Input=disk)
+        area_preserving = simple.OMTAreaPreserving(Input=start, FreeOutline=int(self.free_outline))
         metrics = simple.DistortionMetrics(Input=area_preserving)
-        for proxy in (conformal, area_preserving, metrics):
+        for proxy in (start, area_preserving, metrics):
             data, errors, _seconds = execute(proxy)
             if errors or data.GetNumberOfCells() == 0:
                 return [f"{time.monotonic() - began:.1f}", short(errors[0]) if errors else "empty"], False
