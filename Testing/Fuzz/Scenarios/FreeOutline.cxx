@@ -16,6 +16,20 @@ namespace fuzz
 namespace
 {
 
+// Surface To Disk and OMT Area Preserving, in every second case with Conformal Disk between.
+Chain freeChain(const Case& one)
+{
+  Chain chain = newChain(one, true);
+  chain.pop_back(); // Distortion Metrics
+  vtkOMTAreaPreservingFilter::SafeDownCast(chain.back())->SetFreeOutline(true);
+  if (one.Seed % 2 != 0)
+  {
+    chain.erase(chain.begin() + 1);
+    chain.back()->SetInputConnection(chain.front()->GetOutputPort());
+  }
+  return chain;
+}
+
 struct FreeMap
 {
   vtkSmartPointer<vtkPolyData> Data; // empty if a filter refused its input
@@ -31,10 +45,8 @@ FreeMap freeMap(const Case& one, int threads, Findings& findings)
     [&]
     {
       const vtkSmartPointer<vtkDataObject> surface = copyOf(one.Surface);
-      Chain chain = newChain(one, true);
-      chain.pop_back();
+      const Chain chain = freeChain(one);
       chain.front()->SetInputDataObject(surface);
-      vtkOMTAreaPreservingFilter::SafeDownCast(chain.back())->SetFreeOutline(true);
       Outcome outcome;
       for (vtkAlgorithm* filter : chain)
       {
