@@ -69,7 +69,7 @@ public:
         true)
     , Map{ start, {} }
   {
-    this->Terms.freeBoundary(loop);
+    this->Terms.freeBoundaryWithoutNeedles(loop);
     this->Rounds.setStage(this->Targets, 0.0);
   }
 

@@ -92,8 +92,13 @@ void RefinementTerms::freeBoundary(const std::vector<int>& loop)
 {
   this->Intervals.clear();
   this->Outline = outlineEdges(loop);
-  const std::unordered_set<int> members(loop.begin(), loop.end());
   this->ShapeLimits.setConstant(this->Faces.rows(), std::numeric_limits<double>::infinity());
+}
+
+void RefinementTerms::freeBoundaryWithoutNeedles(const std::vector<int>& loop)
+{
+  this->freeBoundary(loop);
+  const std::unordered_set<int> members(loop.begin(), loop.end());
   for (Eigen::Index f = 0; f < this->Faces.rows(); ++f)
   {
     const auto row = this->Faces.row(f);

@@ -38,8 +38,10 @@ struct RefinementTerms
   RefinementTerms() = default;
 
   /// Lets the boundary go, whose vertices @p loop holds: its edges become the outline instead of the
-  /// intervals, and its faces get a shape limit.
+  /// intervals. No face has a shape limit.
   void freeBoundary(const std::vector<int>& loop);
+  /// The same, and faces with two vertices on the boundary get a shape limit.
+  void freeBoundaryWithoutNeedles(const std::vector<int>& loop);
 };
 
 } // namespace flattening

@@ -47,19 +47,37 @@ constexpr double FirstShapeWeight = 0.1;
 // The share of the shape weight that small surfaces end with, as in the last rounds of the refinement.
 constexpr double LastShapeShare = 0.5;
 
+// Whether points of the outline may become needles (RefinementTerms). In a poor chart most faces of the
+// outline are needles at first, and are not to be held as such. A brain of 1.2 million vertices has a
+// mean angle error of 14.5 degrees if needles are kept off on the last coarse disk alone, 14.8 degrees
+// if on none, and 19.2 if on all three.
+enum class Needles
+{
+  Allowed,
+  KeptOff
+};
+
+void freeBoundary(RefinementTerms& terms, const std::vector<int>& loop, Needles needles)
+{
+  needles == Needles::Allowed ? terms.freeBoundary(loop) : terms.freeBoundaryWithoutNeedles(loop);
+}
+
 Points2 mapOfFewVertices(const TriangleMesh& surface,
   const std::vector<int>& loop,
   const Points2& chart,
   const Eigen::VectorXd& faceTargets,
   double shapeWeight,
+  Needles firstNeedles,
   const ProgressCallback& progress)
 {
   Points2 positions = chart;
   double begin = 0.0; // of the progress
-  for (const double weight : { std::max(FirstShapeWeight, shapeWeight), LastShapeShare * shapeWeight })
+  for (const auto& [weight, needles] :
+    { std::pair(std::max(FirstShapeWeight, shapeWeight), firstNeedles),
+      std::pair(LastShapeShare * shapeWeight, Needles::KeptOff) })
   {
     RefinementTerms terms(surface, {}, 1.0, weight);
-    terms.freeBoundary(loop);
+    freeBoundary(terms, loop, needles);
     positions = descendInScaffold(terms, positions, faceTargets, subrange(progress, begin, begin + 0.5));
     begin = 0.5;
   }
@@ -69,6 +87,7 @@ Points2 mapOfFewVertices(const TriangleMesh& surface,
 Points2 coarseMap(const CoarseDisk& disk,
   std::size_t boundarySize,
   const Points2& chart,
+  Needles needles,
   const ProgressCallback& progress)
 {
   std::vector<int> loop(boundarySize);
@@ -77,7 +96,7 @@ Points2 coarseMap(const CoarseDisk& disk,
   terms.Faces = disk.Faces;
   terms.Cotangents = disk.Cotangents;
   terms.ShapeWeights = Eigen::VectorXd::Constant(disk.Faces.rows(), FirstShapeWeight);
-  terms.freeBoundary(loop);
+  freeBoundary(terms, loop, needles);
   return descendInScaffold(terms, chart(disk.Vertices, flattening::all), disk.Targets, progress);
 }
 
@@ -87,12 +106,14 @@ std::optional<Points2> mapByCoarseDisk(const TriangleMesh& surface,
   const Points2& chart,
   const Eigen::VectorXd& faceTargets,
   int thinning,
+  Needles needles,
   const ProgressCallback& progress)
 {
   const int vertices = std::max(LeastCoarseVertices, surface.vertexCount() / thinning);
   const CoarseDisk disk =
     coarseDisk(surface, loop, chart, faceTargets, vertices, subrange(progress, 0.0, 0.2));
-  Points2 positions = disk.carried(coarseMap(disk, loop.size(), chart, subrange(progress, 0.2, 0.9)));
+  Points2 positions =
+    disk.carried(coarseMap(disk, loop.size(), chart, needles, subrange(progress, 0.2, 0.9)));
   UntanglingOptions options;
   options.AreaWeight = UntanglingOptions::EqualAreaWeight;
   options.WorkPerVertex = UntanglingWork;
@@ -121,23 +142,26 @@ std::optional<Points2> roughFreeMap(const TriangleMesh& surface,
   double shapeWeight,
   const ProgressCallback& progress)
 {
+  const bool isPoorChart = isPoor(surface, chart, faceTargets);
+  const Needles first = isPoorChart ? Needles::Allowed : Needles::KeptOff;
   if (surface.vertexCount() <= FewVertices)
   {
-    return mapOfFewVertices(surface, loop, chart, faceTargets, shapeWeight, progress);
+    return mapOfFewVertices(surface, loop, chart, faceTargets, shapeWeight, first, progress);
   }
-  const std::vector<int>& thinnings =
-    isPoor(surface, chart, faceTargets) ? ThinningInPoorChart : ThinningInGoodChart;
+  const std::vector<int>& thinnings = isPoorChart ? ThinningInPoorChart : ThinningInGoodChart;
   constexpr double lastBegin = 0.8; // of the progress
   const double part = lastBegin / static_cast<double>(thinnings.size());
   double begin = 0.0;
   std::optional<Points2> positions;
-  for (const int thinning : thinnings)
+  for (std::size_t k = 0; k < thinnings.size(); ++k)
   {
+    const bool isLast = k + 1 == thinnings.size();
     std::optional<Points2> next = mapByCoarseDisk(surface,
       loop,
       positions ? *positions : chart,
       faceTargets,
-      thinning,
+      thinnings[k],
+      isLast ? Needles::KeptOff : Needles::Allowed,
       subrange(progress, begin, begin + part));
     positions = next ? std::move(next) : std::move(positions);
     begin += part;
@@ -145,7 +169,7 @@ std::optional<Points2> roughFreeMap(const TriangleMesh& surface,
   if (!positions)
   {
     positions = mapByCoarseDisk(
-      surface, loop, chart, faceTargets, LastThinning, subrange(progress, lastBegin, 1.0));
+      surface, loop, chart, faceTargets, LastThinning, first, subrange(progress, lastBegin, 1.0));
   }
   return positions;
 }

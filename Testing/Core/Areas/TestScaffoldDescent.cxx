@@ -51,7 +51,7 @@ TriangleMesh horseshoe(double gap)
 RefinementTerms termsOf(const TriangleMesh& mesh, double shapeWeight)
 {
   RefinementTerms terms(mesh, {}, 1.0, shapeWeight);
-  terms.freeBoundary(requireDisk(mesh));
+  terms.freeBoundaryWithoutNeedles(requireDisk(mesh));
   return terms;
 }
 
