@@ -226,7 +226,8 @@ Eigen::VectorXd placedAreas(const Eigen::VectorXd& areas, const Placement& place
   return placement.Scale * (placement.Scale * areas);
 }
 
-// What Conformal Disk does for the others.
+// For a disk in space, as Conformal Disk does for its input: keeps its points and texture coordinates,
+// and drops the reports on an earlier map.
 void keepSurface(vtkPolyData* output)
 {
   flattening::keepSurfaceTextureCoordinates(output);

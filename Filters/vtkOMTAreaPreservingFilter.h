@@ -200,7 +200,8 @@ public:
    * Whether the boundary points are free instead of on the boundary of the domain: the triangles keep
    * their areas, and their shapes are less distorted, most so if the surface was cut for it (FreeOutline
    * of vtkSurfaceToDiskFilter). The outline does not cross itself. If areas would be lost, the map stays
-   * in the domain, and a warning says so. It needs FaceRefinement; an error says so. Default: off.
+   * in the domain, and a warning says so. The input may be a disk in space then. It needs
+   * FaceRefinement; an error says so. Default: off.
    */
   vtkSetMacro(FreeOutline, bool);
   vtkGetMacro(FreeOutline, bool);

@@ -96,9 +96,9 @@ AreaPreservingResult mapByTransports(const MapProblem& problem,
   const ProgressCallback& progress)
 {
   AreaPreservingOptions next = problem.Options;
-  const MapProblem part{ problem.Mesh, problem.Target, problem.Weights, next };
+  const MapProblem changed{ problem.Mesh, problem.Target, problem.Weights, next }; // as next changes
   next.Refinement.StopsOnTheWay = true;
-  AreaPreservingResult result = mapByTransport(part, start, subrange(progress, 0.0, FirstShownShare));
+  AreaPreservingResult result = mapByTransport(changed, start, subrange(progress, 0.0, FirstShownShare));
   next.Start = {};
   double shown = FirstShownShare;
   for (int transports = 2; transports <= MostTransports; ++transports)
@@ -110,7 +110,7 @@ AreaPreservingResult mapByTransports(const MapProblem& problem,
     next.Refinement.StopsOnTheWay = transports < MostTransports;
     const double begin = std::exchange(shown, shown + ShownShare * (1.0 - shown));
     const Points2 reached = result.Map.OnDomain;
-    result = mapByTransport(part, { reached, reached }, subrange(progress, begin, shown));
+    result = mapByTransport(changed, { reached, reached }, subrange(progress, begin, shown));
   }
   report(progress, 1.0, "Area-preserving map");
   return result;

@@ -20,15 +20,16 @@ constexpr double LeastInterval = 1e-3;
 // Intervals that are shorter than this, in mean intervals, have a limit. A choice: longer ones are kept
 // by the shapes of their faces, and are to follow the areas.
 constexpr double TinyInterval = 0.2;
-// The weight of the stretch beyond the limit against areas, per square of a mean interval. A choice: of
-// 1,404 edges along the seam of a brain, 7 are stretched more than ten times without a limit, up to 98
-// times, and with 0.001, 0.01 and 0.1 these are 5, none and none, with the same errors of angles.
-constexpr double LimitWeight = 0.01;
+// The weight of their stretch beyond the limit against areas, per square of a mean interval. A choice:
+// of 1,404 edges along the seam of a brain, 7 are stretched more than ten times without a limit, up to
+// 98 times. With 0.001, 0.01 and 0.1 (for intervals of any length) these are 5, none and none, and angle
+// errors stay the same.
+constexpr double WeightOfLimit = 0.01;
 // The shape limit (FaceAreaEnergy) of faces with two vertices on a free boundary. Without it a point
 // with few faces may stick out as a needle, which the logarithm lets go and the areas then hold. A
 // choice: on the map of a cortex the longest edge has 13.3 mean edges without a limit, 4.4 with 3, 2.3
-// with 2 and 2.6 with 1.5, and mean angle errors stay the same. With a limit for all faces, that of half
-// a brain is 8.5 instead of 8.35 degrees.
+// with 2 and 2.6 with 1.5, and mean angle errors stay the same. With a limit of 3 for all faces, that of
+// half a brain is 8.5 instead of 8.35 degrees.
 constexpr double OutlineShapeLimit = 2.0;
 
 } // namespace
@@ -84,7 +85,7 @@ RefinementTerms::RefinementTerms(const TriangleMesh& surface,
   for (BoundaryInterval& interval : this->Intervals)
   {
     interval.Share = sum > 0.0 ? interval.Share * perimeter / sum : mean;
-    interval.LimitWeight = interval.Share < TinyInterval * mean ? LimitWeight * mean * mean : 0.0;
+    interval.LimitWeight = interval.Share < TinyInterval * mean ? WeightOfLimit * mean * mean : 0.0;
   }
 }
 

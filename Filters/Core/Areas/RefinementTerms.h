@@ -25,7 +25,7 @@ struct RefinementTerms
   FaceMatrix Faces;
   Eigen::MatrixX3d Cotangents;  ///< of the surface's angles (m x 3); slivers are opened first
   Eigen::VectorXd ShapeWeights; ///< per face (m)
-  Eigen::VectorXd ShapeLimits;  ///< per face (m)
+  Eigen::VectorXd ShapeLimits;  ///< per face (m), infinite where there is none
   std::vector<BoundaryInterval> Intervals;
   std::vector<FlatEdge> Outline; ///< edges of a free boundary, which must not cross
 

@@ -162,7 +162,7 @@ TEST(ScaffoldDescent, ANeedleOfTheOutlineBecomesShort)
   const Eigen::VectorXd targets = faceAreas(mesh.Vertices, mesh.Faces);
   ASSERT_EQ(countFlippedFaces(start, mesh.Faces), 0);
   const Points2 map = descendInScaffold(termsOf(mesh, 0.01), start, targets);
-  EXPECT_LT((map.row(tip) - map.row(middle)).norm(), 3.0);
+  EXPECT_LT((map.row(tip) - map.row(middle)).norm(), 1.2); // 1.0, as on the surface
 }
 
 TEST(ScaffoldDescent, CanBeCancelled)
