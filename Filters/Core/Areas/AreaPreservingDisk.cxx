@@ -5,6 +5,7 @@
 #include "Areas/FreeOutline.h"
 #include "Areas/MapByTransport.h"
 #include "Areas/RefinementPatches.h"
+#include "Areas/WrongFaces.h"
 #include "Base/Errors.h"
 
 #include <cmath>

@@ -21,7 +21,7 @@ namespace
 // Limits of the time; the stages mostly end earlier, when their rounds no longer help
 // (RefinementRounds).
 constexpr int FirstStageRounds = 16;
-constexpr int SecondStageRounds = 24;
+constexpr int SecondStageRounds = 40;
 // Where faces remain flipped, the first stage goes on MoreRounds at a time: at least LeastFirstStages
 // times, and up to MostFirstStages times while at most GreatestLeft of the flipped faces are left. The
 // areas in protrusions, which are far off, converge over many rounds.

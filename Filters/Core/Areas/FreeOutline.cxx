@@ -8,6 +8,7 @@
 #include "Areas/RefinementTerms.h"
 #include "Areas/RoughFreeMap.h"
 #include "Areas/TargetAreas.h"
+#include "Areas/WrongFaces.h"
 #include "Base/EigenVersions.h"
 #include "Conformal/NaturalOutline.h"
 #include "Mesh/FaceOrientation.h"

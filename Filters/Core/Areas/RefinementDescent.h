@@ -27,6 +27,11 @@ public:
   /// Whether steps end before the first face flips. If so, all faces must be positive at the start.
   void keepOrientation(bool keep) { this->KeepsOrientation = keep; }
 
+  /// Whether a round ends after a quasi-Newton step that had to be short: on a large mesh, the many
+  /// trials of such steps take longer than they bring. In patches they part the last faces that lie
+  /// across each other.
+  void endAfterShortStep(bool end) { this->EndsAfterShortStep = end; }
+
   /// Sets the damping to its initial value. It grows where steps have to be short, as far from the
   /// minimum.
   void resetDamping();
@@ -65,6 +70,7 @@ private:
   const RefinementTerms& Terms;
   SparseCholesky Cholesky;
   bool KeepsOrientation = false;
+  bool EndsAfterShortStep = false;
   double Damping;              // added to the Hessian's diagonal
   std::vector<Update> Updates; // since the last factorization
 };

@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <thread>
+#include <utility>
 
 namespace flattening
 {
@@ -59,7 +61,7 @@ public:
   // Returns whether the patch needed it.
   bool refine(const DomainMap& before, DomainMap& after)
   {
-    if (this->Free == 0 || (this->ThePass.SkipsRight && this->offShare(before) <= EnoughPatchShare))
+    if (this->Free == 0 || (this->ThePass.Moving.empty() && this->offShare(before) <= EnoughPatchShare))
     {
       return false;
     }
@@ -252,11 +254,75 @@ bool RefinementPatches::moves(int vertex, const std::vector<int>& partOf) const
   return true;
 }
 
+// Vertices that may move, divided so that vertices of different parts share a face only along the lines
+// of one division.
+std::vector<std::vector<int>> RefinementPatches::parts(const Pass& pass) const
+{
+  const int n = static_cast<int>(this->Chart.rows());
+  if (pass.Moving.empty())
+  {
+    return recursiveBisection(this->Chart, LargestPatch, Turn * pass.Number);
+  }
+  std::vector<std::vector<int>> result;
+  std::vector<char> isFound(n, 0);
+  for (int first = 0; first < n; ++first)
+  {
+    if (!pass.Moving[first] || isFound[first])
+    {
+      continue;
+    }
+    std::vector<int> island = this->island(first, pass.Moving, isFound);
+    if (static_cast<int>(island.size()) <= LargestPatch)
+    {
+      result.push_back(std::move(island));
+      continue;
+    }
+    const Points2 points = this->Chart(island, flattening::all);
+    for (std::vector<int>& part : recursiveBisection(points, LargestPatch, Turn * pass.Number))
+    {
+      for (int& v : part)
+      {
+        v = island[v];
+      }
+      result.push_back(std::move(part));
+    }
+  }
+  return result;
+}
+
+// The vertices that may move and are connected with @p first by such vertices, in ascending order. Marks
+// them in @p isFound.
+std::vector<int> RefinementPatches::island(int first,
+  const std::vector<char>& moving,
+  std::vector<char>& isFound) const
+{
+  std::vector<int> island{ first };
+  isFound[first] = 1;
+  for (std::size_t i = 0; i < island.size(); ++i)
+  {
+    for (const int f : this->FacesOf[island[i]])
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const int v = this->Terms.Faces(f, k);
+        if (moving[v] && !isFound[v])
+        {
+          isFound[v] = 1;
+          island.push_back(v);
+        }
+      }
+    }
+  }
+  std::sort(island.begin(), island.end());
+  return island;
+}
+
 int RefinementPatches::run(const Pass& pass, DomainMap& map, const ProgressCallback& progress)
 {
-  const std::vector<std::vector<int>> parts =
-    recursiveBisection(this->Chart, LargestPatch, Turn * pass.Number);
-  std::vector<int> partOf(map.Positions.rows());
+  const std::vector<std::vector<int>> parts = this->parts(pass);
+  constexpr int inNoPart =
+    std::numeric_limits<int>::max(); // such vertices stay, and others beside them move
+  std::vector<int> partOf(map.Positions.rows(), inNoPart);
   for (std::size_t p = 0; p < parts.size(); ++p)
   {
     for (const int v : parts[p])

@@ -47,15 +47,20 @@ public:
     double Epsilon = 0.0;         ///< see FaceAreaEnergy
     double ShapeFactor = 1.0;     ///< factor of the terms' shape weights
     bool KeepsOrientation = true; ///< whether faces may not flip (RefinementDescent)
-    bool SkipsRight = true;       ///< whether patches are left out in which few faces are not right
     int Number = 0;               ///< of the pass: each divides the mesh along other lines
+    /// Per vertex (n), whether it may move. If this is empty, all may, and patches are left out in which
+    /// few faces are not right.
+    std::vector<char> Moving;
   };
 
-  /// Minimises the energy in the patches, and returns how many they were.
+  /// Minimises the energy in the patches, and returns how many they were. Vertices that may move and are
+  /// connected by others are a patch of their own if they are at most LargestPatch.
   int run(const Pass& pass, DomainMap& map, const ProgressCallback& progress);
 
 private:
   class Patch;
+  std::vector<std::vector<int>> parts(const Pass& pass) const;
+  std::vector<int> island(int first, const std::vector<char>& moving, std::vector<char>& isFound) const;
   // A vertex stays if it has a neighbour in an earlier part.
   bool moves(int vertex, const std::vector<int>& partOf) const;
 

@@ -151,14 +151,4 @@ Eigen::VectorXd faceCounts(const TriangleMesh& surface, const Eigen::VectorXd& t
   return scaledTargets(faceTargets(surface, {}), targets.sum()).cwiseQuotient(targets);
 }
 
-double shareOfWrongFaces(const Points2& positions,
-  const FaceMatrix& faces,
-  const Eigen::VectorXd& targets,
-  double tolerance)
-{
-  const Eigen::VectorXd areas = signedFaceAreas(positions, faces);
-  const Eigen::ArrayXd ratios = targets.sum() / areas.sum() * areas.array() / targets.array();
-  return ((ratios - 1.0).abs() > tolerance).cast<double>().mean();
-}
-
 } // namespace flattening

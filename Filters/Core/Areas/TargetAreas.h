@@ -47,11 +47,4 @@ Eigen::VectorXd areaWeights(const Eigen::VectorXd& areas);
 /// sum. Exactly 1 where @p targets are the areas of the faces.
 Eigen::VectorXd faceCounts(const TriangleMesh& surface, const Eigen::VectorXd& targets);
 
-/// The share of the faces whose flat area, as a part of the whole map, differs from their target (m, >
-/// 0) by more than @p tolerance of it.
-double shareOfWrongFaces(const Points2& positions,
-  const FaceMatrix& faces,
-  const Eigen::VectorXd& targets,
-  double tolerance);
-
 } // namespace flattening

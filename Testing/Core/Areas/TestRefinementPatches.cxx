@@ -116,6 +116,66 @@ TEST_F(RefinementPatchesOfAMap, BoundaryVerticesSlideAndACornerStays)
   EXPECT_GT(moved, static_cast<int>(this->Loop.size()) / 2);
 }
 
+// Two groups of vertices far from each other move, each in a patch of its own, and no other vertex does.
+TEST_F(RefinementPatchesOfAMap, MoveTheVerticesThatMay)
+{
+  this->Pass.Moving.assign(this->Mesh.vertexCount(), 0);
+  const auto isIn = [&](int v, double x)
+  { return (this->Exact.Positions.row(v) - Eigen::RowVector2d(x, 0.0)).norm() < 0.2; };
+  for (int v = 0; v < this->Mesh.vertexCount(); ++v)
+  {
+    this->Pass.Moving[v] = isIn(v, -0.5) || isIn(v, 0.5) ? 1 : 0;
+  }
+  DomainMap map = this->Shaken;
+  EXPECT_EQ(this->Patches.run(this->Pass, map, {}), 2);
+  const Eigen::ArrayXd ratios =
+    signedFaceAreas(map.Positions, this->Mesh.Faces).array() / this->Pass.Targets.array();
+  int wrong = 0;
+  int inside = 0;
+  for (int f = 0; f < this->Mesh.faceCount(); ++f)
+  {
+    const Eigen::Vector3i corners = this->Mesh.Faces.row(f);
+    if (corners.unaryExpr([&](int v) { return static_cast<int>(this->Pass.Moving[v]); }).minCoeff() > 0)
+    {
+      ++inside;
+      wrong += std::abs(ratios[f] - 1.0) > 0.02 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(inside, 1500);
+  EXPECT_LT(wrong, 0.01 * inside);
+  for (int v = 0; v < this->Mesh.vertexCount(); ++v)
+  {
+    const bool moved = map.Positions.row(v) != this->Shaken.Positions.row(v);
+    EXPECT_EQ(moved, this->Pass.Moving[v] != 0) << v;
+  }
+}
+
+// A group of more vertices than a patch may have is divided, and others lines leave other vertices.
+TEST_F(RefinementPatchesOfAMap, DivideLargeGroupsThatMayMove)
+{
+  this->Pass.Moving.assign(this->Mesh.vertexCount(), 1);
+  for (int v = 0; v < this->Mesh.vertexCount(); ++v)
+  {
+    this->Pass.Moving[v] = this->Exact.Positions(v, 0) > 0.0 ? 1 : 0;
+  }
+  DomainMap first = this->Shaken;
+  const int patches = this->Patches.run(this->Pass, first, {});
+  EXPECT_GE(patches, 4); // 6,000 vertices in patches of at most 2,000
+  EXPECT_LE(patches, 8);
+  this->Pass.Number = 1;
+  DomainMap second = this->Shaken;
+  this->Patches.run(this->Pass, second, {});
+  int stay = 0;
+  for (int v = 0; v < this->Mesh.vertexCount(); ++v)
+  {
+    const auto moves = [&](const DomainMap& map)
+    { return map.Positions.row(v) != this->Shaken.Positions.row(v); };
+    EXPECT_FALSE((moves(first) || moves(second)) && !this->Pass.Moving[v]) << v;
+    stay += this->Pass.Moving[v] && !moves(first) && !moves(second) ? 1 : 0;
+  }
+  EXPECT_LE(stay, 10); // where the lines cross
+}
+
 TEST_F(RefinementPatchesOfAMap, CanBeCancelled)
 {
   DomainMap map = this->Shaken;
