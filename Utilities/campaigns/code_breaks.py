@@ -206,7 +206,7 @@ BREAKS = [
     at("Areas/WrongFaces.cxx", "std::abs(areaRatios[f] - 1.0) > tolerance", "areaRatios[f] - 1.0 > tolerance"),
     at("Areas/WrongFaces.cxx", "ring < rings", "ring <= rings"),
     at("Areas/RefinementPatches.cxx", "moving[v] && !isFound[v]", "!isFound[v]"),
-    at("Areas/RefinementRounds.cxx", "!favoursShapes && before.Share < FewWrong", "false"),
+    at("Areas/RefinementRounds.cxx", "!favoursShapes && before.Share < FewWrong && idle == 0", "false"),
     at("Areas/RoughFreeMap.cxx", "surface.vertexCount() <= FewVertices", "false"),
     at("Areas/RoughFreeMap.cxx", "positions ? *positions : chart", "chart"),
     at("Mesh/OutlineGaps.cxx", "next[before] = after;", ""),

@@ -26,7 +26,7 @@ constexpr double ArmijoShare = 1e-4;
 // A step that lowers the energy by a smaller share ends the round, which would gain little more.
 constexpr double LeastGain = 1e-5;
 // A quasi-Newton step that is shorter is short (endAfterShortStep). A compromise: on a whole brain with
-// a small hole, a quarter of the time of transport and refinement went into the halvings of such steps.
+// a small hole, a fifth of the time of transport and refinement went into the halvings of such steps.
 constexpr double ShortStep = 0.1;
 // How much of the way to the first flip a step may go. A convention; with 1 a face would have area 0.
 constexpr double FlipShare = 0.9;

@@ -254,8 +254,8 @@ bool RefinementPatches::moves(int vertex, const std::vector<int>& partOf) const
   return true;
 }
 
-// Vertices that may move, divided so that vertices of different parts share a face only along the lines
-// of one division.
+// The vertices that may move. Those of different parts share a face only along the lines by which a
+// group is divided.
 std::vector<std::vector<int>> RefinementPatches::parts(const Pass& pass) const
 {
   const int n = static_cast<int>(this->Chart.rows());
@@ -320,8 +320,7 @@ std::vector<int> RefinementPatches::island(int first,
 int RefinementPatches::run(const Pass& pass, DomainMap& map, const ProgressCallback& progress)
 {
   const std::vector<std::vector<int>> parts = this->parts(pass);
-  constexpr int inNoPart =
-    std::numeric_limits<int>::max(); // such vertices stay, and others beside them move
+  constexpr int inNoPart = std::numeric_limits<int>::max(); // beside such vertices others may move
   std::vector<int> partOf(map.Positions.rows(), inNoPart);
   for (std::size_t p = 0; p < parts.size(); ++p)
   {

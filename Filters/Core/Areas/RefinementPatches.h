@@ -53,8 +53,8 @@ public:
     std::vector<char> Moving;
   };
 
-  /// Minimises the energy in the patches, and returns how many they were. Vertices that may move and are
-  /// connected by others are a patch of their own if they are at most LargestPatch.
+  /// Minimises the energy in the patches, and returns how many of them needed it. If only some vertices
+  /// may move, each connected group of these is a patch, or several if it is larger than LargestPatch.
   int run(const Pass& pass, DomainMap& map, const ProgressCallback& progress);
 
 private:

@@ -35,7 +35,6 @@ double descendOnce(const RefinementTerms& terms,
   RefinementDescent descent(
     energy, dofs, scaffold.terms(), SparseCholesky::Kernel::Blocks, subrange(progress, 0.0, 0.3));
   descent.keepOrientation(true);
-  descent.endAfterShortStep(true);
   DomainMap map{ positions, {} };
   const double gain = descent.round(map, subrange(progress, 0.3, 1.0));
   positions = map.Positions;
