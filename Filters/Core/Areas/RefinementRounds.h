@@ -87,11 +87,11 @@ public:
   /// less than the share @p leastGain. @throws Cancelled, ConvergenceError.
   void settle(DomainMap& map, double leastGain, int most, const ProgressCallback& progress);
 
-  /// Last rounds, with shapes at half their weight and only what is near faces that are off by more than
-  /// 0.4 %: the areas of these come nearer to their targets than in rounds that end with the tolerance,
-  /// and those that balance() has left off come right. After a warm start it is what is near wrong
-  /// faces. If the area weights have a wide range, steps of the whole mesh (settle) come first, but not
-  /// after a warm start. @throws Cancelled, ConvergenceError.
+  /// Makes the last rounds, with shapes at half their weight. Only vertices near faces that are off by
+  /// more than 0.4 % move, or near wrong faces after a warm start: the areas of these faces come nearer
+  /// to their targets than in rounds that end with the tolerance, and those that balance() has left off
+  /// come right. If the area weights have a wide range, steps of the whole mesh (settle) come first, but
+  /// not after a warm start. @throws Cancelled, ConvergenceError.
   void polish(DomainMap& map, const ProgressCallback& progress);
 
   int count() const { return this->Count; } ///< number of rounds so far

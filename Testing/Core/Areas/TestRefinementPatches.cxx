@@ -150,7 +150,7 @@ TEST_F(RefinementPatchesOfAMap, MoveTheVerticesThatMay)
   }
 }
 
-// A group of more vertices than a patch may have is divided, and others lines leave other vertices.
+// A group of more vertices than a patch may have is divided, and other lines leave other vertices.
 TEST_F(RefinementPatchesOfAMap, DivideLargeGroupsThatMayMove)
 {
   this->Pass.Moving.assign(this->Mesh.vertexCount(), 1);
