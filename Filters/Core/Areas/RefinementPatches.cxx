@@ -271,18 +271,18 @@ std::vector<std::vector<int>> RefinementPatches::parts(const Pass& pass) const
     {
       continue;
     }
-    std::vector<int> island = this->island(first, pass.Moving, isFound);
-    if (static_cast<int>(island.size()) <= LargestPatch)
+    std::vector<int> group = this->connectedGroup(first, pass.Moving, isFound);
+    if (static_cast<int>(group.size()) <= LargestPatch)
     {
-      result.push_back(std::move(island));
+      result.push_back(std::move(group));
       continue;
     }
-    const Points2 points = this->Chart(island, flattening::all);
+    const Points2 points = this->Chart(group, flattening::all);
     for (std::vector<int>& part : recursiveBisection(points, LargestPatch, Turn * pass.Number))
     {
       for (int& v : part)
       {
-        v = island[v];
+        v = group[v];
       }
       result.push_back(std::move(part));
     }
@@ -292,15 +292,15 @@ std::vector<std::vector<int>> RefinementPatches::parts(const Pass& pass) const
 
 // The vertices that may move and are connected with @p first by such vertices, in ascending order. Marks
 // them in @p isFound.
-std::vector<int> RefinementPatches::island(int first,
+std::vector<int> RefinementPatches::connectedGroup(int first,
   const std::vector<char>& moving,
   std::vector<char>& isFound) const
 {
-  std::vector<int> island{ first };
+  std::vector<int> group{ first };
   isFound[first] = 1;
-  for (std::size_t i = 0; i < island.size(); ++i)
+  for (std::size_t i = 0; i < group.size(); ++i)
   {
-    for (const int f : this->FacesOf[island[i]])
+    for (const int f : this->FacesOf[group[i]])
     {
       for (int k = 0; k < 3; ++k)
       {
@@ -308,13 +308,13 @@ std::vector<int> RefinementPatches::island(int first,
         if (moving[v] && !isFound[v])
         {
           isFound[v] = 1;
-          island.push_back(v);
+          group.push_back(v);
         }
       }
     }
   }
-  std::sort(island.begin(), island.end());
-  return island;
+  std::sort(group.begin(), group.end());
+  return group;
 }
 
 int RefinementPatches::run(const Pass& pass, DomainMap& map, const ProgressCallback& progress)

@@ -60,7 +60,9 @@ public:
 private:
   class Patch;
   std::vector<std::vector<int>> parts(const Pass& pass) const;
-  std::vector<int> island(int first, const std::vector<char>& moving, std::vector<char>& isFound) const;
+  std::vector<int> connectedGroup(int first,
+    const std::vector<char>& moving,
+    std::vector<char>& isFound) const;
   // A vertex stays if it has a neighbour in an earlier part.
   bool moves(int vertex, const std::vector<int>& partOf) const;
 

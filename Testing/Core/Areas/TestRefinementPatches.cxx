@@ -30,15 +30,10 @@ protected:
     , Patches(Terms, FacesOf, Dofs, Chart)
   {
     this->Exact.Positions = Mesh.Vertices.leftCols<2>();
-    this->Exact.BoundaryParameters.resize(static_cast<Eigen::Index>(Loop.size()));
-    double last = -10.0;
+    this->Exact.BoundaryParameters = this->Dofs.domain().parametersOf(this->Exact.Positions, Loop);
     for (std::size_t k = 0; k < Loop.size(); ++k)
     {
-      double parameter = this->Dofs.domain().parameterOf(this->Exact.Positions.row(Loop[k]).transpose());
-      parameter += parameter < last ? 2.0 * EIGEN_PI : 0.0;
-      this->Exact.BoundaryParameters[k] = parameter;
-      this->Exact.Positions.row(Loop[k]) = this->Dofs.domain().at(parameter);
-      last = parameter;
+      this->Exact.Positions.row(Loop[k]) = this->Dofs.domain().at(this->Exact.BoundaryParameters[k]);
     }
     this->Shaken = this->Exact;
     const double size = 0.15 / std::sqrt(static_cast<double>(Mesh.vertexCount()));
@@ -153,7 +148,7 @@ TEST_F(RefinementPatchesOfAMap, MoveTheVerticesThatMay)
 // A group of more vertices than a patch may have is divided, and other lines leave other vertices.
 TEST_F(RefinementPatchesOfAMap, DivideLargeGroupsThatMayMove)
 {
-  this->Pass.Moving.assign(this->Mesh.vertexCount(), 1);
+  this->Pass.Moving.resize(this->Mesh.vertexCount());
   for (int v = 0; v < this->Mesh.vertexCount(); ++v)
   {
     this->Pass.Moving[v] = this->Exact.Positions(v, 0) > 0.0 ? 1 : 0;

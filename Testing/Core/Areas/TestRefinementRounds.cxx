@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "AnalyticSurfaces.h"
 #include "Areas/RefinementRounds.h"
-#include "Areas/TargetAreas.h"
+#include "Areas/WrongFaces.h"
 #include "Mesh/FaceOrientation.h"
 #include "Mesh/MeshTopology.h"
 
@@ -17,21 +17,12 @@ using namespace flattening;
 
 DomainMap identity(const TriangleMesh& mesh, const std::vector<int>& loop, const ConvexDomain& domain)
 {
-  DomainMap map{ mesh.Vertices.leftCols<2>(), Eigen::VectorXd(loop.size()) };
-  double last = -10.0;
-  for (std::size_t k = 0; k < loop.size(); ++k)
-  {
-    double parameter = domain.parameterOf(map.Positions.row(loop[k]).transpose());
-    parameter += parameter < last ? 2.0 * EIGEN_PI : 0.0;
-    map.BoundaryParameters[static_cast<Eigen::Index>(k)] = parameter;
-    map.Positions.row(loop[k]) = domain.at(parameter);
-    last = parameter;
-  }
-  return map;
+  const Points2 positions = mesh.Vertices.leftCols<2>();
+  return { positions, domain.parametersOf(positions, loop) };
 }
 
-// Where one face in a hundred is wrong, all of them in one place, vertices far from there stay to the
-// last bit. A patch of 2,000 vertices would reach farther.
+// One face in a hundred is wrong, all of them in one place. Vertices far from there stay to the last
+// bit; a patch of 2,000 vertices would reach farther.
 TEST(RefinementRounds, MoveOnlyWhatIsNearFewWrongFaces)
 {
   const TriangleMesh mesh = analytic::sunflowerMesh(analytic::flatDisk(), 12000).Mesh;
