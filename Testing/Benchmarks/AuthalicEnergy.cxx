@@ -253,7 +253,7 @@ private:
 Points2 authalicEnergyDiskMap(const TriangleMesh& mesh, const AuthalicOptions& options)
 {
   const std::vector<int> loop = requireDisk(mesh);
-  const Points2 start = stretchEnergyDiskMap(mesh, StretchIterations);
+  const Points2 start = stretchEnergyDiskMap(mesh, StretchIterations).Positions;
   const DiskEnergy function(mesh, loop, options.ConformalShare);
   const Preconditioner precondition(function, start);
   Eigen::VectorXd x = function.unknownsOf(start);

@@ -46,7 +46,7 @@ AreaMap stretchEnergy(int iterations)
 {
   return { "stretch energy, " + std::to_string(iterations) + " iterations",
     [iterations](const TriangleMesh& mesh)
-    { return benchmarks::stretchEnergyDiskMap(mesh, iterations); } };
+    { return benchmarks::stretchEnergyDiskMap(mesh, iterations).Positions; } };
 }
 
 AreaMap ours(const std::string& weight)

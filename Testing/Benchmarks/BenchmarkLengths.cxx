@@ -62,7 +62,7 @@ std::vector<NamedMap> namedMaps()
   return { ours("ours, disk", false),
     ours("ours, free outline", true),
     { "stretch energy, 100 iterations",
-      [](const TriangleMesh& mesh) { return benchmarks::stretchEnergyDiskMap(mesh, 100); } },
+      [](const TriangleMesh& mesh) { return benchmarks::stretchEnergyDiskMap(mesh, 100).Positions; } },
     authalic("authalic energy", 0.0),
     authalic("authalic and conformal energy", 0.5),
     { "Boundary First, natural outline",

@@ -35,35 +35,29 @@ Points3 edgeWeights(const Points& positions, const FaceMatrix& faces, const Eige
   return weights;
 }
 
-// Solves Laplace's equation with given values on the boundary. All matrices have the same pattern.
+// Solves Laplace's equation for the free vertices with given values at all others. All matrices have the
+// same pattern.
 class DirichletProblem
 {
 public:
-  DirichletProblem(const FaceMatrix& faces, const std::vector<int>& loop, int vertexCount)
+  DirichletProblem(const FaceMatrix& faces, const std::vector<int>& free, int vertexCount)
     : Faces(faces)
-    , Row(vertexCount, 0)
+    , Row(vertexCount, -1)
+    , Free(free)
     , Cholesky(SparseCholesky::Ordering::Thorough)
   {
     this->Cholesky.expectConstantPattern();
-    for (const int v : loop)
+    for (std::size_t i = 0; i < free.size(); ++i)
     {
-      this->Row[v] = -1;
-    }
-    for (int v = 0; v < vertexCount; ++v)
-    {
-      if (this->Row[v] == 0)
-      {
-        this->Row[v] = static_cast<int>(this->Inner.size());
-        this->Inner.push_back(v);
-      }
+      this->Row[free[i]] = static_cast<int>(i);
     }
     this->findPattern();
   }
 
-  // Replaces the inner positions.
+  // Replaces the positions of the free vertices.
   void solve(const Points3& weights, Points2& positions)
   {
-    Eigen::MatrixXd rightSide = Eigen::MatrixXd::Zero(this->Inner.size(), 2);
+    Eigen::MatrixXd rightSide = Eigen::MatrixXd::Zero(this->Free.size(), 2);
     double* values = this->Matrix.valuePtr();
     std::fill(values, values + this->Matrix.nonZeros(), 0.0);
     for (Eigen::Index f = 0; f < this->Faces.rows(); ++f)
@@ -85,9 +79,9 @@ public:
     {
       throw ConvergenceError("stretch-energy minimisation: a solution is not finite");
     }
-    for (std::size_t i = 0; i < this->Inner.size(); ++i)
+    for (std::size_t i = 0; i < this->Free.size(); ++i)
     {
-      positions.row(this->Inner[i]) = solution.row(i);
+      positions.row(this->Free[i]) = solution.row(i);
     }
   }
 
@@ -95,11 +89,11 @@ private:
   void findPattern()
   {
     std::vector<Eigen::Triplet<double>> entries;
-    for (std::size_t i = 0; i < this->Inner.size(); ++i)
+    for (std::size_t i = 0; i < this->Free.size(); ++i)
     {
       entries.emplace_back(i, i, 1.0);
     }
-    const auto forInnerEdges = [this](const auto& action)
+    const auto forFreeEdges = [this](const auto& action)
     {
       for (Eigen::Index f = 0; f < this->Faces.rows(); ++f)
       {
@@ -114,11 +108,11 @@ private:
         }
       }
     };
-    forInnerEdges([&entries](Eigen::Index, int i, int j) { entries.emplace_back(i, j, 1.0); });
-    this->Matrix.resize(this->Inner.size(), this->Inner.size());
+    forFreeEdges([&entries](Eigen::Index, int i, int j) { entries.emplace_back(i, j, 1.0); });
+    this->Matrix.resize(this->Free.size(), this->Free.size());
     this->Matrix.setFromTriplets(entries.begin(), entries.end());
     this->Entry.assign(3 * this->Faces.rows(), -1);
-    forInnerEdges(
+    forFreeEdges(
       [this](Eigen::Index edge, int i, int j)
       {
         const int* rows = this->Matrix.innerIndexPtr();
@@ -155,16 +149,71 @@ private:
   }
 
   const FaceMatrix& Faces;
-  std::vector<int> Row; // of every vertex; -1 on the boundary
-  std::vector<int> Inner;
-  SparseMatrix Matrix;    // lower triangle
-  std::vector<int> Entry; // of the edge opposite corner k of face f, at 3 f + k; -1 at the boundary
+  std::vector<int> Row; // of every vertex; -1 if it is not free
+  std::vector<int> Free;
+  SparseMatrix Matrix; // lower triangle
+  std::vector<int>
+    Entry; // of the edge opposite corner k of face f, at 3 f + k; -1 if an end is not free
   SparseCholesky Cholesky;
 };
 
+std::vector<int> verticesWithout(const std::vector<int>& loop, int vertexCount)
+{
+  std::vector<char> left(vertexCount, 1);
+  for (const int v : loop)
+  {
+    left[v] = 0;
+  }
+  std::vector<int> vertices;
+  for (int v = 0; v < vertexCount; ++v)
+  {
+    if (left[v])
+    {
+      vertices.push_back(v);
+    }
+  }
+  return vertices;
+}
+
+// Half the sum of the squared lengths of edges times their weights.
+double energyOf(const Points2& positions, const FaceMatrix& faces, const Points3& weights)
+{
+  double energy = 0.0;
+  for (Eigen::Index f = 0; f < faces.rows(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto edge = positions.row(faces(f, (k + 1) % 3)) - positions.row(faces(f, (k + 2) % 3));
+      energy += 0.5 * weights(f, k) * edge.squaredNorm();
+    }
+  }
+  return energy;
+}
+
+// The solution of Laplace's equation outside the disk, with the inner vertices reflected at the circle,
+// has the boundary where its edges pull it; the centred boundary is then put back on the circle. Of the
+// inner vertices only those beside the boundary count.
+void moveBoundary(DirichletProblem& outside,
+  const Points3& weights,
+  const std::vector<int>& loop,
+  Points2& positions)
+{
+  Points2 reflected = positions.array().colwise() / positions.rowwise().squaredNorm().array();
+  outside.solve(weights, reflected);
+  Eigen::RowVector2d centre = Eigen::RowVector2d::Zero();
+  for (const int v : loop)
+  {
+    centre += reflected.row(v) / static_cast<double>(loop.size());
+  }
+  for (const int v : loop)
+  {
+    positions.row(v) = (reflected.row(v) - centre).normalized();
+  }
+}
+
 } // namespace
 
-Points2 stretchEnergyDiskMap(const TriangleMesh& mesh, int iterations)
+StretchEnergyMap stretchEnergyDiskMap(const TriangleMesh& mesh, int iterations)
 {
   const std::vector<int> loop = requireDisk(mesh);
   const Eigen::VectorXd areas = faceAreas(mesh.Vertices, mesh.Faces);
@@ -173,21 +222,32 @@ Points2 stretchEnergyDiskMap(const TriangleMesh& mesh, int iterations)
     throw InvalidInput("stretch-energy minimisation divides by the areas of faces: one has none");
   }
   const Eigen::VectorXd angles = anglesInProportion(loopLengths(mesh, loop, 0.0));
-  Points2 positions = Points2::Zero(mesh.vertexCount(), 2);
+  StretchEnergyMap map{ Points2::Zero(mesh.vertexCount(), 2), {} };
   for (std::size_t k = 0; k < loop.size(); ++k)
   {
-    positions.row(loop[k]) << std::cos(angles[k]), std::sin(angles[k]);
+    map.Positions.row(loop[k]) << std::cos(angles[k]), std::sin(angles[k]);
   }
-  DirichletProblem laplace(mesh.Faces, loop, mesh.vertexCount());
+  DirichletProblem outside(mesh.Faces, loop, mesh.vertexCount());
+  DirichletProblem inside(mesh.Faces, verticesWithout(loop, mesh.vertexCount()), mesh.vertexCount());
   const Eigen::VectorXd perSurfaceDot = 0.25 * areas.cwiseInverse();
-  laplace.solve(edgeWeights(mesh.Vertices, mesh.Faces, perSurfaceDot), positions);
-  // Half a cotangent is dot / (4 flat area): times flat over surface area, dot / (4 surface area). A
-  // common factor does not count, nor does it matter which way round a flat face is.
+  inside.solve(edgeWeights(mesh.Vertices, mesh.Faces, perSurfaceDot), map.Positions);
+  // Half a cotangent is dot / (4 flat area): times flat over surface area, dot / (4 surface area). It
+  // does not matter which way round a flat face is.
   for (int n = 0; n < iterations; ++n)
   {
-    laplace.solve(edgeWeights(positions, mesh.Faces, perSurfaceDot), positions);
+    Points2 positions = map.Positions;
+    const Points3 weights = edgeWeights(positions, mesh.Faces, perSurfaceDot);
+    moveBoundary(outside, weights, loop, positions);
+    inside.solve(weights, positions);
+    const double energy = energyOf(positions, mesh.Faces, weights);
+    if (!map.Energies.empty() && energy > map.Energies.back())
+    {
+      break;
+    }
+    map.Positions = std::move(positions);
+    map.Energies.push_back(energy);
   }
-  return positions;
+  return map;
 }
 
 } // namespace flattening::benchmarks

@@ -4,16 +4,27 @@
 
 #include "Mesh/TriangleMesh.h"
 
+#include <vector>
+
 namespace flattening::benchmarks
 {
 
+struct StretchEnergyMap
+{
+  Points2 Positions;
+  /// The energy after each iteration, with the weights of the map before it. Pi^2 over the area of the
+  /// surface is the least that there is: then every face keeps its area.
+  std::vector<double> Energies;
+};
+
 /// The map to the unit disk of Yueh, Lin, Wu, Yau, "A novel stretch energy minimization algorithm for
-/// equiareal parameterizations", J. Sci. Comput. 78 (2019): the boundary on the circle in proportion to
-/// its length; inside, the harmonic map, and then @p iterations solves of Laplace's equation, each with
-/// the cotangents of the flat faces before it, a face's times its flat over its surface area.
-/// Faces may flip.
+/// equiareal parameterizations", J. Sci. Comput. 78 (2019). It begins with the harmonic map whose
+/// boundary lies on the circle in proportion to its length. Each of at most @p iterations weights an
+/// edge with the cotangents of the flat faces beside it, a face's times its flat over its surface area,
+/// and solves Laplace's equation twice: for the boundary, with the inner vertices reflected at the
+/// circle, and inside. It ends before the energy grows. Faces may flip.
 /// @throws InvalidInput, TopologyError (see requireDisk), InvalidInput if a face has no area,
 /// ConvergenceError if a matrix cannot be factored.
-Points2 stretchEnergyDiskMap(const TriangleMesh& mesh, int iterations);
+StretchEnergyMap stretchEnergyDiskMap(const TriangleMesh& mesh, int iterations);
 
 } // namespace flattening::benchmarks
