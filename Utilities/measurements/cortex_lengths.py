@@ -18,11 +18,14 @@ from paraview import servermanager, simple
 MID_PLANE = 90  # voxels and mm
 ISOVALUE = 40
 SMOOTHING = 2  # mm
-# What is opened, and the settings of Surface To Disk.
+PLANE = {"Cut": "Plane", "PlaneOrigin": [MID_PLANE, 0, 0]}
+# What is opened, and the settings of Surface To Disk; OMT Area Preserving has the same Free Outline.
 OPENINGS = {
-    "closed half, hole": ("half", {"Cut": "Hole"}),
-    "closed half, seam": ("half", {"Cut": "Seam"}),
-    "whole, cut at a plane": ("whole", {"Cut": "Plane", "PlaneOrigin": [MID_PLANE, 0, 0]}),
+    "closed half, hole": ("half", {"Cut": "Hole", "FreeOutline": 0}),
+    "closed half, seam": ("half", {"Cut": "Seam", "FreeOutline": 0}),
+    "closed half, automatic, free outline": ("half", {"Cut": "Automatic", "FreeOutline": 1}),
+    "whole, cut at a plane": ("whole", {**PLANE, "FreeOutline": 0}),
+    "whole, cut at a plane, free outline": ("whole", {**PLANE, "FreeOutline": 1}),
 }
 COLUMNS = [
     "surface",
@@ -52,13 +55,20 @@ def isosurface_of(part):
     return surfaceflattening_volume.isosurface(scan, ISOVALUE, smoothing_mm=SMOOTHING, patient_space=False).surface
 
 
-def number(text):
-    return float(text) if "." in text or "e" in text else int(text)
+def value(text):
+    """A whole number, another number, or the text itself, such as the name of a cut."""
+    for kind in (int, float):
+        try:
+            return kind(text)
+        except ValueError:
+            pass
+    return text
 
 
 def row(name, surface, opening, of_map):
     began = time.monotonic()
     disk = simple.SurfaceToDisk(Input=surface, **opening)
+    of_map = {"FreeOutline": opening["FreeOutline"], **of_map}
     flat = simple.OMTAreaPreserving(Input=simple.ConformalDisk(Input=disk), **of_map)
     flat.UpdatePipeline()
     flat_seconds = time.monotonic() - began
@@ -97,7 +107,7 @@ def main():
     )
     arguments = parser.parse_args()
     settings, of_map = (
-        {name: number(value) for name, value in (each.split("=", 1) for each in given)}
+        {name: value(text) for name, text in (each.split("=", 1) for each in given)}
         for given in (arguments.set, arguments.set_map)
     )
     print(f"| {' | '.join(COLUMNS)} |\n|{' --- |' * len(COLUMNS)}", flush=True)

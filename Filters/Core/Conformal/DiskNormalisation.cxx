@@ -170,8 +170,9 @@ Complex centreOfMass(const ComplexVector& halfPlane, const Eigen::VectorXd& mass
   const std::optional<Complex> centre = foundCentre(halfPlane, masses);
   if (!centre)
   {
-    throw ConvergenceError("the conformal disk could not be centred, as happens to long narrow strips: "
-                           "set Domain to Rectangle");
+    throw ConvergenceError(
+      "the conformal disk could not be centred, as happens to long narrow strips: set Domain to "
+      "Rectangle, or leave Conformal Disk out and turn Free Outline on in OMT Area Preserving");
   }
   return *centre;
 }

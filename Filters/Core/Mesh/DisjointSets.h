@@ -23,40 +23,34 @@ public:
     , Parents(n)
     , Sets(Map(this->Ranks.begin()), Map(this->Parents.begin()))
   {
-    std::iota(this->Parents.begin(), this->Parents.end(), std::size_t(0));
+    std::iota(this->Parents.begin(), this->Parents.end(), 0);
   }
   DisjointSets(DisjointSets&&) = default; // the maps point into the vectors, whose memory moves along
   DisjointSets(const DisjointSets&) = delete;
 
   /// Joins the sets of two numbers.
-  void join(std::size_t x, std::size_t y) { this->Sets.union_set(x, y); }
+  void join(int x, int y) { this->Sets.union_set(x, y); }
 
   /// The number that stands for the set of x.
-  template <typename Number>
-  Number find(Number x)
-  {
-    return static_cast<Number>(this->Sets.find_set(static_cast<std::size_t>(x)));
-  }
+  int find(int x) { return this->Sets.find_set(x); }
 
   /// Makes the smallest number of each set the one that stands for it.
   void normalise()
   {
-    const boost::counting_iterator<std::size_t> first(0);
-    const boost::counting_iterator<std::size_t> last(this->Parents.size());
+    const boost::counting_iterator<int> first(0);
+    const boost::counting_iterator<int> last(static_cast<int>(this->Parents.size()));
     this->Sets.compress_sets(first, last);
     this->Sets.normalize_sets(first, last);
   }
 
 private:
-  using Numbers = std::vector<std::size_t>;
-  using Map = boost::iterator_property_map<Numbers::iterator,
-    boost::typed_identity_property_map<std::size_t>,
-    std::size_t,
-    std::size_t&>;
+  using Numbers = std::vector<int>;
+  using Map =
+    boost::iterator_property_map<Numbers::iterator, boost::typed_identity_property_map<int>, int, int&>;
 
   Numbers Ranks;
   Numbers Parents;
-  boost::disjoint_sets<Map, Map> Sets;
+  boost::disjoint_sets<Map, Map, boost::find_with_path_halving> Sets;
 };
 
 } // namespace flattening

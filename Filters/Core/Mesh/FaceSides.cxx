@@ -19,37 +19,42 @@ namespace
 // it.
 constexpr int VerticesPerTask = 4096;
 
+template <typename Visit>
+void forEachSide(const FaceMatrix& faces, const Visit& visit)
+{
+  const int* corner = faces.data();
+  for (int h = 0; h < static_cast<int>(faces.size()); h += 3)
+  {
+    visit(FaceSide{ corner[h], corner[h + 1], h });
+    visit(FaceSide{ corner[h + 1], corner[h + 2], h + 1 });
+    visit(FaceSide{ corner[h + 2], corner[h], h + 2 });
+  }
+}
+
 } // namespace
 
 std::vector<FaceSide> sortedSides(const FaceMatrix& faces)
 {
   // The sides are counted by their smaller vertex first, so that only a few have to be sorted at a time.
   const int vertices = faces.size() == 0 ? 0 : faces.maxCoeff() + 1;
-  const auto smaller = [&faces](int h)
-  { return std::min(faces(h / 3, h % 3), faces(h / 3, (h + 1) % 3)); };
   std::vector<int> first(vertices + 1, 0);
-  for (int h = 0; h < static_cast<int>(faces.size()); ++h)
-  {
-    ++first[smaller(h) + 1];
-  }
+  forEachSide(faces, [&first](const FaceSide& side) { ++first[std::min(side.From, side.To) + 1]; });
   std::partial_sum(first.begin(), first.end(), first.begin());
   std::vector<FaceSide> sides(faces.size());
   std::vector<int> next(first.begin(), first.end() - 1);
-  for (int h = 0; h < static_cast<int>(sides.size()); ++h)
+  forEachSide(faces, [&](const FaceSide& side) { sides[next[std::min(side.From, side.To)]++] = side; });
+  const auto isBefore = [](const FaceSide& a, const FaceSide& b)
   {
-    const int from = faces(h / 3, h % 3);
-    const int to = faces(h / 3, (h + 1) % 3);
-    sides[next[std::min(from, to)]++] = { from, to, h };
-  }
+    const int greaterA = std::max(a.From, a.To);
+    const int greaterB = std::max(b.From, b.To);
+    return greaterA != greaterB ? greaterA < greaterB : a.Halfedge < b.Halfedge;
+  };
   tbb::parallel_for(tbb::blocked_range<int>(0, vertices, VerticesPerTask),
     [&](const tbb::blocked_range<int>& range)
     {
       for (int v = range.begin(); v < range.end(); ++v)
       {
-        std::sort(sides.begin() + first[v],
-          sides.begin() + first[v + 1],
-          [](const FaceSide& a, const FaceSide& b)
-          { return std::make_pair(a.edge(), a.Halfedge) < std::make_pair(b.edge(), b.Halfedge); });
+        std::sort(sides.begin() + first[v], sides.begin() + first[v + 1], isBefore);
       }
     });
   return sides;
