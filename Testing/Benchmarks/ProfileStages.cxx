@@ -131,8 +131,14 @@ void profileSurfaceToDisk(const benchmarks::NamedScan& scan)
 {
   const TriangleMesh soup =
     benchmarks::meshOf(benchmarks::scanSurface(scan.File, scan.Sigma, scan.Isovalue));
-  profile(scan.name() + ", " + std::to_string(soup.vertexCount()) + " vertices: Surface To Disk",
-    [&](const ProgressCallback& progress) { surfaceToDisk(soup, {}, progress); });
+  for (const bool isRemeshed : { false, true })
+  {
+    SurfaceToDiskOptions options;
+    options.Remesh = isRemeshed;
+    profile(scan.name() + ", " + std::to_string(soup.vertexCount()) + " vertices: Surface To Disk" +
+              (isRemeshed ? " with Remesh" : ""),
+      [&](const ProgressCallback& progress) { surfaceToDisk(soup, options, progress); });
+  }
 }
 
 } // namespace
