@@ -2,6 +2,7 @@
 #include "AnalyticSurfaces.h"
 #include "Areas/AreaPreservingDisk.h"
 #include "Areas/FreeOutline.h"
+#include "Base/Errors.h"
 #include "Conformal/ConformalDisk.h"
 #include "Disk/SurfaceToDisk.h"
 #include "FlatMap/DistortionMeasures.h"
@@ -118,6 +119,25 @@ std::vector<Developable> developables()
         }) } };
 }
 
+// Of an edge on the map, whose area is that of the unit disk.
+double greatestLengthError(const TriangleMesh& surface, const Points2& positions)
+{
+  const double scale = std::sqrt(faceAreas(surface.Vertices, surface.Faces).sum() / EIGEN_PI);
+  double greatest = 0.0;
+  for (int f = 0; f < surface.faceCount(); ++f)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int a = surface.Faces(f, k);
+      const int b = surface.Faces(f, (k + 1) % 3);
+      const double length = (surface.Vertices.row(a) - surface.Vertices.row(b)).norm();
+      const double flat = scale * (positions.row(a) - positions.row(b)).norm();
+      greatest = std::max(greatest, std::abs(flat / length - 1.0));
+    }
+  }
+  return greatest;
+}
+
 class FreeOutlineOfADevelopable : public testing::TestWithParam<Developable>
 {
 };
@@ -129,26 +149,8 @@ TEST_P(FreeOutlineOfADevelopable, KeepsEveryLength)
   const AreaPreservingMap map = freeMap(surface);
   EXPECT_TRUE(map.IsFree);
   EXPECT_TRUE(map.Bijective);
-  const auto greatestError = [&](const Points2& positions)
-  {
-    const double scale =
-      std::sqrt(faceAreas(surface.Vertices, surface.Faces).sum() / EIGEN_PI); // the domain has area pi
-    double greatest = 0.0;
-    for (int f = 0; f < surface.faceCount(); ++f)
-    {
-      for (int k = 0; k < 3; ++k)
-      {
-        const int a = surface.Faces(f, k);
-        const int b = surface.Faces(f, (k + 1) % 3);
-        const double length = (surface.Vertices.row(a) - surface.Vertices.row(b)).norm();
-        const double flat = scale * (positions.row(a) - positions.row(b)).norm();
-        greatest = std::max(greatest, std::abs(flat / length - 1.0));
-      }
-    }
-    return greatest;
-  };
-  EXPECT_LT(greatestError(map.Positions), 1e-5);
-  EXPECT_GT(greatestError(diskMap(surface).Positions), 0.1);
+  EXPECT_LT(greatestLengthError(surface, map.Positions), 1e-5);
+  EXPECT_GT(greatestLengthError(surface, diskMap(surface).Positions), 0.1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Surfaces,
@@ -157,6 +159,32 @@ INSTANTIATE_TEST_SUITE_P(Surfaces,
   [](const testing::TestParamInfo<Developable>& info) { return info.param.Name; });
 
 // A bump on an ellipse, twice as long as wide.
+// An accordion of 300 : 1 that no conformal disk holds: its ends would shrink to nothing. The map by
+// mean values serves.
+TEST(FreeOutline, UnrollsAStripThatNoDiskHolds)
+{
+  const int folds = 30;
+  const TriangleMesh strip = sheet(1200,
+    4,
+    [folds](double u, double v)
+    {
+      const double along = 300.0 * u;
+      const double inFold = std::fmod(along, 300.0 / folds);
+      const double height = std::min(inFold, 300.0 / folds - inFold);
+      return Eigen::RowVector3d(0.6 * along, v, 0.8 * height);
+    });
+  EXPECT_THROW(conformalDiskMap(strip), ConvergenceError);
+  ConformalDiskOptions meanValue;
+  meanValue.Method = ConformalMethod::MeanValue;
+  AreaPreservingOptions options;
+  options.FreeOutline = true;
+  const AreaPreservingMap map =
+    areaPreservingDiskMap(strip, conformalDiskMap(strip, meanValue).Positions, {}, options).Map;
+  EXPECT_TRUE(map.IsFree);
+  EXPECT_TRUE(map.Bijective);
+  EXPECT_LT(greatestLengthError(strip, map.Positions), 1e-5);
+}
+
 TEST(FreeOutline, KeepsAreasAndBettersAngles)
 {
   TriangleMesh surface = sunflowerMesh(gaussianBump(1.0, 0.35), 6000).Mesh;
