@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints, for the compared maps of one surface, the figures that the authors of the methods state for
-// theirs, as a Markdown table: docs/benchmarks.md has them side by side.
+// Prints, for the compared maps of one surface and ours, the figures that the authors of the methods
+// state for theirs, as a Markdown table: docs/benchmarks.md has them side by side.
 //   ComparedFigures <surface.obj>    a disk
 #include "AuthalicEnergy.h"
 #include "ScanSurface.h"
@@ -8,6 +8,8 @@
 #include "SymmetricDirichlet.h"
 #include "Yardstick.h"
 
+#include "Areas/AreaPreservingDisk.h"
+#include "Conformal/ConformalDisk.h"
 #include "Conformal/NaturalOutline.h"
 #include "FlatMap/DistortionSummary.h"
 #include "Mesh/MeshTopology.h"
@@ -100,6 +102,17 @@ void printFigures(const TriangleMesh& mesh)
       return map.extended(map.outline());
     });
   measure("symmetric Dirichlet", mesh, [&] { return benchmarks::symmetricDirichletMap(mesh, 100); });
+  for (const bool isFree : { false, true })
+  {
+    measure(isFree ? "ours, free outline" : "ours, disk",
+      mesh,
+      [&]
+      {
+        AreaPreservingOptions options;
+        options.FreeOutline = isFree;
+        return areaPreservingDiskMap(mesh, conformalDiskMap(mesh).Positions, {}, options).Map.Positions;
+      });
+  }
   std::puts("\nStretch energies after each iteration:");
   for (const double energy : energies)
   {

@@ -35,8 +35,7 @@ protected:
   const RevolutionMesh Mesh = ringMesh(sphericalCap(0.5 * EIGEN_PI), 4000);
 };
 
-// Both energies are least where all areas are kept. The energies of the scans of faces that authors have
-// stored are in docs/benchmarks.md.
+// Both energies are least where all areas are kept. Published energies are in docs/benchmarks.md.
 TEST_F(ComparedMaps, StretchAndAuthalicEnergyKeepAreas)
 {
   const StretchEnergyMap stretched = stretchEnergyDiskMap(this->Mesh.Mesh, 100);

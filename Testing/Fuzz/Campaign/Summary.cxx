@@ -84,9 +84,14 @@ void Summary::print(std::ostream& out) const
   out << line;
   for (const auto& [name, row] : this->Rows)
   {
+    char within[16] = "-";
+    if (!row.Within.empty())
+    {
+      std::snprintf(within, sizeof(within), "%.1f%%", row.medianWithin());
+    }
     std::snprintf(line,
       sizeof(line),
-      "%-17s %7d %7d %7d %7d %8.3f %9.2f %7.1f%%  %s\n",
+      "%-17s %7d %7d %7d %7d %8.3f %9.2f %8s  %s\n",
       name.c_str(),
       row.Cases,
       row.Disks,
@@ -94,7 +99,7 @@ void Summary::print(std::ostream& out) const
       row.FailedCases,
       row.Seconds / row.Cases,
       row.WorstSeconds,
-      row.medianWithin(),
+      within,
       row.kinds().c_str());
     out << line;
   }
