@@ -100,34 +100,53 @@ public:
   }
 
 private:
-  // The face that has a point of the chart. One that rounding takes out of the outline is counted to the
-  // face of the point before, which is near.
-  int faceAt(const Eigen::Vector2d& point)
+  // The face that has a point of the chart, or a face near it if rounding takes the point out of the
+  // outline.
+  int faceAt(const Eigen::Vector2d& point, int near) const
   {
-    const int face = this->Triangles.insideAt(point);
-    this->LastFace = face >= 0 ? face : this->LastFace;
-    return this->LastFace;
+    const int face = this->Triangles.insideAt(point, near);
+    return face >= 0 ? face : near;
   }
 
+  // Each vertex is looked for from another one of its face.
   void placeVertices()
   {
     const int n = this->Surface.vertexCount();
-    this->Disk.FaceOf.resize(n);
+    this->Disk.FaceOf.assign(n, -1);
     this->Disk.Weights.resize(n, 3);
-    for (int v = 0; v < n; ++v)
+    int near = 0;
+    for (int f = 0; f < this->Surface.faceCount(); ++f)
     {
-      const Eigen::Vector2d point = this->Chart.row(v);
-      const int face = this->faceAt(point);
-      const auto corners = this->Triangles.inside().row(face);
-      Eigen::RowVector3d parts;
+      const auto corners = this->Surface.Faces.row(f);
       for (int k = 0; k < 3; ++k)
       {
-        const Eigen::Vector2d begin = this->Chart.row(corners[(k + 1) % 3]);
-        parts[k] = cross(sideAcross(this->Chart, corners, k), point - begin);
+        near = this->Disk.FaceOf[corners[k]] >= 0 ? this->Disk.FaceOf[corners[k]] : near;
       }
-      this->Disk.FaceOf[v] = face;
-      this->Disk.Weights.row(v) = parts / parts.sum();
+      for (int k = 0; k < 3; ++k)
+      {
+        if (this->Disk.FaceOf[corners[k]] < 0)
+        {
+          near = this->place(corners[k], near);
+        }
+      }
     }
+  }
+
+  // Returns the face of the vertex.
+  int place(int vertex, int near)
+  {
+    const Eigen::Vector2d point = this->Chart.row(vertex);
+    const int face = this->faceAt(point, near);
+    const auto corners = this->Triangles.inside().row(face);
+    Eigen::RowVector3d parts;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Eigen::Vector2d begin = this->Chart.row(corners[(k + 1) % 3]);
+      parts[k] = cross(sideAcross(this->Chart, corners, k), point - begin);
+    }
+    this->Disk.FaceOf[vertex] = face;
+    this->Disk.Weights.row(vertex) = parts / parts.sum();
+    return face;
   }
 
   // Finds the targets and the shapes.
@@ -145,9 +164,10 @@ private:
       }
       const Eigen::Matrix2d inverse = inverseMetric(terms, this->Chart, f);
       const double part = targets[f] / (SplitsPerSide * SplitsPerSide);
+      int face = this->Disk.FaceOf[this->Surface.Faces(f, 0)];
       for (const Eigen::Vector2d& centroid : this->centroidsOfParts(f))
       {
-        const int face = this->faceAt(centroid);
+        face = this->faceAt(centroid, face);
         this->Disk.Targets[face] += part;
         inverses[face] += part * inverse;
       }
@@ -199,7 +219,6 @@ private:
   const Points2& Chart;
   OutlineTriangulation Triangles;
   CoarseDisk Disk;
-  int LastFace = 0;
 };
 
 } // namespace

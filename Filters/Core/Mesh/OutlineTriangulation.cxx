@@ -3,11 +3,16 @@
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/hilbert_sort.h>
+#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -39,6 +44,42 @@ Corners cornersOf(FaceHandle face)
   return corners;
 }
 
+// Whether the point lies in the face, but not on its border.
+bool isWithin(const OutlineKernel::Point_2& point, FaceHandle face)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    const auto& from = face->vertex(OutlineDelaunay::ccw(k))->point();
+    const auto& to = face->vertex(OutlineDelaunay::cw(k))->point();
+    if (CGAL::orientation(from, to, point) != CGAL::LEFT_TURN)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Some rows in an order in which each point is near the one before, so that it is found fast: along a
+// curve of Hilbert.
+std::vector<int> alongCurve(const Points2& positions, const std::vector<int>& rows)
+{
+  std::vector<OutlineKernel::Point_2> points;
+  points.reserve(rows.size());
+  for (const int v : rows)
+  {
+    points.emplace_back(positions(v, 0), positions(v, 1));
+  }
+  std::vector<std::size_t> order(rows.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  using Traits = CGAL::Spatial_sort_traits_adapter_2<OutlineKernel,
+    CGAL::Pointer_property_map<OutlineKernel::Point_2>::type>;
+  CGAL::hilbert_sort(order.begin(), order.end(), Traits(CGAL::make_property_map(points)));
+  std::vector<int> sortedRows(rows.size());
+  std::transform(
+    order.begin(), order.end(), sortedRows.begin(), [&rows](std::size_t k) { return rows[k]; });
+  return sortedRows;
+}
+
 FaceMatrix sorted(std::vector<std::pair<Corners, FaceHandle>>& triangles)
 {
   std::sort(
@@ -56,7 +97,8 @@ FaceMatrix sorted(std::vector<std::pair<Corners, FaceHandle>>& triangles)
 
 struct OutlineTriangulation::Triangulation : OutlineDelaunay
 {
-  FaceHandle Near; // where the next point is looked for
+  FaceHandle Near;                     // where the next point is inserted
+  std::vector<FaceHandle> FacesInside; // by their rows
 
   Vertex_handle insertPoint(const Points2& positions, int row)
   {
@@ -109,13 +151,14 @@ OutlineTriangulation::OutlineTriangulation(const Points2& positions,
       }
     }
   }
-  for (std::size_t k = 0; k < inner.size(); ++k)
+  const std::vector<int> order = alongCurve(positions, inner);
+  for (std::size_t k = 0; k < order.size(); ++k)
   {
     if (k % PointsPerReport == 0)
     {
-      report(progress, static_cast<double>(k) / static_cast<double>(inner.size()), "Triangulation");
+      report(progress, static_cast<double>(k) / static_cast<double>(order.size()), "Triangulation");
     }
-    this->Delaunay->insertPoint(positions, inner[k]);
+    this->Delaunay->insertPoint(positions, order[k]);
   }
   for (const FlatEdge& edge : outline)
   {
@@ -133,23 +176,27 @@ OutlineTriangulation::OutlineTriangulation(const Points2& positions,
   for (std::size_t k = 0; k < inside.size(); ++k)
   {
     inside[k].second->info() = static_cast<int>(k);
+    this->Delaunay->FacesInside.push_back(inside[k].second);
   }
-  this->Delaunay->Near = {};
 }
 
 OutlineTriangulation::~OutlineTriangulation() = default;
 
-int OutlineTriangulation::insideAt(const Eigen::Vector2d& point)
+int OutlineTriangulation::insideAt(const Eigen::Vector2d& point, int near) const
 {
+  const OutlineKernel::Point_2 sought(point.x(), point.y());
+  const FaceHandle begin = this->Delaunay->FacesInside[near];
+  if (isWithin(sought, begin)) // much faster than a walk that does not leave the face
+  {
+    return near;
+  }
   OutlineDelaunay::Locate_type type;
   int index = 0;
-  const FaceHandle face =
-    this->Delaunay->locate({ point.x(), point.y() }, type, index, this->Delaunay->Near);
+  const FaceHandle face = this->Delaunay->locate(sought, type, index, begin);
   if (face == FaceHandle() || this->Delaunay->is_infinite(face))
   {
     return -1;
   }
-  this->Delaunay->Near = face;
   if (face->info() >= 0)
   {
     return face->info();

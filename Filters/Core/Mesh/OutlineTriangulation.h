@@ -36,9 +36,9 @@ public:
   const FaceMatrix& inside() const { return this->Inside; }
   const FaceMatrix& outside() const { return this->Outside; }
 
-  /// The row in inside() of a triangle that has @p point; -1 if it lies outside the polygon. Points near
-  /// the one before are found fast.
-  int insideAt(const Eigen::Vector2d& point);
+  /// The row in inside() of a triangle that has @p point; -1 if it lies outside the polygon.
+  /// @param near  the row of a triangle near the point, from which it is found fast
+  int insideAt(const Eigen::Vector2d& point, int near) const;
 
 private:
   struct Triangulation;

@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <vector>
 
 namespace
 {
@@ -120,19 +122,41 @@ TEST(OutlineTriangulation, HasBothSidesOfTheOutline)
   EXPECT_NEAR(signedFaceAreas(comb, triangulation.inside()).sum(), 44.0 - 15.0, 1e-12);
   EXPECT_NEAR(signedFaceAreas(comb, triangulation.outside()).sum(), 15.0, 1e-12);
   EXPECT_GT(signedFaceAreas(comb, triangulation.inside()).minCoeff(), 0.0);
-  for (Eigen::Index face = 0; face < triangulation.inside().rows(); ++face)
+  for (int face = 0; face < static_cast<int>(triangulation.inside().rows()); ++face)
   {
     const Eigen::RowVector3i corners = triangulation.inside().row(face);
     const Eigen::Vector2d centroid =
       (comb.row(corners[0]) + comb.row(corners[1]) + comb.row(corners[2])).transpose() / 3.0;
-    EXPECT_EQ(triangulation.insideAt(centroid), face);
-    const int atCorner = triangulation.insideAt(comb.row(corners[0]));
-    ASSERT_GE(atCorner, 0);
-    EXPECT_TRUE((triangulation.inside().row(atCorner).array() == corners[0]).any());
+    const int faces = static_cast<int>(triangulation.inside().rows());
+    for (int near = 0; near < faces; ++near)
+    {
+      EXPECT_EQ(triangulation.insideAt(centroid, near), face);
+      const int atCorner = triangulation.insideAt(comb.row(corners[0]), near);
+      ASSERT_GE(atCorner, 0);
+      EXPECT_TRUE((triangulation.inside().row(atCorner).array() == corners[0]).any());
+    }
+    EXPECT_EQ(triangulation.insideAt({ 1.5, 3.0 }, face), -1); // in a gap
+    EXPECT_EQ(triangulation.insideAt({ 20.0, 3.0 }, face), -1);
+    EXPECT_EQ(triangulation.insideAt({ -20.0, 3.0 }, face), -1);
   }
-  EXPECT_EQ(triangulation.insideAt({ 1.5, 3.0 }), -1); // in a gap
-  EXPECT_EQ(triangulation.insideAt({ 20.0, 3.0 }), -1);
-  EXPECT_EQ(triangulation.insideAt({ -20.0, 3.0 }), -1);
+}
+
+TEST(OutlineTriangulation, DoesNotDependOnTheOrderOfThePoints)
+{
+  Points2 square(44, 2);
+  square.topRows(4) << 0, 0, 1, 0, 1, 1, 0, 1;
+  std::vector<int> inner;
+  for (int v = 4; v < square.rows(); ++v)
+  {
+    square.row(v) << 0.5 + 0.4 * std::sin(1.7 * v), 0.5 + 0.4 * std::cos(2.9 * v);
+    inner.push_back(v);
+  }
+  const std::vector<FlatEdge> edges = outlineEdges({ 0, 1, 2, 3 });
+  const OutlineTriangulation forward(square, edges, inner);
+  std::reverse(inner.begin(), inner.end());
+  const OutlineTriangulation backward(square, edges, inner);
+  EXPECT_EQ(forward.inside().rows(), 2 * 40 + 2);
+  EXPECT_EQ(forward.inside(), backward.inside());
 }
 
 // An arc of many vertices that bends inward by a little is one shallow bay, and the gap of a comb is
