@@ -190,9 +190,9 @@ double energyOf(const Points2& positions, const FaceMatrix& faces, const Points3
   return energy;
 }
 
-// The solution of Laplace's equation outside the disk, with the inner vertices reflected at the circle,
-// has the boundary where its edges pull it; the centred boundary is then put back on the circle. Of the
-// inner vertices only those beside the boundary count.
+// Solves Laplace's equation for the boundary, with the inner vertices reflected at the circle, centres
+// the solution and puts it back on the circle. Of the inner vertices only those beside the boundary
+// count.
 void moveBoundary(DirichletProblem& outside,
   const Points3& weights,
   const std::vector<int>& loop,
