@@ -19,7 +19,7 @@ MID_PLANE = 90  # voxels and mm
 ISOVALUE = 40
 SMOOTHING = 2  # mm
 PLANE = {"Cut": "Plane", "PlaneOrigin": [MID_PLANE, 0, 0]}
-# What is opened, and the settings of Surface To Disk; OMT Area Preserving has the same Free Outline.
+# The part that is opened, and the settings of Surface To Disk. OMT Area Preserving has the same Free Outline.
 OPENINGS = {
     "closed half, hole": ("half", {"Cut": "Hole", "FreeOutline": 0}),
     "closed half, seam": ("half", {"Cut": "Seam", "FreeOutline": 0}),

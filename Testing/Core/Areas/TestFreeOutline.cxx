@@ -119,7 +119,7 @@ std::vector<Developable> developables()
         }) } };
 }
 
-// Of an edge on the map, whose area is that of the unit disk.
+// The greatest relative error of the length of an edge. The map has the area of the unit disk.
 double greatestLengthError(const TriangleMesh& surface, const Points2& positions)
 {
   const double scale = std::sqrt(faceAreas(surface.Vertices, surface.Faces).sum() / EIGEN_PI);
