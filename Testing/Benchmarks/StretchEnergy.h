@@ -12,8 +12,8 @@ namespace flattening::benchmarks
 struct StretchEnergyMap
 {
   Points2 Positions;
-  /// The energy after each iteration, with the weights of the map before it. Pi^2 over the area of the
-  /// surface is the least that there is: then every face keeps its area.
+  /// The energy after each iteration, with the weights of the map before it. The least that there is, if
+  /// every face keeps its area, is the square of the map's area, nearly pi, over that of the surface.
   std::vector<double> Energies;
 };
 

@@ -24,6 +24,10 @@ OPENINGS = {
     "closed half, hole": ("half", {"Cut": "Hole", "FreeOutline": 0}),
     "closed half, seam": ("half", {"Cut": "Seam", "FreeOutline": 0}),
     "closed half, automatic, free outline": ("half", {"Cut": "Automatic", "FreeOutline": 1}),
+    "closed half, cut 2 mm from its flat side, free outline": (
+        "half",
+        {"Cut": "Plane", "PlaneOrigin": [MID_PLANE + 2, 0, 0], "FreeOutline": 1},
+    ),
     "whole, cut at a plane": ("whole", {**PLANE, "FreeOutline": 0}),
     "whole, cut at a plane, free outline": ("whole", {**PLANE, "FreeOutline": 1}),
 }

@@ -10,7 +10,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -40,7 +39,6 @@ TEST_F(ComparedMaps, StretchAndAuthalicEnergyKeepAreas)
 {
   const StretchEnergyMap stretched = stretchEnergyDiskMap(this->Mesh.Mesh, 100);
   EXPECT_LT(this->summaryOf(stretched.Positions).SDAreaRatio, 0.01);
-  EXPECT_TRUE(std::is_sorted(stretched.Energies.rbegin(), stretched.Energies.rend()));
   const double least =
     EIGEN_PI * EIGEN_PI / faceAreas(this->Mesh.Mesh.Vertices, this->Mesh.Mesh.Faces).sum();
   EXPECT_NEAR(stretched.Energies.back() / least, 1.0, 1e-3);

@@ -158,7 +158,6 @@ INSTANTIATE_TEST_SUITE_P(Surfaces,
   testing::ValuesIn(developables()),
   [](const testing::TestParamInfo<Developable>& info) { return info.param.Name; });
 
-// A bump on an ellipse, twice as long as wide.
 // An accordion of 300 : 1 that no conformal disk holds: its ends would shrink to nothing. The map by
 // mean values serves.
 TEST(FreeOutline, UnrollsAStripThatNoDiskHolds)
@@ -185,6 +184,7 @@ TEST(FreeOutline, UnrollsAStripThatNoDiskHolds)
   EXPECT_LT(greatestLengthError(strip, map.Positions), 1e-5);
 }
 
+// A bump on an ellipse, twice as long as wide.
 TEST(FreeOutline, KeepsAreasAndBettersAngles)
 {
   TriangleMesh surface = sunflowerMesh(gaussianBump(1.0, 0.35), 6000).Mesh;

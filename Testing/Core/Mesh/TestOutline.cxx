@@ -122,12 +122,12 @@ TEST(OutlineTriangulation, HasBothSidesOfTheOutline)
   EXPECT_NEAR(signedFaceAreas(comb, triangulation.inside()).sum(), 44.0 - 15.0, 1e-12);
   EXPECT_NEAR(signedFaceAreas(comb, triangulation.outside()).sum(), 15.0, 1e-12);
   EXPECT_GT(signedFaceAreas(comb, triangulation.inside()).minCoeff(), 0.0);
-  for (int face = 0; face < static_cast<int>(triangulation.inside().rows()); ++face)
+  const int faces = static_cast<int>(triangulation.inside().rows());
+  for (int face = 0; face < faces; ++face)
   {
     const Eigen::RowVector3i corners = triangulation.inside().row(face);
     const Eigen::Vector2d centroid =
       (comb.row(corners[0]) + comb.row(corners[1]) + comb.row(corners[2])).transpose() / 3.0;
-    const int faces = static_cast<int>(triangulation.inside().rows());
     for (int near = 0; near < faces; ++near)
     {
       EXPECT_EQ(triangulation.insideAt(centroid, near), face);
