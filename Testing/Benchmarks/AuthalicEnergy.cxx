@@ -19,18 +19,38 @@ constexpr int StretchIterations = 5;
 // A step must lower the energy by this share of what the slope promises (Armijo's rule).
 constexpr double SufficientDecrease = 1e-4;
 constexpr double SmallestStep = 1e-10;
+// Of the search for the balance: iterations after each change of the multiplier, the most changes, and
+// the difference of both energies that ends it, as a share of their sum.
+constexpr int IterationsByMultiplier = 50;
+constexpr int MostMultipliers = 20;
+constexpr double SmallestImbalance = 1e-4;
+// The penalty on the difference, times the sum of both energies. A choice: the difference falls to about
+// a tenth with each multiplier.
+constexpr double RelativePenalty = 10.0;
 
-// The energy as a function of the inner positions and of the boundary's angles on the circle. The
-// unknowns are all x, all y, and the angles.
+// The augmented Lagrangian of "the least conformal energy C at which the authalic energy A is as large",
+//   C + m (A - C) + p / 2 (A - C)^2
+// with a multiplier m and a penalty p, as a function of the inner positions and of the boundary's angles
+// on the circle. The authalic energy alone has m = 1 and p = 0. The unknowns are all x, all y, and the
+// angles.
 class DiskEnergy
 {
 public:
-  DiskEnergy(const TriangleMesh& mesh, const std::vector<int>& loop, double conformalShare)
+  struct Energies
+  {
+    double Authalic = 0.0;
+    double Conformal = 0.0;
+
+    double difference() const { return this->Authalic - this->Conformal; }
+    double sum() const { return this->Authalic + this->Conformal; }
+  };
+
+  DiskEnergy(const TriangleMesh& mesh, const std::vector<int>& loop, double multiplier)
     : Faces(mesh.Faces)
     , Loop(loop)
     , Areas(faceAreas(mesh.Vertices, mesh.Faces))
     , Cotangents(mesh.faceCount(), 3)
-    , Share(conformalShare)
+    , Multiplier(multiplier)
     , Row(mesh.vertexCount(), 0)
   {
     for (int f = 0; f < mesh.faceCount(); ++f)
@@ -93,28 +113,35 @@ public:
     return positions;
   }
 
-  // The energy and, if asked for, its gradient.
+  Energies energiesAt(const Eigen::VectorXd& unknowns) const
+  {
+    return this->energiesOf(this->positionsOf(unknowns));
+  }
+
+  // Adds what the penalty makes of the difference at @p energies to the multiplier.
+  void updateMultiplier(const Energies& energies)
+  {
+    this->Multiplier += this->Penalty * energies.difference();
+    this->Penalty = RelativePenalty / energies.sum();
+  }
+
+  // The augmented Lagrangian and, if asked for, its gradient.
   double at(const Eigen::VectorXd& unknowns, Eigen::VectorXd* gradient = nullptr) const
   {
     const Points2 p = this->positionsOf(unknowns);
-    const Eigen::VectorXd flat = signedFaceAreas(p, this->Faces);
-    const Eigen::VectorXd ratios = flat.cwiseQuotient(this->Areas);
-    const double whole = flat.sum();
-    const double scale = EIGEN_PI / whole;
-    const double stretch = flat.dot(ratios);
+    const Energies energies = this->energiesOf(p);
+    const double difference = energies.difference();
     if (gradient)
     {
-      const Eigen::VectorXd byArea =
-        (1.0 - this->Share) * (2.0 * scale * ratios.array() - scale * stretch / whole - 1.0).matrix() -
-        Eigen::VectorXd::Constant(flat.size(), this->Share);
-      this->passOn(p, this->gradientByPosition(p, byArea), *gradient);
+      this->passOn(
+        p, this->gradientByPosition(p, this->Multiplier + this->Penalty * difference), *gradient);
     }
-    return (1.0 - this->Share) * (scale * stretch - whole) +
-           this->Share * (this->dirichletEnergy(p) - whole);
+    return energies.Conformal + this->Multiplier * difference +
+           0.5 * this->Penalty * difference * difference;
   }
 
-  // The Laplacian of the energy of areas at @p p, a block for the inner vertices and one for the
-  // boundary: lower triangles.
+  // The Laplacian of the energies at @p p, by the multiplier's shares of both, a block for the inner
+  // vertices and one for the boundary: lower triangles.
   std::pair<SparseMatrix, SparseMatrix> laplacians(const Points2& p) const
   {
     std::vector<Eigen::Triplet<double>> inner;
@@ -127,8 +154,8 @@ public:
         const int j = this->Faces(f, (k + 2) % 3);
         const Eigen::RowVector2d a = p.row(i) - p.row(this->Faces(f, k));
         const Eigen::RowVector2d b = p.row(j) - p.row(this->Faces(f, k));
-        const double weight = (1.0 - this->Share) * 0.5 * a.dot(b) / this->Areas[f] +
-                              this->Share * 0.5 * this->Cotangents(f, k);
+        const double weight = this->Multiplier * 0.5 * a.dot(b) / this->Areas[f] +
+                              (1.0 - this->Multiplier) * 0.5 * this->Cotangents(f, k);
         const int rowI = this->Row[i];
         const int rowJ = this->Row[j];
         for (const int row : { rowI, rowJ })
@@ -155,6 +182,14 @@ public:
   }
 
 private:
+  Energies energiesOf(const Points2& p) const
+  {
+    const Eigen::VectorXd flat = signedFaceAreas(p, this->Faces);
+    const double whole = flat.sum();
+    const double stretch = flat.dot(flat.cwiseQuotient(this->Areas));
+    return { EIGEN_PI / whole * stretch - whole, this->dirichletEnergy(p) - whole };
+  }
+
   double dirichletEnergy(const Points2& p) const
   {
     double energy = 0.0;
@@ -173,8 +208,15 @@ private:
     return p.row(this->Faces(f, (k + 2) % 3)) - p.row(this->Faces(f, (k + 1) % 3));
   }
 
-  Points2 gradientByPosition(const Points2& p, const Eigen::VectorXd& byArea) const
+  // The gradient of @p share of the authalic energy and the rest of the conformal energy.
+  Points2 gradientByPosition(const Points2& p, double share) const
   {
+    const Eigen::VectorXd flat = signedFaceAreas(p, this->Faces);
+    const Eigen::VectorXd ratios = flat.cwiseQuotient(this->Areas);
+    const double whole = flat.sum();
+    const double scale = EIGEN_PI / whole;
+    const Eigen::VectorXd byArea =
+      (share * scale * (2.0 * ratios.array() - flat.dot(ratios) / whole) - 1.0).matrix();
     Points2 gradient = Points2::Zero(p.rows(), 2);
     for (Eigen::Index f = 0; f < this->Faces.rows(); ++f)
     {
@@ -182,7 +224,7 @@ private:
       {
         const Eigen::RowVector2d side = this->side(p, f, k);
         gradient.row(this->Faces(f, k)) += 0.5 * byArea[f] * Eigen::RowVector2d(-side.y(), side.x());
-        const Eigen::RowVector2d pull = 0.5 * this->Share * this->Cotangents(f, k) * side;
+        const Eigen::RowVector2d pull = 0.5 * (1.0 - share) * this->Cotangents(f, k) * side;
         gradient.row(this->Faces(f, (k + 2) % 3)) += pull;
         gradient.row(this->Faces(f, (k + 1) % 3)) -= pull;
       }
@@ -212,7 +254,8 @@ private:
   const std::vector<int>& Loop;
   Eigen::VectorXd Areas; // of the surface's faces, pi in all
   Points3 Cotangents;    // of the surface
-  double Share;
+  double Multiplier;
+  double Penalty = 0.0;
   std::vector<int> Row; // of an inner vertex; -1 - k of vertex k of the loop
   int InnerCount = 0;
 };
@@ -248,21 +291,18 @@ private:
   SparseCholesky Boundary;
 };
 
-} // namespace
-
-Points2 authalicEnergyDiskMap(const TriangleMesh& mesh, const AuthalicOptions& options)
+// Lowers the function from @p x by preconditioned nonlinear conjugate gradients (Polak and Ribiere).
+void lower(const DiskEnergy& function,
+  const Preconditioner& precondition,
+  int iterations,
+  Eigen::VectorXd& x)
 {
-  const std::vector<int> loop = requireDisk(mesh);
-  const Points2 start = stretchEnergyDiskMap(mesh, StretchIterations).Positions;
-  const DiskEnergy function(mesh, loop, options.ConformalShare);
-  const Preconditioner precondition(function, start);
-  Eigen::VectorXd x = function.unknownsOf(start);
   Eigen::VectorXd gradient;
   double energy = function.at(x, &gradient);
   Eigen::VectorXd preconditioned = precondition(gradient);
   Eigen::VectorXd direction = -preconditioned;
   double step = 1.0;
-  for (int n = 0; n < options.Iterations; ++n)
+  for (int n = 0; n < iterations; ++n)
   {
     double slope = gradient.dot(direction);
     if (slope >= 0.0)
@@ -290,7 +330,39 @@ Points2 authalicEnergyDiskMap(const TriangleMesh& mesh, const AuthalicOptions& o
     const double share = std::max(0.0, preconditioned.dot(gradient - before) / size);
     direction = share * direction - preconditioned;
   }
+}
+
+} // namespace
+
+Points2 authalicEnergyDiskMap(const TriangleMesh& mesh, int iterations)
+{
+  const std::vector<int> loop = requireDisk(mesh);
+  const Points2 start = stretchEnergyDiskMap(mesh, StretchIterations).Positions;
+  const DiskEnergy function(mesh, loop, 1.0);
+  Eigen::VectorXd x = function.unknownsOf(start);
+  lower(function, Preconditioner(function, start), iterations, x);
   return function.positionsOf(x);
+}
+
+BalancedMap balancedDiskMap(const TriangleMesh& mesh)
+{
+  const std::vector<int> loop = requireDisk(mesh);
+  const Points2 start = stretchEnergyDiskMap(mesh, StretchIterations).Positions;
+  DiskEnergy function(mesh, loop, 0.5);
+  const Preconditioner precondition(function, start);
+  Eigen::VectorXd x = function.unknownsOf(start);
+  DiskEnergy::Energies energies;
+  for (int n = 0; n < MostMultipliers; ++n)
+  {
+    lower(function, precondition, IterationsByMultiplier, x);
+    energies = function.energiesAt(x);
+    if (std::abs(energies.difference()) <= SmallestImbalance * energies.sum())
+    {
+      break;
+    }
+    function.updateMultiplier(energies);
+  }
+  return { function.positionsOf(x), energies.Authalic, energies.Conformal };
 }
 
 } // namespace flattening::benchmarks

@@ -35,17 +35,6 @@ struct NamedMap
   std::function<Points2(const TriangleMesh&)> Flatten;
 };
 
-NamedMap authalic(const std::string& name, double conformalShare)
-{
-  return { name,
-    [conformalShare](const TriangleMesh& mesh)
-    {
-      benchmarks::AuthalicOptions options;
-      options.ConformalShare = conformalShare;
-      return benchmarks::authalicEnergyDiskMap(mesh, options);
-    } };
-}
-
 NamedMap ours(const std::string& name, bool isFree)
 {
   return { name,
@@ -63,8 +52,10 @@ std::vector<NamedMap> namedMaps()
     ours("ours, free outline", true),
     { "stretch energy, 100 iterations",
       [](const TriangleMesh& mesh) { return benchmarks::stretchEnergyDiskMap(mesh, 100).Positions; } },
-    authalic("authalic energy", 0.0),
-    authalic("authalic and conformal energy", 0.5),
+    { "authalic energy",
+      [](const TriangleMesh& mesh) { return benchmarks::authalicEnergyDiskMap(mesh); } },
+    { "distortion balancing",
+      [](const TriangleMesh& mesh) { return benchmarks::balancedDiskMap(mesh).Positions; } },
     { "Boundary First, natural outline",
       [](const TriangleMesh& mesh)
       {

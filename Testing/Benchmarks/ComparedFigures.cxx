@@ -92,7 +92,15 @@ void printFigures(const TriangleMesh& mesh)
       energies = std::move(map.Energies);
       return map.Positions;
     });
-  measure("authalic energy", mesh, [&] { return benchmarks::authalicEnergyDiskMap(mesh, {}); });
+  measure("authalic energy", mesh, [&] { return benchmarks::authalicEnergyDiskMap(mesh); });
+  benchmarks::BalancedMap balanced;
+  measure("distortion balancing",
+    mesh,
+    [&]
+    {
+      balanced = benchmarks::balancedDiskMap(mesh);
+      return balanced.Positions;
+    });
   measure("Boundary First",
     mesh,
     [&]
@@ -118,7 +126,9 @@ void printFigures(const TriangleMesh& mesh)
   {
     std::printf("%.6g ", energy);
   }
-  std::puts("");
+  std::printf("\n\nDistortion balancing: authalic energy %.6f, conformal energy %.6f\n",
+    balanced.AuthalicEnergy,
+    balanced.ConformalEnergy);
 }
 
 } // namespace
