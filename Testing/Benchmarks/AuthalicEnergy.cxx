@@ -19,8 +19,8 @@ constexpr int StretchIterations = 5;
 // A step must lower the energy by this share of what the slope promises (Armijo's rule).
 constexpr double SufficientDecrease = 1e-4;
 constexpr double SmallestStep = 1e-10;
-// Of the search for the balance: iterations after each change of the multiplier, the most changes, and
-// the difference of both energies that ends it, as a share of their sum.
+// The search for the balance makes so many iterations with each multiplier, and ends after so many
+// multipliers at the latest, or when the energies differ by this share of their sum.
 constexpr int IterationsByMultiplier = 50;
 constexpr int MostMultipliers = 20;
 constexpr double SmallestImbalance = 1e-4;

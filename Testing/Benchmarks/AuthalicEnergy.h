@@ -17,6 +17,7 @@ namespace flattening::benchmarks
 /// @throws InvalidInput, TopologyError, ConvergenceError (see stretchEnergyDiskMap).
 Points2 authalicEnergyDiskMap(const TriangleMesh& mesh, int iterations = 100);
 
+/// The map to the unit disk (n x 2), and its two energies.
 struct BalancedMap
 {
   Points2 Positions;
@@ -27,7 +28,7 @@ struct BalancedMap
 /// The map to the unit disk with the least conformal energy (Dirichlet's less A) among those whose
 /// authalic energy is as large (Liu and Yueh 2024, "Energy-Based Distortion-Balancing Parameterization
 /// for Open Surfaces", arXiv:2412.09909), by the augmented Lagrangian, each of whose minimisations goes
-/// as in authalicEnergyDiskMap(). Faces may flip.
+/// as in authalicEnergyDiskMap(). The energies say how near to each other it came. Faces may flip.
 /// @throws as authalicEnergyDiskMap().
 BalancedMap balancedDiskMap(const TriangleMesh& mesh);
 
