@@ -7,6 +7,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -16,11 +17,11 @@ namespace flattening
 
 /// For a mesh of n vertices made from m original vertices, an n x m matrix. Row v says what vertex v is
 /// made of: element (v, o) is the weight (>= 0) of original vertex o, and the sum of the row is 1. A
-/// kept vertex has one weight 1; the midpoint of an edge has two weights 1/2. A vertex that was moved and
-/// takes the attributes of an original one has further weights, which are 0.
+/// kept vertex has one weight 1; the midpoint of an edge has two weights 1/2. A vertex that was moved
+/// and takes the attributes of an original one has further weights, which are 0.
 using VertexOrigins = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
 
-/// A row of that matrix: original vertices and their weights.
+/// A row of that matrix: original vertices, each once, and their weights.
 using Origin = std::vector<std::pair<int, double>>;
 
 /// A point of the face in row @p face of @p faces is made of the corners whose barycentric weight is not
@@ -34,19 +35,21 @@ Origin combined(const std::vector<std::pair<Origin, double>>& parts);
 template <typename Vertices, typename OriginAt>
 VertexOrigins originMatrix(const Vertices& vertices, int originalCount, const OriginAt& originAt)
 {
-  std::vector<Eigen::Triplet<double, int>> weights;
-  weights.reserve(3 * vertices.size()); // mostly the corners of a face
-  int rows = 0;
+  VertexOrigins origins(static_cast<Eigen::Index>(vertices.size()), originalCount);
+  origins.reserve(3 * origins.rows()); // mostly the corners of a face
+  int row = 0;
   for (const auto& vertex : vertices)
   {
-    for (const auto& [original, weight] : originAt(vertex))
+    Origin origin = originAt(vertex);
+    std::sort(origin.begin(), origin.end());
+    origins.startVec(row);
+    for (const auto& [original, weight] : origin)
     {
-      weights.emplace_back(rows, original, weight);
+      origins.insertBackByOuterInner(row, original) = weight;
     }
-    ++rows;
+    ++row;
   }
-  VertexOrigins origins(rows, originalCount);
-  origins.setFromTriplets(weights.begin(), weights.end());
+  origins.finalize();
   return origins;
 }
 

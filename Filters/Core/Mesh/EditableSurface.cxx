@@ -2,8 +2,12 @@
 #include "Mesh/EditableSurface.h"
 
 #include "Base/Errors.h"
+#include "Mesh/FaceSides.h"
+#include "Mesh/Halfedges.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>
+
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,26 +16,108 @@
 namespace flattening
 {
 
+namespace
+{
+
+[[noreturn]] void throwNoManifold(const char* element, int number)
+{
+  throw TopologyError(std::string(element) + " " + std::to_string(number) +
+                      " does not fit an oriented manifold: run Surface To Disk first");
+}
+
+// The numbers that CGAL's half-edges have if faces are added one after the other: those of edge e are
+// 2 e, which is met first, and 2 e + 1.
+std::vector<unsigned> halfedgeNumbers(const std::vector<int>& opposite)
+{
+  std::vector<unsigned> numbers(opposite.size());
+  unsigned edges = 0;
+  for (int h = 0; h < static_cast<int>(opposite.size()); ++h)
+  {
+    const bool isMet = opposite[h] >= 0 && opposite[h] < h;
+    numbers[h] = isMet ? numbers[opposite[h]] + 1 : 2 * edges++;
+  }
+  return numbers;
+}
+
+// Joins the half-edges of the border, which belong to no face.
+template <typename Point>
+void joinBorder(CGAL::Surface_mesh<Point>& surface,
+  const FaceMatrix& faces,
+  const std::vector<int>& opposite,
+  const std::vector<unsigned>& numbers)
+{
+  using Vertex = typename CGAL::Surface_mesh<Point>::Vertex_index;
+  using Halfedge = typename CGAL::Surface_mesh<Point>::Halfedge_index;
+  std::vector<Halfedge> borderFrom(surface.num_vertices());
+  std::vector<Halfedge> border;
+  for (int h = 0; h < static_cast<int>(opposite.size()); ++h)
+  {
+    if (opposite[h] >= 0)
+    {
+      continue;
+    }
+    const int from = faces.data()[nextHalfedge(h)];
+    const Vertex to(faces.data()[h]);
+    if (borderFrom[from].is_valid() || faces.data()[h] == from)
+    {
+      throwNoManifold("face", h / 3);
+    }
+    borderFrom[from] = surface.opposite(Halfedge(numbers[h]));
+    surface.set_target(borderFrom[from], to);
+    surface.set_halfedge(to, borderFrom[from]);
+    border.push_back(borderFrom[from]);
+  }
+  for (const Halfedge h : border)
+  {
+    surface.set_next(h, borderFrom[surface.target(h)]);
+  }
+}
+
+} // namespace
+
+// The same mesh as if its faces were added one after the other, in half the time.
 template <typename Point>
 CGAL::Surface_mesh<Point> toSurfaceMesh(const TriangleMesh& mesh)
 {
-  CGAL::Surface_mesh<Point> surface;
-  surface.reserve(mesh.vertexCount(), 3 * (mesh.faceCount() / 2), mesh.faceCount());
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-  {
-    surface.add_vertex(Point(mesh.Vertices(v, 0), mesh.Vertices(v, 1), mesh.Vertices(v, 2)));
-  }
   using Vertex = typename CGAL::Surface_mesh<Point>::Vertex_index;
-  for (int f = 0; f < mesh.faceCount(); ++f)
+  using Halfedge = typename CGAL::Surface_mesh<Point>::Halfedge_index;
+  using Face = typename CGAL::Surface_mesh<Point>::Face_index;
+  const std::vector<int> opposite = oppositeHalfedges(mesh.Faces);
+  const std::vector<int> severalFans = verticesOfSeveralFans(mesh.Faces, opposite, mesh.vertexCount());
+  if (!severalFans.empty())
   {
-    const auto face =
-      surface.add_face(Vertex(mesh.Faces(f, 0)), Vertex(mesh.Faces(f, 1)), Vertex(mesh.Faces(f, 2)));
-    if (face == surface.null_face())
-    {
-      throw TopologyError(
-        "face " + std::to_string(f) + " does not fit an oriented manifold: run Surface To Disk first");
-    }
+    throwNoManifold("vertex", severalFans.front());
   }
+  const std::vector<unsigned> numbers = halfedgeNumbers(opposite);
+  const auto borderEdges = std::count(opposite.begin(), opposite.end(), -1);
+  const auto edges = static_cast<unsigned>((opposite.size() + borderEdges) / 2);
+  CGAL::Surface_mesh<Point> surface;
+  surface.resize(mesh.vertexCount(), edges, mesh.faceCount());
+  tbb::parallel_for(0,
+    mesh.vertexCount(),
+    [&](int v)
+    {
+      const auto p = mesh.Vertices.row(v);
+      surface.point(Vertex(v)) = Point(p[0], p[1], p[2]);
+    });
+  tbb::parallel_for(0,
+    mesh.faceCount(),
+    [&](int f)
+    {
+      const auto numbered = [&numbers, f](int k) { return Halfedge(numbers[3 * f + k % 3]); };
+      surface.set_halfedge(Face(f), numbered(2));
+      for (int k = 0; k < 3; ++k)
+      {
+        surface.set_face(numbered(k), Face(f));
+        surface.set_target(numbered(k), Vertex(mesh.Faces(f, (k + 1) % 3)));
+        surface.set_next(numbered(k), numbered(k + 1));
+      }
+    });
+  for (int h = 0; h < static_cast<int>(opposite.size()); ++h)
+  {
+    surface.set_halfedge(Vertex(mesh.Faces.data()[nextHalfedge(h)]), Halfedge(numbers[h]));
+  }
+  joinBorder(surface, mesh.Faces, opposite, numbers);
   return surface;
 }
 

@@ -63,14 +63,20 @@ std::vector<FaceSide> sortedSides(const FaceMatrix& faces)
 std::vector<int> oppositeHalfedges(const std::vector<FaceSide>& sides)
 {
   std::vector<int> opposite(sides.size(), -1);
-  forEachEdge(sides,
-    [&opposite](const FaceSide* side, int count)
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, sides.size(), HalfedgesPerTask),
+    [&](const tbb::blocked_range<std::size_t>& range)
     {
-      if (count == 2 && side[0].From == side[1].To && side[0].From != side[0].To)
-      {
-        opposite[side[0].Halfedge] = side[1].Halfedge;
-        opposite[side[1].Halfedge] = side[0].Halfedge;
-      }
+      forEachEdge(sides,
+        range.begin(),
+        range.end(),
+        [&opposite](const FaceSide* side, int count)
+        {
+          if (count == 2 && side[0].From == side[1].To && side[0].From != side[0].To)
+          {
+            opposite[side[0].Halfedge] = side[1].Halfedge;
+            opposite[side[1].Halfedge] = side[0].Halfedge;
+          }
+        });
     });
   return opposite;
 }
@@ -82,31 +88,41 @@ std::vector<int> oppositeHalfedges(const FaceMatrix& faces)
 
 // A walk around a vertex, from an end of a fan if there is one, meets all of its faces if they are one
 // fan.
-std::vector<int> verticesOfSeveralFans(const std::vector<FaceSide>& sides, int vertexCount)
+std::vector<int> verticesOfSeveralFans(const FaceMatrix& faces,
+  const std::vector<int>& opposite,
+  int vertexCount)
 {
-  const std::vector<int> opposite = oppositeHalfedges(sides);
-  std::vector<int> faces(vertexCount, 0); // not yet met
+  std::vector<int> sides(vertexCount, 0); // that begin at the vertex
   std::vector<int> first(vertexCount, -1);
-  for (const FaceSide& side : sides)
+  for (int h = 0; h < static_cast<int>(faces.size()); ++h)
   {
-    ++faces[side.From];
-    if (first[side.From] < 0 || opposite[side.Halfedge] < 0)
+    const int v = faces.data()[h];
+    ++sides[v];
+    if (first[v] < 0 || opposite[h] < 0)
     {
-      first[side.From] = side.Halfedge;
+      first[v] = h;
     }
   }
+  std::vector<char> hasSeveral(vertexCount, 0);
+  tbb::parallel_for(0,
+    vertexCount,
+    [&](int v)
+    {
+      int left = sides[v];
+      for (int h = first[v]; h >= 0; h = opposite[previousHalfedge(h)])
+      {
+        --left;
+        if (opposite[previousHalfedge(h)] == first[v])
+        {
+          break;
+        }
+      }
+      hasSeveral[v] = left != 0 ? 1 : 0;
+    });
   std::vector<int> severalFans;
   for (int v = 0; v < vertexCount; ++v)
   {
-    for (int h = first[v]; h >= 0; h = opposite[previousHalfedge(h)])
-    {
-      --faces[v];
-      if (opposite[previousHalfedge(h)] == first[v])
-      {
-        break;
-      }
-    }
-    if (faces[v] != 0)
+    if (hasSeveral[v] != 0)
     {
       severalFans.push_back(v);
     }

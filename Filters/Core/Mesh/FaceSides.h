@@ -27,18 +27,35 @@ struct FaceSide
 /// The sides of all @p faces, whose vertex numbers are >= 0, sorted by edge and then by half-edge.
 std::vector<FaceSide> sortedSides(const FaceMatrix& faces);
 
-/// Calls @p visit(first, count) for each edge: its sides are first[0] to first[count - 1].
+/// Calls @p visit(first, count) for each edge whose sides begin at a number in [begin, end): its sides
+/// are first[0] to first[count - 1].
+template <typename Visit>
+void forEachEdge(const std::vector<FaceSide>& sortedSides,
+  std::size_t begin,
+  std::size_t end,
+  const Visit& visit)
+{
+  const auto continues = [&sortedSides](std::size_t i)
+  { return i < sortedSides.size() && sortedSides[i].edge() == sortedSides[i - 1].edge(); };
+  while (begin > 0 && continues(begin))
+  {
+    ++begin;
+  }
+  for (std::size_t next = begin; begin < end; begin = next)
+  {
+    do
+    {
+      ++next;
+    } while (continues(next));
+    visit(&sortedSides[begin], static_cast<int>(next - begin));
+  }
+}
+
+/// The same for all edges.
 template <typename Visit>
 void forEachEdge(const std::vector<FaceSide>& sortedSides, const Visit& visit)
 {
-  for (std::size_t begin = 0, end = 0; begin < sortedSides.size(); begin = end)
-  {
-    while (end < sortedSides.size() && sortedSides[end].edge() == sortedSides[begin].edge())
-    {
-      ++end;
-    }
-    visit(&sortedSides[begin], static_cast<int>(end - begin));
-  }
+  forEachEdge(sortedSides, 0, sortedSides.size(), visit);
 }
 
 /// The half-edge on the other side of each; -1 at the boundary, and where an edge does not join exactly
@@ -49,7 +66,9 @@ std::vector<int> oppositeHalfedges(const std::vector<FaceSide>& sides);
 
 /// The vertices, in ascending order, whose faces are several fans: a fan is faces that follow each other
 /// across edges which join two faces of one orientation.
-/// @param sides of all faces, sorted as by sortedSides(); the vertices are 0 to @p vertexCount - 1.
-std::vector<int> verticesOfSeveralFans(const std::vector<FaceSide>& sides, int vertexCount);
+/// @param opposite  as from oppositeHalfedges(); the vertices are 0 to @p vertexCount - 1.
+std::vector<int> verticesOfSeveralFans(const FaceMatrix& faces,
+  const std::vector<int>& opposite,
+  int vertexCount);
 
 } // namespace flattening

@@ -3,6 +3,9 @@
 
 #include <Eigen/Geometry>
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,18 +39,24 @@ double meanEdgeLength(const TriangleMesh& mesh)
 double smallestAngle(const TriangleMesh& mesh)
 {
   constexpr double degrees = 180.0 / EIGEN_PI;
-  double smallest = 180.0;
-  for (int f = 0; f < mesh.faceCount(); ++f)
+  const auto smallestIn = [&mesh](const tbb::blocked_range<int>& faces, double smallest)
   {
-    for (int k = 0; k < 3; ++k)
+    for (int f = faces.begin(); f < faces.end(); ++f)
     {
-      const Eigen::Vector3d apex = mesh.Vertices.row(mesh.Faces(f, k));
-      const Eigen::Vector3d u = mesh.Vertices.row(mesh.Faces(f, (k + 1) % 3)).transpose() - apex;
-      const Eigen::Vector3d v = mesh.Vertices.row(mesh.Faces(f, (k + 2) % 3)).transpose() - apex;
-      smallest = std::min(smallest, degrees * std::atan2(u.cross(v).norm(), u.dot(v)));
+      for (int k = 0; k < 3; ++k)
+      {
+        const Eigen::Vector3d apex = mesh.Vertices.row(mesh.Faces(f, k));
+        const Eigen::Vector3d u = mesh.Vertices.row(mesh.Faces(f, (k + 1) % 3)).transpose() - apex;
+        const Eigen::Vector3d v = mesh.Vertices.row(mesh.Faces(f, (k + 2) % 3)).transpose() - apex;
+        smallest = std::min(smallest, degrees * std::atan2(u.cross(v).norm(), u.dot(v)));
+      }
     }
-  }
-  return smallest;
+    return smallest;
+  };
+  return tbb::parallel_reduce(tbb::blocked_range<int>(0, mesh.faceCount()),
+    180.0,
+    smallestIn,
+    [](double a, double b) { return std::min(a, b); });
 }
 
 } // namespace flattening

@@ -4,6 +4,7 @@
 #include "Base/Errors.h"
 #include "Mesh/DisjointSets.h"
 #include "Mesh/FaceSides.h"
+#include "Mesh/Halfedges.h"
 
 #include <algorithm>
 #include <string>
@@ -40,9 +41,9 @@ std::string edgeName(const FaceSide& side)
 }
 
 // The edges must be manifold.
-void requireOneFanPerVertex(const std::vector<FaceSide>& sides, int vertexCount)
+void requireOneFanPerVertex(const FaceMatrix& faces, const std::vector<int>& opposite, int vertexCount)
 {
-  const std::vector<int> severalFans = verticesOfSeveralFans(sides, vertexCount);
+  const std::vector<int> severalFans = verticesOfSeveralFans(faces, opposite, vertexCount);
   if (!severalFans.empty())
   {
     throw TopologyError(
@@ -89,17 +90,18 @@ void countParts(const std::vector<FaceSide>& sides, int vertexCount, MeshTopolog
 
 // The loops, each from its smallest vertex on, in ascending order of these. Every vertex must have one
 // fan of faces, so that it has at most one outgoing boundary side.
-std::vector<std::vector<int>> boundaryLoops(const std::vector<FaceSide>& sides, int vertexCount)
+std::vector<std::vector<int>> boundaryLoops(const FaceMatrix& faces,
+  const std::vector<int>& opposite,
+  int vertexCount)
 {
   std::vector<int> next(vertexCount, -1);
-  forEachEdge(sides,
-    [&next](const FaceSide* side, int count)
+  for (int h = 0; h < static_cast<int>(opposite.size()); ++h)
+  {
+    if (opposite[h] < 0)
     {
-      if (count == 1)
-      {
-        next[side->From] = side->To;
-      }
-    });
+      next[faces.data()[h]] = faces.data()[nextHalfedge(h)];
+    }
+  }
   std::vector<std::vector<int>> loops;
   std::vector<char> visited(vertexCount, 0);
   for (int v = 0; v < vertexCount; ++v)
@@ -126,8 +128,9 @@ MeshTopology analyseTopology(const FaceMatrix& faces, int vertexCount)
   MeshTopology topology;
   topology.Faces = static_cast<int>(faces.rows());
   countParts(sides, vertexCount, topology);
-  requireOneFanPerVertex(sides, vertexCount);
-  topology.BoundaryLoops = boundaryLoops(sides, vertexCount);
+  const std::vector<int> opposite = oppositeHalfedges(sides);
+  requireOneFanPerVertex(faces, opposite, vertexCount);
+  topology.BoundaryLoops = boundaryLoops(faces, opposite, vertexCount);
   std::stable_sort(topology.BoundaryLoops.begin(),
     topology.BoundaryLoops.end(),
     [](const auto& a, const auto& b) { return a.size() > b.size(); });

@@ -50,15 +50,16 @@ MeshOnSurface::MeshOnSurface(std::shared_ptr<const ClosestPointWalk> walk,
   this->Normal = this->Surface.add_property_map<Vertex, Eigen::Vector3d>("v:old normal").first;
   this->Boundary = this->Surface.add_property_map<Vertex, char>("v:boundary", 0).first;
   this->Kept = this->Surface.add_property_map<Vertex, char>("v:kept", 0).first;
-  for (const Vertex v : this->Surface.vertices())
-  {
-    this->Kept[v] = kept.empty() ? 0 : kept[v.idx()];
-    this->set(v, this->Surface.point(v), present.Places[v.idx()]);
-    for (const Halfedge h : this->Surface.halfedges_around_target(this->Surface.halfedge(v)))
+  tbb::parallel_for(0,
+    present.Mesh.vertexCount(),
+    [&](int i)
     {
-      this->Boundary[v] |= static_cast<char>(this->Surface.is_border(h));
-    }
-  }
+      const Vertex v(static_cast<unsigned>(i));
+      this->Kept[v] = kept.empty() ? 0 : kept[i];
+      this->set(v, this->Surface.point(v), present.Places[i]);
+      // toSurfaceMesh gives a vertex of the border the half-edge of the border that ends there.
+      this->Boundary[v] = static_cast<char>(this->Surface.is_border(this->Surface.halfedge(v)));
+    });
 }
 
 void MeshOnSurface::set(Vertex v, const Eigen::Vector3d& position, const SurfacePoint& place)
@@ -346,6 +347,34 @@ Origin MeshOnSurface::originOfVertex(Vertex v) const
   return origin;
 }
 
+// Whether the face is the old one with its number, as most are where only a few were changed.
+bool MeshOnSurface::isOld(Face f) const
+{
+  const auto isCorner = [this, f](Vertex v)
+  {
+    return (this->Old.Faces.row(f.idx()).array() == static_cast<int>(v.idx())).any() &&
+           this->Surface.point(v) == this->Old.Vertices.row(v.idx()).transpose();
+  };
+  const auto corners = this->Surface.vertices_around_face(this->Surface.halfedge(f));
+  return static_cast<int>(f.idx()) < this->Old.faceCount() &&
+         std::all_of(corners.begin(), corners.end(), isCorner);
+}
+
+int MeshOnSurface::originOfFace(Face f) const
+{
+  if (this->isOld(f))
+  {
+    return static_cast<int>(f.idx());
+  }
+  const Halfedge h = this->Surface.halfedge(f);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Vertex v : this->Surface.vertices_around_face(h))
+  {
+    sum += this->Surface.point(v);
+  }
+  return this->Walk->closest(sum / 3.0, this->Place[this->Surface.target(h)].Face).Face;
+}
+
 DerivedMesh MeshOnSurface::derived(const ProgressCallback& progress) const
 {
   report(progress, 0.0, CarryingStage);
@@ -355,28 +384,15 @@ DerivedMesh MeshOnSurface::derived(const ProgressCallback& progress) const
     this->Old.vertexCount(),
     [this](Vertex v) { return this->originOfVertex(v); });
 
-  std::vector<int> nearby; // for each face, an old face below its first corner
-  nearby.reserve(this->Surface.number_of_faces());
-  for (const Face f : this->Surface.faces())
+  const std::vector<Face> faces(this->Surface.faces().begin(), this->Surface.faces().end());
+  const auto count = static_cast<int>(faces.size());
+  result.Faces.resize(count);
+  for (int begin = 0; begin < count; begin += FacesPerReport)
   {
-    nearby.push_back(this->Place[this->Surface.target(this->Surface.halfedge(f))].Face);
-  }
-  result.Faces.resize(nearby.size());
-  const int faces = result.Mesh.faceCount();
-  for (int begin = 0; begin < faces; begin += FacesPerReport)
-  {
-    report(progress, 0.2 + 0.8 * begin / faces, CarryingStage);
+    report(progress, 0.2 + 0.8 * begin / count, CarryingStage);
     tbb::parallel_for(begin,
-      std::min(begin + FacesPerReport, faces),
-      [this, &result, &nearby](int f)
-      {
-        Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-        for (int k = 0; k < 3; ++k)
-        {
-          sum += result.Mesh.Vertices.row(result.Mesh.Faces(f, k));
-        }
-        result.Faces[f] = this->Walk->closest(sum.transpose() / 3.0, nearby[f]).Face;
-      });
+      std::min(begin + FacesPerReport, count),
+      [this, &result, &faces](int f) { result.Faces[f] = this->originOfFace(faces[f]); });
   }
   return result;
 }

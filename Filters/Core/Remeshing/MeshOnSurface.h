@@ -93,6 +93,8 @@ private:
   bool makesKeptEdge(Halfedge h) const;
   void set(Vertex v, const Eigen::Vector3d& position, const SurfacePoint& place);
   Origin originOfVertex(Vertex v) const;
+  bool isOld(Face f) const;
+  int originOfFace(Face f) const;
 
   std::shared_ptr<const ClosestPointWalk> Walk;
   const TriangleMesh& Old;

@@ -8,7 +8,8 @@
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
 
-#include <algorithm>
+#include <tbb/parallel_sort.h>
+
 #include <iterator>
 #include <numeric>
 #include <tuple>
@@ -18,26 +19,36 @@ namespace flattening
 namespace
 {
 
+// A point, and which one it is.
+using NumberedPoint = std::tuple<double, double, double, int>;
+
+bool haveSameCoordinates(const NumberedPoint& a, const NumberedPoint& b)
+{
+  return std::get<0>(a) == std::get<0>(b) && std::get<1>(a) == std::get<1>(b) &&
+         std::get<2>(a) == std::get<2>(b);
+}
+
 // For every point the first one with the same coordinates; for one that is not finite itself.
 std::vector<int> exactlyCoincident(const Points3& points)
 {
-  const auto key = [&points](int v)
-  { return std::make_tuple(points(v, 0), points(v, 1), points(v, 2)); };
   std::vector<int> representative(points.rows());
   std::iota(representative.begin(), representative.end(), 0);
-  std::vector<int> order;
-  std::copy_if(representative.begin(),
-    representative.end(),
-    std::back_inserter(order),
-    [&points](int v) { return points.row(v).allFinite(); });
-  std::sort(order.begin(),
-    order.end(),
-    [&key](int a, int b)
-    { return std::tuple_cat(key(a), std::tie(a)) < std::tuple_cat(key(b), std::tie(b)); });
-  for (std::size_t i = 0; i < order.size(); ++i)
+  std::vector<NumberedPoint> sorted;
+  sorted.reserve(representative.size());
+  for (const int v : representative)
   {
-    const bool same = i > 0 && key(order[i]) == key(order[i - 1]);
-    representative[order[i]] = same ? representative[order[i - 1]] : order[i];
+    if (points.row(v).allFinite())
+    {
+      sorted.emplace_back(points(v, 0), points(v, 1), points(v, 2), v);
+    }
+  }
+  tbb::parallel_sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+  {
+    if (haveSameCoordinates(sorted[i], sorted[i - 1]))
+    {
+      representative[std::get<3>(sorted[i])] = representative[std::get<3>(sorted[i - 1])];
+    }
   }
   return representative;
 }

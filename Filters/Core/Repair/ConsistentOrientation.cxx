@@ -53,7 +53,7 @@ PartToOrient partToOrient(const TriangleMesh& mesh)
     { disagree = disagree || (count == 2 && side[0].From == side[1].From); });
   PartToOrient part;
   part.MayBeCut.assign(mesh.vertexCount(), static_cast<char>(disagree));
-  for (const int v : verticesOfSeveralFans(sides, mesh.vertexCount()))
+  for (const int v : verticesOfSeveralFans(mesh.Faces, oppositeHalfedges(sides), mesh.vertexCount()))
   {
     part.MayBeCut[v] = 1;
   }

@@ -71,6 +71,14 @@ TEST(MeshOnSurface, AMovedVertexIsNotTheOldOneAnyMore)
   }
 }
 
+// Where the surface is folded, a walk from a corner finds a face that faces the centroid instead.
+TEST(MeshOnSurface, FacesThatStayAreTheirOwnOrigins)
+{
+  const TriangleMesh fold =
+    meshOf({ { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 1, 0 }, { 0.5, 1, 0.2 } }, { { 0, 1, 2 }, { 1, 0, 3 } });
+  EXPECT_EQ(MeshOnSurface(fold).derived().Faces, (std::vector<int>{ 0, 1 }));
+}
+
 // A hexagon of which some vertices are kept.
 struct KeptHexagon
 {
