@@ -37,6 +37,18 @@ public:
       boost::make_function_output_iterator([&visit](const Value& found) { visit(found.second); }));
   }
 
+  /// The numbers of all boxes, in an order in which neighbours are near to each other.
+  std::vector<int> nearToEachOther() const
+  {
+    std::vector<int> numbers;
+    numbers.reserve(this->Tree.size());
+    for (const Value& value : this->Tree) // leaf by leaf
+    {
+      numbers.push_back(value.second);
+    }
+    return numbers;
+  }
+
 private:
   using Corner = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
   using Value = std::pair<boost::geometry::model::box<Corner>, int>;

@@ -129,9 +129,63 @@ bool hasVertexTwice(const PlacedTriangle& triangle)
   return a == b || b == c || c == a;
 }
 
+// Compares a triangle with those before it of some others, if their boxes meet.
+void compareWith(PairSearch& search,
+  int triangle,
+  const Eigen::AlignedBox3d& box,
+  const std::vector<std::pair<Eigen::AlignedBox3d, int>>& others)
+{
+  if (hasVertexTwice(search.Triangles[triangle]))
+  {
+    return;
+  }
+  for (const auto& [other, i] : others)
+  {
+    if (i < triangle && box.intersects(other) && !hasVertexTwice(search.Triangles[i]))
+    {
+      search.compare(i, triangle);
+    }
+  }
+}
+
+// Compares all triangles with each other. The tree is asked for a few that are near to each other at
+// once: the search takes a quarter less time than if it is asked for each of them.
+void compareAll(PairSearch& search)
+{
+  constexpr std::size_t atOnce = 8; // with 4 or 16 it takes a little longer
+  const std::vector<Eigen::AlignedBox3d> boxes = boxesOf(search.Triangles);
+  const BoxTree tree(boxes);
+  const std::vector<int> order = tree.nearToEachOther();
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, order.size(), atOnce),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      std::vector<std::pair<Eigen::AlignedBox3d, int>> near;
+      for (std::size_t begin = range.begin(); begin < range.end(); begin += atOnce)
+      {
+        const std::size_t end = std::min(begin + atOnce, range.end());
+        Eigen::AlignedBox3d box;
+        for (std::size_t n = begin; n < end; ++n)
+        {
+          box.extend(boxes[order[n]]);
+        }
+        near.clear();
+        tree.query(box, [&](int i) { near.emplace_back(boxes[i], i); });
+        for (std::size_t n = begin; n < end; ++n)
+        {
+          compareWith(search, order[n], boxes[order[n]], near);
+        }
+      }
+    });
+}
+
 // Compares some triangles (ascending) with all.
 void compareWithAll(PairSearch& search, const std::vector<int>& some)
 {
+  if (some.size() == search.Triangles.size())
+  {
+    compareAll(search);
+    return;
+  }
   std::vector<Eigen::AlignedBox3d> boxes;
   boxes.reserve(some.size());
   std::vector<char> isChosen(search.Triangles.size(), 0);
