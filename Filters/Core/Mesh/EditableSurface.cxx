@@ -19,10 +19,32 @@ namespace flattening
 namespace
 {
 
-[[noreturn]] void throwNoManifold(const char* element, int number)
+[[noreturn]] void throwNoManifold(int face)
 {
-  throw TopologyError(std::string(element) + " " + std::to_string(number) +
-                      " does not fit an oriented manifold: run Surface To Disk first");
+  throw TopologyError(
+    "face " + std::to_string(face) + " does not fit an oriented manifold: run Surface To Disk first");
+}
+
+template <typename Point>
+CGAL::Surface_mesh<Point> withFacesAdded(const TriangleMesh& mesh)
+{
+  using Vertex = typename CGAL::Surface_mesh<Point>::Vertex_index;
+  CGAL::Surface_mesh<Point> surface;
+  surface.reserve(mesh.vertexCount(), 3 * (mesh.faceCount() / 2), mesh.faceCount());
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+  {
+    surface.add_vertex(Point(mesh.Vertices(v, 0), mesh.Vertices(v, 1), mesh.Vertices(v, 2)));
+  }
+  for (int f = 0; f < mesh.faceCount(); ++f)
+  {
+    const auto corners = mesh.Faces.row(f);
+    if (surface.add_face(Vertex(corners[0]), Vertex(corners[1]), Vertex(corners[2])) ==
+        surface.null_face())
+    {
+      throwNoManifold(f);
+    }
+  }
+  return surface;
 }
 
 // The numbers that CGAL's half-edges have if faces are added one after the other: those of edge e are
@@ -60,7 +82,7 @@ void joinBorder(CGAL::Surface_mesh<Point>& surface,
     const Vertex to(faces.data()[h]);
     if (borderFrom[from].is_valid() || faces.data()[h] == from)
     {
-      throwNoManifold("face", h / 3);
+      throwNoManifold(h / 3);
     }
     borderFrom[from] = surface.opposite(Halfedge(numbers[h]));
     surface.set_target(borderFrom[from], to);
@@ -83,10 +105,9 @@ CGAL::Surface_mesh<Point> toSurfaceMesh(const TriangleMesh& mesh)
   using Halfedge = typename CGAL::Surface_mesh<Point>::Halfedge_index;
   using Face = typename CGAL::Surface_mesh<Point>::Face_index;
   const std::vector<int> opposite = oppositeHalfedges(mesh.Faces);
-  const std::vector<int> severalFans = verticesOfSeveralFans(mesh.Faces, opposite, mesh.vertexCount());
-  if (!severalFans.empty())
+  if (!verticesOfSeveralFans(mesh.Faces, opposite, mesh.vertexCount()).empty())
   {
-    throwNoManifold("vertex", severalFans.front());
+    return withFacesAdded<Point>(mesh);
   }
   const std::vector<unsigned> numbers = halfedgeNumbers(opposite);
   const auto borderEdges = std::count(opposite.begin(), opposite.end(), -1);

@@ -24,8 +24,8 @@ inline Kernel::Point_3 pointOf(const Points3& points, Eigen::Index v)
 }
 
 /// A half-edge mesh with the same indices of vertices and faces. @p Point is Kernel::Point_3 or
-/// Eigen::Vector3d. @throws TopologyError if the mesh is not an oriented manifold, or parts of it meet
-/// only at a vertex.
+/// Eigen::Vector3d. Parts that have a boundary may meet at a vertex. @throws TopologyError if the mesh
+/// is otherwise not an oriented manifold.
 template <typename Point = Kernel::Point_3>
 CGAL::Surface_mesh<Point> toSurfaceMesh(const TriangleMesh& mesh);
 

@@ -109,6 +109,16 @@ TEST(SurfaceMesh, KeepsVerticesWithoutFaces)
   EXPECT_TRUE(surface.is_isolated(SurfaceMesh::Vertex_index(5)));
 }
 
+TEST(SurfaceMesh, HasPartsWithABoundaryThatMeetAtAVertex)
+{
+  const TriangleMesh mesh = meshOf(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { -1, 0, 0 }, { 0, -1, 0 } }, { { 0, 1, 2 }, { 0, 3, 4 } });
+  const SurfaceMesh surface = toSurfaceMesh(mesh);
+  expectSame(surface, withFacesAdded(mesh));
+  EXPECT_TRUE(surface.is_valid(false));
+  EXPECT_EQ(surface.degree(SurfaceMesh::Vertex_index(0)), 4u);
+}
+
 TEST(SurfaceMesh, RefusesWhatIsNoOrientedManifold)
 {
   const auto refuses = [](const std::vector<std::array<int, 3>>& faces)
@@ -117,11 +127,10 @@ TEST(SurfaceMesh, RefusesWhatIsNoOrientedManifold)
       meshOf({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 } }, faces);
     EXPECT_THROW(toSurfaceMesh(mesh), TopologyError);
   };
-  refuses({ { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } });              // three faces at an edge
-  refuses({ { 0, 1, 2 }, { 0, 1, 3 } });                           // against each other
-  refuses({ { 0, 1, 2 }, { 0, 3, 4 } });                           // that meet at a vertex
-  refuses({ { 0, 1, 2 }, { 0, 2, 1 }, { 0, 3, 4 }, { 0, 4, 3 } }); // the same without a boundary
-  refuses({ { 0, 0, 1 }, { 1, 0, 2 } });                           // a vertex twice
+  refuses({ { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } });                           // three faces at an edge
+  refuses({ { 0, 1, 2 }, { 0, 1, 3 } });                                        // against each other
+  refuses({ { 0, 1, 2 }, { 0, 2, 1 }, { 0, 3, 4 }, { 0, 4, 3 } });              // that meet at a vertex
+  refuses({ { 0, 0, 1 }, { 1, 0, 2 } });                                        // a vertex twice
   refuses({ { 0, 1, 2 }, { 2, 1, 3 }, { 2, 3, 4 }, { 4, 3, 0 }, { 4, 0, 1 } }); // a Moebius strip
 }
 
