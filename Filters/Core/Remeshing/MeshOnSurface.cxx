@@ -56,17 +56,10 @@ MeshOnSurface::MeshOnSurface(std::shared_ptr<const ClosestPointWalk> walk,
     {
       const Vertex v(static_cast<unsigned>(i));
       this->Kept[v] = kept.empty() ? 0 : kept[i];
-      this->set(v, this->Surface.point(v), present.Places[i]);
+      this->set(v, this->Surface.point(v), present.Places[i], this->Walk->normal(present.Places[i]));
       // toSurfaceMesh gives a vertex of the border the half-edge of the border that ends there.
       this->Boundary[v] = static_cast<char>(this->Surface.is_border(this->Surface.halfedge(v)));
     });
-}
-
-void MeshOnSurface::set(Vertex v, const Eigen::Vector3d& position, const SurfacePoint& place)
-{
-  this->Surface.point(v) = position;
-  this->Place[v] = place;
-  this->Normal[v] = this->Walk->normal(place);
 }
 
 Corner MeshOnSurface::corner(Vertex v) const
@@ -163,7 +156,7 @@ MeshOnSurface::Vertex MeshOnSurface::split(Edge edge, const Guard& guard)
   }
   this->Boundary[added] = static_cast<char>(border);
   this->Kept[added] = 0;
-  this->set(added, middle, place);
+  this->set(added, middle, place, this->Walk->normal(place));
   // A middle that moved farther could make an edge as long as this one was, and splitting need not end.
   constexpr double Near = 0.1;
   if (!border && (place.Position - middle).norm() <= Near * length)
@@ -222,7 +215,7 @@ bool MeshOnSurface::move(Vertex vertex,
   {
     return false;
   }
-  this->set(vertex, position, to);
+  this->set(vertex, position, to, normal);
   return true;
 }
 
@@ -296,11 +289,12 @@ bool MeshOnSurface::collapse(Edge edge, const Guard& guard)
     targets.push_back(aStays ? atA : atB);
   }
 
+  Eigen::Vector3d normal;
   const auto admitted = std::find_if(targets.begin(),
     targets.end(),
-    [this, h, a, &guard](const Target& target)
+    [this, h, a, &guard, &normal](const Target& target)
     {
-      const Eigen::Vector3d normal = this->Walk->normal(target.Place);
+      normal = this->Walk->normal(target.Place);
       return guard(
         this->changeByCollapsing(h, { static_cast<int>(a.idx()), &target.Position, &normal }));
     });
@@ -313,7 +307,7 @@ bool MeshOnSurface::collapse(Edge edge, const Guard& guard)
   const Vertex kept =
     CGAL::Euler::collapse_edge(oneIsKept ? this->Surface.edge(toKept) : edge, this->Surface);
   this->Boundary[kept] = static_cast<char>(border);
-  this->set(kept, admitted->Position, admitted->Place);
+  this->set(kept, admitted->Position, admitted->Place, normal);
   return true;
 }
 

@@ -91,7 +91,16 @@ private:
   bool straightAround(Halfedge border) const;
   bool bothKept(Vertex a, Vertex b) const { return this->Kept[a] != 0 && this->Kept[b] != 0; }
   bool makesKeptEdge(Halfedge h) const;
-  void set(Vertex v, const Eigen::Vector3d& position, const SurfacePoint& place);
+  // The normal is that of the old surface at the place.
+  void set(Vertex v,
+    const Eigen::Vector3d& position,
+    const SurfacePoint& place,
+    const Eigen::Vector3d& normal)
+  {
+    this->Surface.point(v) = position;
+    this->Place[v] = place;
+    this->Normal[v] = normal;
+  }
   Origin originOfVertex(Vertex v) const;
   bool isOld(Face f) const;
   int originOfFace(Face f) const;
