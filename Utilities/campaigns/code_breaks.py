@@ -56,7 +56,7 @@ BREAKS = [
     at("Mesh/FaceSides.cxx", "left != 0 ? 1 : 0", "0"),
     at("Mesh/EditableSurface.cxx", "numbers[opposite[h]] + 1", "numbers[opposite[h]]"),
     at("Mesh/EditableSurface.cxx", "surface.set_next(h, borderFrom[surface.target(h)]);", ""),
-    at("Mesh/EditableSurface.cxx", "borderFrom[from].is_valid()", "false"),
+    at("Mesh/EditableSurface.cxx", "faces.data()[h] == from", "false"),
     at("Mesh/EditableSurface.cxx", "t * (q - p)", "(1.0 - t) * (q - p)"),
     at("Mesh/EditableSurface.cxx", "1.0 - t", "t", "this->VertexOrigin[source], 1.0 - t"),
     at("Mesh/EditableSurface.cxx", "0.5", "1.0", "return 0.5 * std::sqrt("),

@@ -80,7 +80,7 @@ void joinBorder(CGAL::Surface_mesh<Point>& surface,
     }
     const int from = faces.data()[nextHalfedge(h)];
     const Vertex to(faces.data()[h]);
-    if (borderFrom[from].is_valid() || faces.data()[h] == from)
+    if (faces.data()[h] == from)
     {
       throwNoManifold(h / 3);
     }
@@ -105,6 +105,8 @@ CGAL::Surface_mesh<Point> toSurfaceMesh(const TriangleMesh& mesh)
   using Halfedge = typename CGAL::Surface_mesh<Point>::Halfedge_index;
   using Face = typename CGAL::Surface_mesh<Point>::Face_index;
   const std::vector<int> opposite = oppositeHalfedges(mesh.Faces);
+  // An edge of more than two faces, or of two that are oriented against each other, divides the fans of
+  // its ends, too.
   if (!verticesOfSeveralFans(mesh.Faces, opposite, mesh.vertexCount()).empty())
   {
     return withFacesAdded<Point>(mesh);
