@@ -71,7 +71,8 @@ TEST(MeshOnSurface, AMovedVertexIsNotTheOldOneAnyMore)
   }
 }
 
-// Where the surface is folded, a walk from a corner finds a face that faces the centroid instead.
+// Where the surface is folded, a walk from a corner to the centroid of a face would end on another face,
+// which lies opposite to it.
 TEST(MeshOnSurface, FacesThatStayAreTheirOwnOrigins)
 {
   const TriangleMesh fold =
