@@ -14,9 +14,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <utility>
 
 namespace flattening
@@ -181,11 +181,6 @@ void compareAll(PairSearch& search)
 // Compares some triangles (ascending) with all.
 void compareWithAll(PairSearch& search, const std::vector<int>& some)
 {
-  if (some.size() == search.Triangles.size())
-  {
-    compareAll(search);
-    return;
-  }
   std::vector<Eigen::AlignedBox3d> boxes;
   boxes.reserve(some.size());
   std::vector<char> isChosen(search.Triangles.size(), 0);
@@ -215,10 +210,10 @@ void compareWithAll(PairSearch& search, const std::vector<int>& some)
     });
 }
 
-// The search of all pairs of one of some triangles and any triangle when it is over. An abort returns at
-// once, and all threads of the search see it.
+// The search by a function that compares triangles, when it is over. An abort returns at once, and all
+// threads of the search see it.
 std::shared_ptr<PairSearch> searched(std::vector<PlacedTriangle> triangles,
-  std::vector<int> some,
+  std::function<void(PairSearch&)> compare,
   std::size_t most,
   const ProgressCallback& progress)
 {
@@ -227,7 +222,7 @@ std::shared_ptr<PairSearch> searched(std::vector<PlacedTriangle> triangles,
   search->Most = most;
   try
   {
-    callInterruptibly([search, some = std::move(some)] { compareWithAll(*search, some); },
+    callInterruptibly([search, compare = std::move(compare)] { compare(*search); },
       progress,
       0.0,
       "looking for self-intersections");
@@ -238,15 +233,6 @@ std::shared_ptr<PairSearch> searched(std::vector<PlacedTriangle> triangles,
     throw;
   }
   return search;
-}
-
-std::shared_ptr<PairSearch> searched(std::vector<PlacedTriangle> triangles,
-  std::size_t most,
-  const ProgressCallback& progress)
-{
-  std::vector<int> all(triangles.size());
-  std::iota(all.begin(), all.end(), 0);
-  return searched(std::move(triangles), std::move(all), most, progress);
 }
 
 } // namespace
@@ -323,7 +309,7 @@ std::size_t countOverlappingBoxes(const std::vector<PlacedTriangle>& some,
 Pairs intersectingPairs(const std::vector<PlacedTriangle>& triangles, const ProgressCallback& progress)
 {
   const std::size_t most = std::numeric_limits<std::size_t>::max();
-  return sorted(searched(triangles, most, progress)->Found);
+  return sorted(searched(triangles, compareAll, most, progress)->Found);
 }
 
 std::size_t countSelfIntersections(const TriangleMesh& mesh, const ProgressCallback& progress)
@@ -335,7 +321,7 @@ FewPairs fewSelfIntersections(const TriangleMesh& mesh,
   std::size_t most,
   const ProgressCallback& progress)
 {
-  const auto search = searched(placedFaces(mesh), most, progress);
+  const auto search = searched(placedFaces(mesh), compareAll, most, progress);
   return { search->Count, sorted(search->Found) };
 }
 
@@ -344,7 +330,8 @@ FewPairs fewIntersectionsOf(const TriangleMesh& mesh,
   std::size_t most,
   const ProgressCallback& progress)
 {
-  const auto search = searched(placedFaces(mesh), some, most, progress);
+  const auto search = searched(
+    placedFaces(mesh), [some](PairSearch& pairs) { compareWithAll(pairs, some); }, most, progress);
   return { search->Count, sorted(search->Found) };
 }
 

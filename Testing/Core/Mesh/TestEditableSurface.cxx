@@ -127,10 +127,10 @@ TEST(SurfaceMesh, RefusesWhatIsNoOrientedManifold)
       meshOf({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 } }, faces);
     EXPECT_THROW(toSurfaceMesh(mesh), TopologyError);
   };
-  refuses({ { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } });                           // three faces at an edge
-  refuses({ { 0, 1, 2 }, { 0, 1, 3 } });                                        // against each other
-  refuses({ { 0, 1, 2 }, { 0, 2, 1 }, { 0, 3, 4 }, { 0, 4, 3 } });              // that meet at a vertex
-  refuses({ { 0, 0, 1 }, { 1, 0, 2 } });                                        // a vertex twice
+  refuses({ { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } });              // three faces at an edge
+  refuses({ { 0, 1, 2 }, { 0, 1, 3 } });                           // two faces against each other
+  refuses({ { 0, 1, 2 }, { 0, 2, 1 }, { 0, 3, 4 }, { 0, 4, 3 } }); // closed parts that meet at a vertex
+  refuses({ { 0, 0, 1 }, { 1, 0, 2 } });                           // a face with a vertex twice
   refuses({ { 0, 1, 2 }, { 2, 1, 3 }, { 2, 3, 4 }, { 4, 3, 0 }, { 4, 0, 1 } }); // a Moebius strip
 }
 
