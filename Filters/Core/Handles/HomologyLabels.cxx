@@ -3,8 +3,10 @@
 
 #include "Base/Errors.h"
 
+#include <algorithm>
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 namespace flattening
@@ -40,32 +42,54 @@ class FaceTree
 public:
   explicit FaceTree(const HalfedgeSurface& surface)
     : Surface(surface)
-    , LoopOf(surface.halfedgeCount(), -1)
-    , InTree(surface.halfedgeCount(), 0)
   {
     for (const std::vector<int>& vertices : surface.boundaryLoops())
     {
+      const int node = this->nodeCount();
       this->Loops.emplace_back();
       for (const int v : vertices)
       {
         this->Loops.back().push_back(surface.outgoing(v));
-        this->LoopOf[surface.outgoing(v)] = static_cast<int>(this->Loops.size()) - 1;
+        this->LoopAt[surface.outgoing(v)] = node;
       }
     }
     this->grow();
   }
 
-  int nodeCount() const { return this->Surface.faceCount() + static_cast<int>(this->Loops.size()); }
+  bool reachesAll() const { return static_cast<int>(this->Order.size()) == this->nodeCount(); }
   const std::vector<int>& order() const { return this->Order; }
   /// The half-edge between a node and its parent, seen from the parent unless that is a boundary loop;
-  /// -1 at the root.
+  /// negative at the root.
   int parentEdge(int node) const { return this->Parent[node]; }
-  bool isTreeEdge(int h) const { return this->InTree[h]; }
+
+  bool isTreeEdge(int h) const
+  {
+    const int face = HalfedgeSurface::face(h);
+    const int fromOutside = this->Surface.twin(h) >= 0 ? this->Surface.twin(h) : h;
+    return this->Parent[this->across(face, h)] == h || this->Parent[face] == fromOutside;
+  }
+
+  /// Flags, per node, those beside the half-edges and the nodes from there to the root.
+  std::vector<char> pathsToRoot(const std::vector<int>& halfedges) const
+  {
+    std::vector<char> onPath(this->nodeCount(), 0);
+    for (const int h : halfedges)
+    {
+      for (int node : { HalfedgeSurface::face(h), this->across(HalfedgeSurface::face(h), h) })
+      {
+        for (; !onPath[node]; node = this->parent(node))
+        {
+          onPath[node] = 1;
+        }
+      }
+    }
+    return onPath;
+  }
 
   template <typename Visit>
   void visitSides(int node, const Visit& visit) const
   {
-    if (node < this->Surface.faceCount())
+    if (!this->isLoop(node))
     {
       visit(3 * node);
       visit(3 * node + 1);
@@ -79,23 +103,37 @@ public:
   }
 
 private:
+  static constexpr int NoParent = -1;
+  static constexpr int Unreached = -2;
+
+  int nodeCount() const { return this->Surface.faceCount() + static_cast<int>(this->Loops.size()); }
+  bool isLoop(int node) const { return node >= this->Surface.faceCount(); }
+
   int across(int node, int h) const
   {
-    if (node >= this->Surface.faceCount())
+    if (this->isLoop(node))
     {
       return HalfedgeSurface::face(h);
     }
     const int twin = this->Surface.twin(h);
-    return twin >= 0 ? HalfedgeSurface::face(twin) : this->Surface.faceCount() + this->LoopOf[h];
+    return twin >= 0 ? HalfedgeSurface::face(twin) : this->LoopAt.at(h);
+  }
+
+  // The root is its own parent.
+  int parent(int node) const
+  {
+    const int h = this->Parent[node];
+    return h == NoParent                      ? node
+           : HalfedgeSurface::face(h) == node ? this->LoopAt.at(h)
+                                              : HalfedgeSurface::face(h);
   }
 
   void grow()
   {
-    std::vector<char> reached(this->nodeCount(), 0);
-    this->Parent.assign(this->nodeCount(), -1);
+    this->Parent.assign(this->nodeCount(), Unreached);
     this->Order.reserve(this->nodeCount());
+    this->Parent[0] = NoParent;
     this->Order.push_back(0);
-    reached[0] = 1;
     for (std::size_t i = 0; i < this->Order.size(); ++i)
     {
       const int node = this->Order[i];
@@ -103,11 +141,9 @@ private:
         [&](int h)
         {
           const int neighbour = this->across(node, h);
-          if (!reached[neighbour])
+          if (this->Parent[neighbour] == Unreached)
           {
-            reached[neighbour] = 1;
             this->Parent[neighbour] = h;
-            setEdge(this->Surface, this->InTree, h, 1);
             this->Order.push_back(neighbour);
           }
         });
@@ -116,24 +152,74 @@ private:
 
   const HalfedgeSurface& Surface;
   std::vector<std::vector<int>> Loops; // half-edges of each boundary loop
-  std::vector<int> LoopOf;             // per half-edge: its boundary loop, or -1
-  std::vector<char> InTree;            // per half-edge
+  std::unordered_map<int, int> LoopAt; // the boundary loop's node, by half-edge on the boundary
   std::vector<int> Parent;             // per node, see parentEdge
   std::vector<int> Order;              // nodes in breadth-first order
 };
 
-// Marks the half-edges of a breadth-first tree of the vertices that crosses no edge of the face tree.
-std::vector<char> vertexTree(const HalfedgeSurface& surface, const FaceTree& faces)
+// The cut graph: the edges that the face tree does not cross, one half-edge of each.
+std::vector<int> cutGraphOf(const HalfedgeSurface& surface, const FaceTree& faces)
+{
+  std::vector<int> edges;
+  for (int h = 0; h < surface.halfedgeCount(); ++h)
+  {
+    if (h > surface.twin(h) && !faces.isTreeEdge(h))
+    {
+      edges.push_back(h);
+    }
+  }
+  return edges;
+}
+
+// Flags the vertices of the reduced cut graph: those that remain when its dead ends are taken away, but
+// for the one that ends at the root.
+std::vector<char> withoutDeadEnds(const HalfedgeSurface& surface,
+  const std::vector<int>& edges,
+  int root)
+{
+  // A vertex with a single edge knows which one it is by the exclusive or of its edges.
+  std::vector<int> degree(surface.vertexCount(), 0);
+  std::vector<int> edgesAt(surface.vertexCount(), 0);
+  const auto toggle = [&](int v, int h, int change)
+  {
+    degree[v] += change;
+    edgesAt[v] ^= h;
+  };
+  for (const int h : edges)
+  {
+    toggle(surface.source(h), h, 1);
+    toggle(surface.target(h), h, 1);
+  }
+  for (int end = 0; end < surface.vertexCount(); ++end)
+  {
+    for (int v = end; degree[v] == 1 && v != root;)
+    {
+      const int h = edgesAt[v];
+      toggle(surface.source(h), h, -1);
+      toggle(surface.target(h), h, -1);
+      v = surface.source(h) == v ? surface.target(h) : surface.source(h);
+    }
+  }
+  std::vector<char> remains(degree.size());
+  std::transform(
+    degree.begin(), degree.end(), remains.begin(), [](int edgesLeft) { return edgesLeft > 0; });
+  return remains;
+}
+
+// Marks the half-edges of a breadth-first tree of the reduced cut graph.
+std::vector<char> vertexTree(const HalfedgeSurface& surface,
+  const FaceTree& faces,
+  std::vector<char> unreached,
+  int root)
 {
   std::vector<char> inTree(surface.halfedgeCount(), 0);
-  std::vector<char> reached(surface.vertexCount(), 0);
-  std::vector<int> queue{ surface.source(0) };
-  reached[queue[0]] = 1;
+  std::vector<int> queue{ root };
+  unreached[root] = 0;
   const auto step = [&](int to, int h)
   {
-    if (!reached[to] && !faces.isTreeEdge(h))
+    if (unreached[to] && !faces.isTreeEdge(h))
     {
-      reached[to] = 1;
+      unreached[to] = 0;
       setEdge(surface, inTree, h, 1);
       queue.push_back(to);
     }
@@ -154,19 +240,18 @@ std::vector<char> vertexTree(const HalfedgeSurface& surface, const FaceTree& fac
   return inTree;
 }
 
-// One half-edge of each edge that belongs to neither tree.
+// One half-edge of each edge of the cut graph that would close a curve if it were added to a
+// breadth-first tree of the others.
 std::vector<int> generatorsOf(const HalfedgeSurface& surface, const FaceTree& faces)
 {
-  const std::vector<char> inVertexTree = vertexTree(surface, faces);
-  std::vector<int> generators;
-  for (int h = 0; h < surface.halfedgeCount(); ++h)
-  {
-    if (h > surface.twin(h) && !inVertexTree[h] && !faces.isTreeEdge(h))
-    {
-      generators.push_back(h);
-    }
-  }
-  return generators;
+  const int root = surface.source(0);
+  std::vector<int> edges = cutGraphOf(surface, faces);
+  const std::vector<char> remain = withoutDeadEnds(surface, edges, root);
+  const std::vector<char> inTree = vertexTree(surface, faces, remain, root);
+  const auto isNoGenerator = [&](int h)
+  { return inTree[h] || !remain[surface.source(h)] || !remain[surface.target(h)]; };
+  edges.erase(std::remove_if(edges.begin(), edges.end(), isNoGenerator), edges.end());
+  return edges;
 }
 
 } // namespace
@@ -175,7 +260,7 @@ HomologyLabels::HomologyLabels(const HalfedgeSurface& surface)
   : LabelOf(surface.halfedgeCount(), 0)
 {
   const FaceTree faces(surface);
-  if (static_cast<int>(faces.order().size()) != faces.nodeCount())
+  if (!faces.reachesAll())
   {
     throw TopologyError("the surface is not connected, at face " + std::to_string(surface.faceCount()) +
                         ": choose one component with Connectivity first");
@@ -189,10 +274,16 @@ HomologyLabels::HomologyLabels(const HalfedgeSurface& surface)
     this->Labels.back().Bits.set(i);
     setEdge(surface, this->LabelOf, generators[i], static_cast<int>(i) + 1);
   }
-  // From the leaves of the face tree to its root, only one side of each face has no label yet.
+  // From the leaves of the face tree to its root, only one side of each face has no label yet. Off the
+  // paths from the generators to the root, it is zero.
+  const std::vector<char> onPath = faces.pathsToRoot(generators);
   for (std::size_t i = faces.order().size(); i-- > 1;)
   {
     const int node = faces.order()[i];
+    if (!onPath[node])
+    {
+      continue;
+    }
     const int parent = faces.parentEdge(node);
     int label = 0;
     faces.visitSides(node,
