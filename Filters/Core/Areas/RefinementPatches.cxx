@@ -20,9 +20,6 @@ namespace flattening
 namespace
 {
 
-// Rounds in a patch per pass. A choice: the next pass gains more, since it frees the vertices in
-// between.
-constexpr int LargestRounds = 2;
 // The angle between the dividing lines of one pass and the next, in radians. A convention: an irrational
 // share of a turn, so that lines never return.
 constexpr double Turn = 1.0;
@@ -113,7 +110,7 @@ private:
     energy.setEpsilon(this->ThePass.Epsilon);
     RefinementDescent descent(energy, dofs, terms, SparseCholesky::Kernel::Entries);
     descent.keepOrientation(this->ThePass.KeepsOrientation);
-    for (int round = 0; round < LargestRounds; ++round)
+    for (int round = 0; round < this->ThePass.MostRounds; ++round)
     {
       const double gain = descent.round(map);
       const Eigen::Index off = ((energy.areaRatios(map).array() - 1.0).abs() > AreaTolerance).count();

@@ -105,6 +105,7 @@ private:
     double areaWeight,
     const ProgressCallback& progress);
   bool isFree() const { return this->Dofs.loop().empty(); } // the boundary
+  bool isWarm() const { return this->Start == RefinementStart::WarmStart; }
   RefinementPatches::Pass pass(const DomainMap& map);
   int runPatches(RefinementPatches::Pass& pass, DomainMap& map, const ProgressCallback& progress);
   double descend(DomainMap& map, const ProgressCallback& progress);
