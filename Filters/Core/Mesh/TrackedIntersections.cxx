@@ -60,21 +60,6 @@ std::vector<FaceKey> sortedKeys(const TriangleMesh& mesh)
   return keys;
 }
 
-bool samePoints(const TriangleMesh& a,
-  const FaceKey& faceOfA,
-  const TriangleMesh& b,
-  const FaceKey& faceOfB)
-{
-  for (int k = 0; k < 3; ++k)
-  {
-    if (pointOf(a, faceOfA.Face, faceOfA.First + k) != pointOf(b, faceOfB.Face, faceOfB.First + k))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
 // A face that was there before, and the corners of both that lie on the same point.
 struct OldFace
 {
@@ -82,6 +67,18 @@ struct OldFace
   int FirstOld = 0;
   int FirstNew = 0;
 };
+
+bool samePoints(const TriangleMesh& old, const TriangleMesh& now, const OldFace& before, int face)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    if (pointOf(old, before.Face, before.FirstOld + k) != pointOf(now, face, before.FirstNew + k))
+    {
+      return false;
+    }
+  }
+  return true;
+}
 
 // For each face of the new mesh one of the old mesh on the same points, and none twice.
 std::vector<OldFace> facesOnSamePoints(const TriangleMesh& old, const TriangleMesh& now)
@@ -96,13 +93,22 @@ std::vector<OldFace> facesOnSamePoints(const TriangleMesh& old, const TriangleMe
     {
       ++candidate;
     }
-    if (candidate != oldKeys.end() && candidate->Hash == key.Hash &&
-        samePoints(old, *candidate, now, key))
+    if (candidate != oldKeys.end() && candidate->Hash == key.Hash)
     {
       same[key.Face] = { candidate->Face, candidate->First, key.First };
       ++candidate;
     }
   }
+  // In the order of the faces, in which neighbours are near to each other in memory.
+  tbb::parallel_for(0,
+    now.faceCount(),
+    [&](int f)
+    {
+      if (same[f].Face >= 0 && !samePoints(old, now, same[f], f))
+      {
+        same[f] = {};
+      }
+    });
   return same;
 }
 
