@@ -240,8 +240,8 @@ std::vector<char> vertexTree(const HalfedgeSurface& surface,
   return inTree;
 }
 
-// One half-edge of each edge of the cut graph that would close a curve if it were added to a
-// breadth-first tree of the others.
+// One half-edge of each edge that belongs to neither tree. Dead ends of the cut graph belong to every
+// tree of the vertices, so that only the reduced cut graph is searched.
 std::vector<int> generatorsOf(const HalfedgeSurface& surface, const FaceTree& faces)
 {
   const int root = surface.source(0);
