@@ -289,6 +289,8 @@ BREAKS = [
     at("Handles/CappedCut.cxx", "step", "-step", "p + step * sum / area"),
     at("Handles/CappedCut.cxx", "std::swap(face[0], face[2]);", ""),
     at("Handles/HalfedgeSurface.cxx", "0.5", "1.0", "this->origin(a), 0.5"),
+    at("Handles/HomologyLabels.cxx", "edgesLeft > 0", "edgesLeft > 2"),
+    at("Handles/HomologyLabels.cxx", "degree[v] == 1 && v != root", "degree[v] == 1"),
     # --- Disk
     at("Disk/PlaneCut.cxx", "low >= 0.0", "low <= 0.0"),
     at("Disk/IsolineCut.cxx", "(level - from) / (to - from)", "(level - to) / (from - to)"),
