@@ -48,7 +48,7 @@ public:
     double ShapeFactor = 1.0;     ///< factor of the terms' shape weights
     bool KeepsOrientation = true; ///< whether faces may not flip (RefinementDescent)
     int Number = 0;               ///< of the pass: each divides the mesh along other lines
-    int MostRounds = 2;           ///< in a patch
+    int MostRounds = 2;           ///< of steps in a patch; it ends earlier if they gain little
     /// Per vertex (n), whether it may move. If this is empty, all may, and patches are left out in which
     /// few faces are not right.
     std::vector<char> Moving;

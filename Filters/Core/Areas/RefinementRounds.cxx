@@ -39,7 +39,7 @@ constexpr int MovingRings = 6;
 // one.
 constexpr int PatchRounds = 2;
 // EnoughShare and PatchRounds after a warm start, for a change of one weight: each further pass is a
-// tenth of the wait, and with one round in a patch the maps have the same errors in seven eighths of the
+// tenth of the wait, and with one round in a patch the maps have the same errors in four fifths of the
 // time.
 constexpr double WarmEnoughShare = 0.005;
 constexpr int WarmPatchRounds = 1;
