@@ -7,6 +7,7 @@ import ctypes
 import os
 import resource
 import signal
+import traceback
 
 import surfaceflattening
 from vtkmodules.vtkFiltersSources import vtkSphereSource
@@ -76,6 +77,8 @@ def child(stage, megabytes):
         status = 1
         try:
             status = run_in_child(stage, megabytes)
+        except BaseException:  # os._exit would not print it
+            traceback.print_exc()
         finally:
             os._exit(status)
     os.close(writing)
