@@ -6,7 +6,6 @@
 #include "Mesh/PlaneVectors.h"
 #include "Mesh/SpreadVertices.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -59,11 +58,15 @@ Eigen::Matrix2d metricOf(const Eigen::Matrix2d& inverse)
   {
     return Eigen::Matrix2d::Identity();
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(inverse / std::sqrt(determinant));
-  const Eigen::Array2d values =
-    solver.eigenvalues().array().max(1.0 / GreatestStretch).min(GreatestStretch);
-  return solver.eigenvectors() * values.inverse().matrix().asDiagonal() *
-         solver.eigenvectors().transpose();
+  // The eigenvalues are the mean plus and minus the deviation, and their product is 1.
+  const double mean = 0.5 * inverse.trace() / std::sqrt(determinant);
+  const Eigen::Matrix2d deviator = inverse / std::sqrt(determinant) - mean * Eigen::Matrix2d::Identity();
+  const double deviation = deviator.norm() / std::sqrt(2.0);
+  constexpr double mostMean = 0.5 * (GreatestStretch + 1.0 / GreatestStretch);
+  constexpr double mostDeviation = 0.5 * (GreatestStretch - 1.0 / GreatestStretch);
+  return mean > mostMean ? Eigen::Matrix2d(mostMean * Eigen::Matrix2d::Identity() -
+                                           (mostDeviation / deviation) * deviator)
+                         : Eigen::Matrix2d(mean * Eigen::Matrix2d::Identity() - deviator);
 }
 
 // Makes a coarse disk of a surface.

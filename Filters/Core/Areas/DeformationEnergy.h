@@ -3,8 +3,8 @@
 #pragma once
 
 #include "Areas/DeformationLattice.h"
+#include "Areas/LatticeMatrix.h"
 #include "Areas/RefinementTerms.h"
-#include "Base/SparseFactorization.h"
 #include "Transport/ConvexDomain.h"
 
 #include <Eigen/Core>
@@ -63,11 +63,11 @@ public:
   /// The energy of the nodes' @p displacements (k x 2); infinite if det F <= 0 in a small square.
   double value(const Points2& displacements) const;
   /// The same with its derivatives by the displacements (2 k, x and y of each node in turn): the
-  /// gradient, and the lower triangle of the second derivative, to which every small square contributes
-  /// its positive semidefinite part. The pattern of the latter is always the same.
+  /// gradient, and the second derivative, to which every small square contributes its positive
+  /// semidefinite part. @p hessian is of the same lattice.
   double derivatives(const Points2& displacements,
     Eigen::VectorXd& gradient,
-    SparseMatrix& hessian) const;
+    LatticeMatrix& hessian) const;
 
 private:
   struct Square // a small one

@@ -2,6 +2,7 @@
 #include "Areas/SmoothDeformation.h"
 
 #include "Areas/DeformationLattice.h"
+#include "Areas/LatticeMatrix.h"
 #include "Base/SparseFactorization.h"
 
 #include <algorithm>
@@ -100,6 +101,7 @@ public:
   DeformationDescent(const DeformationLattice& lattice, DeformationEnergy& energy)
     : Energy(energy)
     , Displacements(Points2::Zero(lattice.nodeCount(), 2))
+    , Hessian(lattice)
   {
     this->Cholesky.expectConstantPattern();
   }
@@ -123,11 +125,10 @@ private:
   bool makeStep()
   {
     Eigen::VectorXd gradient;
-    SparseMatrix hessian;
-    const double before = this->Energy.derivatives(this->Displacements, gradient, hessian);
-    const double damping = RelativeDamping * hessian.diagonal().mean();
-    hessian.diagonal().array() += damping;
-    this->Cholesky.compute(hessian);
+    const double before = this->Energy.derivatives(this->Displacements, gradient, this->Hessian);
+    const double damping = RelativeDamping * this->Hessian.lower().diagonal().mean();
+    this->Hessian.lower().diagonal().array() += damping;
+    this->Cholesky.compute(this->Hessian.lower());
     if (this->Cholesky.info() != Eigen::Success)
     {
       return false;
@@ -151,6 +152,7 @@ private:
 
   DeformationEnergy& Energy;
   Points2 Displacements;
+  LatticeMatrix Hessian;
   SparseCholesky Cholesky;
 };
 

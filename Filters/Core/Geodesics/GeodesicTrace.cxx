@@ -3,6 +3,7 @@
 #include "Geodesics/GeodesicSearch.h"
 
 #include "Mesh/Halfedges.h"
+#include "Mesh/PlaneVectors.h"
 
 #include <Eigen/Core>
 
@@ -16,11 +17,6 @@ namespace
 {
 
 using Eigen::Vector2d;
-
-double cross(const Vector2d& a, const Vector2d& b)
-{
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 // A straight line at a half-edge that it meets, and the point to which the line goes, in the plane of
 // the half-edge.

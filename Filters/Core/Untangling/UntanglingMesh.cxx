@@ -15,7 +15,7 @@ namespace
 // Bound on the error of a coordinate that is scaled or rotated and rounded, relative to its size: four
 // units in the last place, enough for the products and the sum of a rotation. With less, a rotated map
 // may flip faces that were counted as positive.
-constexpr double Rounding = 0x1p-50;
+constexpr double CoordinateError = 0x1p-50;
 
 } // namespace
 
@@ -30,7 +30,7 @@ bool UntanglingMesh::safelyPositive(int f) const
   const Eigen::RowVector2d right = corner(2) - corner(0);
   const double longest = std::max({ left.norm(), right.norm(), (right - left).norm() });
   const double largest = corner(0).cwiseAbs().maxCoeff();
-  return cross(left, right) > Rounding * largest * longest;
+  return cross(left, right) > CoordinateError * largest * longest;
 }
 
 double UntanglingMesh::edgeLengthAt(int v) const

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Untangling/UntanglingPatch.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -66,10 +65,13 @@ Eigen::Matrix2d commonStretch(const FlatPatch& patch)
     }
     scatter = next / std::sqrt(determinant);
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(scatter);
-  const Eigen::Vector2d squares = eigen.eigenvalues();
-  return squares[1] > LeastAnisotropy * LeastAnisotropy * squares[0] ? eigen.operatorSqrt()
-                                                                     : Eigen::Matrix2d::Identity();
+  // The eigenvalues are s and 1 / s, where s is the ratio of the singular values, and the root of a
+  // matrix M of determinant 1 is (M + I) / sqrt(tr M + 2), by the theorem of Cayley and Hamilton.
+  if (scatter.trace() <= LeastAnisotropy + 1.0 / LeastAnisotropy)
+  {
+    return Eigen::Matrix2d::Identity();
+  }
+  return (scatter + Eigen::Matrix2d::Identity()) / std::sqrt(scatter.trace() + 2.0);
 }
 
 } // namespace

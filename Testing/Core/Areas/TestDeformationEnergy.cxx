@@ -3,6 +3,7 @@
 #include "Areas/DeformationEnergy.h"
 #include "Areas/DeformationLattice.h"
 #include "Areas/DegreesOfFreedom.h"
+#include "Areas/LatticeMatrix.h"
 #include "Areas/RefinementTerms.h"
 #include "Areas/SmoothDeformation.h"
 #include "Base/EigenVersions.h"
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -110,7 +112,7 @@ TEST_F(DeformationEnergyOfAMap, GradientIsThatOfDifferences)
 {
   const Points2 at = this->displacements(0.03, 1);
   Eigen::VectorXd gradient;
-  SparseMatrix hessian;
+  LatticeMatrix hessian(this->Lattice);
   const double value = this->Energy.derivatives(at, gradient, hessian);
   EXPECT_NEAR(value, this->Energy.value(at), 1e-12 * value);
   for (int seed = 2; seed < 8; ++seed)
@@ -128,7 +130,7 @@ TEST_F(DeformationEnergyOfAMap, HessianBoundsDifferencesOfTheGradient)
 {
   const Points2 at = this->displacements(0.03, 1);
   Eigen::VectorXd gradient;
-  SparseMatrix hessian;
+  LatticeMatrix hessian(this->Lattice);
   this->Energy.derivatives(at, gradient, hessian);
   for (int seed = 2; seed < 8; ++seed)
   {
@@ -136,9 +138,42 @@ TEST_F(DeformationEnergyOfAMap, HessianBoundsDifferencesOfTheGradient)
     const Eigen::Map<const Eigen::VectorXd> s(step.data(), step.size());
     const double second =
       this->Energy.value(at + step) - 2.0 * this->Energy.value(at) + this->Energy.value(at - step);
-    const double bound = s.dot(hessian.selfadjointView<Eigen::Lower>() * s);
+    const double bound = s.dot(hessian.lower().selfadjointView<Eigen::Lower>() * s);
     EXPECT_GE(bound, 0.0);
     EXPECT_GE(bound, second * (1.0 - 1e-3));
+  }
+}
+
+// A sum over all squares of random matrices, against the dense sum. On a lattice of one square all nodes
+// are at its ends.
+TEST(LatticeMatrix, IsTheSumOfItsSquares)
+{
+  for (const int squares : { 1, 2, 5 })
+  {
+    const DeformationLattice lattice({ Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(1.0, 0.6) }, squares);
+    LatticeMatrix sum(lattice);
+    const int dofs = 2 * lattice.nodeCount();
+    for (int round = 0; round < 2; ++round) // the second from zero again
+    {
+      sum.setZero();
+      Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(dofs, dofs);
+      for (int square = 0; square < lattice.columns() * lattice.rows(); ++square)
+      {
+        const Eigen::Vector2d centre(
+          square % lattice.columns() + 0.5, static_cast<int>(square / lattice.columns()) + 0.5);
+        const std::array<int, 9> nodes = lattice.influenceOn(lattice.side() * centre).Nodes;
+        const LatticeMatrix::SquareBlock block = LatticeMatrix::SquareBlock::Random();
+        sum.add(nodes, block);
+        for (int r = 0; r < 18; ++r)
+        {
+          for (int c = 0; c <= r; ++c)
+          {
+            expected(2 * nodes[r / 2] + r % 2, 2 * nodes[c / 2] + c % 2) += block(r, c);
+          }
+        }
+      }
+      EXPECT_LT((sum.lower().toDense() - expected).cwiseAbs().maxCoeff(), 1e-14);
+    }
   }
 }
 
@@ -162,7 +197,7 @@ TEST_F(DeformationEnergyOfAMap, GradientOfKeptPointsIsThatOfDifferences)
   const double before = this->Energy.value(at);
   this->Energy.keepOnBoundary(disk, points);
   Eigen::VectorXd gradient;
-  SparseMatrix hessian;
+  LatticeMatrix hessian(this->Lattice);
   const double value = this->Energy.derivatives(at, gradient, hessian);
   EXPECT_GT(value, 2.0 * before);
   EXPECT_NEAR(value, this->Energy.value(at), 1e-12 * value);
