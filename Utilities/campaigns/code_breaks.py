@@ -206,7 +206,7 @@ BREAKS = [
     at("Areas/CoarseDisk.cxx", "Identity() - deviator", "Identity() + deviator"),
     at("Areas/DeformationEnergy.cxx", "rotation.adjoint()", "rotation"),
     at("Areas/DeformationEnergy.cxx", "cwiseMax(0.0)", "cwiseAbs()"),
-    at("Areas/LatticeMatrix.cxx", "std::min(Coupled, column)", "std::min(Coupled - 1, column)"),
+    at("Areas/LatticeMatrix.cxx", "std::min(CouplingDistance, column)", "std::min(CouplingDistance - 1, column)"),
     at("Areas/LatticeMatrix.cxx", "(left + 1 + right)", "(left + right)"),
     at("Areas/OutlineScaffold.cxx", "joined(ofMesh, this->GapAreas)", "joined(ofMesh, 2.0 * this->GapAreas)"),
     at("Areas/RefinementTerms.cxx", "interval.Share < TinyInterval * mean", "false"),

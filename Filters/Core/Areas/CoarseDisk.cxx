@@ -58,15 +58,19 @@ Eigen::Matrix2d metricOf(const Eigen::Matrix2d& inverse)
   {
     return Eigen::Matrix2d::Identity();
   }
-  // The eigenvalues are the mean plus and minus the deviation, and their product is 1.
-  const double mean = 0.5 * inverse.trace() / std::sqrt(determinant);
-  const Eigen::Matrix2d deviator = inverse / std::sqrt(determinant) - mean * Eigen::Matrix2d::Identity();
-  const double deviation = deviator.norm() / std::sqrt(2.0);
+  // The eigenvalues of a matrix of determinant 1 are the mean plus and minus the deviation, and the
+  // inverse has the same ones.
+  const Eigen::Matrix2d scaled = inverse / std::sqrt(determinant);
+  const double mean = 0.5 * scaled.trace();
+  const Eigen::Matrix2d deviator = scaled - mean * Eigen::Matrix2d::Identity();
   constexpr double mostMean = 0.5 * (GreatestStretch + 1.0 / GreatestStretch);
+  if (mean <= mostMean)
+  {
+    return mean * Eigen::Matrix2d::Identity() - deviator;
+  }
   constexpr double mostDeviation = 0.5 * (GreatestStretch - 1.0 / GreatestStretch);
-  return mean > mostMean ? Eigen::Matrix2d(mostMean * Eigen::Matrix2d::Identity() -
-                                           (mostDeviation / deviation) * deviator)
-                         : Eigen::Matrix2d(mean * Eigen::Matrix2d::Identity() - deviator);
+  const double deviation = deviator.norm() / std::sqrt(2.0);
+  return mostMean * Eigen::Matrix2d::Identity() - (mostDeviation / deviation) * deviator;
 }
 
 // Makes a coarse disk of a surface.

@@ -64,7 +64,7 @@ public:
   double value(const Points2& displacements) const;
   /// The same with its derivatives by the displacements (2 k, x and y of each node in turn): the
   /// gradient, and the second derivative, to which every small square contributes its positive
-  /// semidefinite part. @p hessian is of the same lattice.
+  /// semidefinite part. @p hessian must have been made for the same lattice.
   double derivatives(const Points2& displacements,
     Eigen::VectorXd& gradient,
     LatticeMatrix& hessian) const;

@@ -8,9 +8,9 @@ namespace flattening
 namespace
 {
 
-// Nodes are coupled up to this number of columns and of rows from each other: quadratic B-splines span
-// three squares.
-constexpr int Coupled = 2;
+// Nodes are coupled if they are at most so many columns and rows of nodes from each other: quadratic
+// B-splines span three squares.
+constexpr int CouplingDistance = 2;
 
 } // namespace
 
@@ -20,13 +20,14 @@ LatticeMatrix::LatticeMatrix(const DeformationLattice& lattice)
   : Columns(lattice.columns() + 2)
   , Lower(2 * lattice.nodeCount(), 2 * lattice.nodeCount())
 {
-  constexpr int most = 2 * (Coupled + 1 + Coupled * (2 * Coupled + 1)); // rows of a column
+  constexpr int most =
+    2 * (CouplingDistance + 1 + CouplingDistance * (2 * CouplingDistance + 1)); // rows of a column
   this->Lower.reserve(Eigen::VectorXi::Constant(this->Lower.cols(), most));
   for (int node = 0; node < lattice.nodeCount(); ++node)
   {
     const auto [left, right] = this->reachOf(node);
     const int rowsBelow = (lattice.nodeCount() - 1 - node) / this->Columns;
-    for (int row = 0; row <= std::min(Coupled, rowsBelow); ++row)
+    for (int row = 0; row <= std::min(CouplingDistance, rowsBelow); ++row)
     {
       for (int k = row == 0 ? 0 : -left; k <= right; ++k)
       {
@@ -47,7 +48,7 @@ LatticeMatrix::LatticeMatrix(const DeformationLattice& lattice)
 LatticeMatrix::Reach LatticeMatrix::reachOf(int node) const
 {
   const int column = node % this->Columns;
-  return { std::min(Coupled, column), std::min(Coupled, this->Columns - 1 - column) };
+  return { std::min(CouplingDistance, column), std::min(CouplingDistance, this->Columns - 1 - column) };
 }
 
 void LatticeMatrix::setZero()

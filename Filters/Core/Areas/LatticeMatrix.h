@@ -24,6 +24,7 @@ public:
   /// Zero.
   explicit LatticeMatrix(const DeformationLattice& lattice);
 
+  /// Sets all entries to zero and keeps the pattern.
   void setZero();
 
   /// Adds the matrix of a square with the nodes @p nodes (DeformationLattice::Influence).
@@ -31,10 +32,9 @@ public:
 
   /// The lower triangle.
   SparseMatrix& lower() { return this->Lower; }
-  const SparseMatrix& lower() const { return this->Lower; }
 
 private:
-  // The nodes from a node's column on to the left and to the right, with which it is coupled.
+  // How many columns of nodes to the left and to the right of a node are coupled with it.
   struct Reach
   {
     int Left;

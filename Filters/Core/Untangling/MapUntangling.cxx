@@ -20,7 +20,7 @@ constexpr double LeastWork = 5e4;
 constexpr int MostSweeps = 10;
 // Faces of a sweep from one report to the next: a choice. A face takes a ten-thousandth of a second at
 // most.
-constexpr std::size_t UntangledPerReport = 256;
+constexpr std::size_t SweptFacesPerReport = 256;
 
 std::vector<int> flippedFaces(const UntanglingMesh& mesh)
 {
@@ -41,7 +41,7 @@ void moveSingleVertices(UntanglingMesh& mesh, const ProgressCallback& progress)
   std::size_t seen = 0;
   const auto isUntangled = [&](int f)
   {
-    if (seen++ % UntangledPerReport == 0)
+    if (seen++ % SweptFacesPerReport == 0)
     {
       report(progress, 0.0, UntanglingStage);
     }

@@ -145,7 +145,7 @@ TEST_F(DeformationEnergyOfAMap, HessianBoundsDifferencesOfTheGradient)
 }
 
 // A sum over all squares of random matrices, against the dense sum. On a lattice of one square all nodes
-// are at its ends.
+// are at its border.
 TEST(LatticeMatrix, IsTheSumOfItsSquares)
 {
   for (const int squares : { 1, 2, 5 })
@@ -159,8 +159,7 @@ TEST(LatticeMatrix, IsTheSumOfItsSquares)
       Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(dofs, dofs);
       for (int square = 0; square < lattice.columns() * lattice.rows(); ++square)
       {
-        const Eigen::Vector2d centre(
-          square % lattice.columns() + 0.5, static_cast<int>(square / lattice.columns()) + 0.5);
+        const Eigen::Vector2d centre(square % lattice.columns() + 0.5, square / lattice.columns() + 0.5);
         const std::array<int, 9> nodes = lattice.influenceOn(lattice.side() * centre).Nodes;
         const LatticeMatrix::SquareBlock block = LatticeMatrix::SquareBlock::Random();
         sum.add(nodes, block);
